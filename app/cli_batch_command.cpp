@@ -12,6 +12,7 @@
 #include "core/format/project_file.h"
 #include "core/format/strict_json.h"
 #include "core/printable.h"
+#include "core/project/batch.h"
 #include "core/study/part_rows_file.h"
 #include "words/issue_words.h"
 

@@ -8,6 +8,7 @@
 #include "core/format/project_file.h"
 #include "core/optimisation/search_names.h"
 #include "core/printable.h"
+#include "core/project/optimisation.h"
 #include "words/search_words.h"
 
 #include <algorithm>

@@ -6,6 +6,8 @@
 #include "core/optimisation/cost.h"
 #include "core/optimisation/limit.h"
 #include "core/optimisation/search_names.h"
+#include "core/project/cycle.h"
+#include "core/project/optimisation.h"
 #include "core/project/validate.h"
 #include "core/units.h"
 
@@ -43,7 +45,7 @@ std::vector<std::pair<long long, const char*>> cutsOf(const SearchSummary& searc
 ordered_json cycleJson(const GridSearchReport& report) {
     Project best = report.project;
     best.runs.clear();
-    best.cycle = cycleFound(report);
+    *best.cycle = cycleFound(report);
     return ordered_json::parse(writeProject(best))["cycle"];
 }
 

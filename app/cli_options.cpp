@@ -3,6 +3,7 @@
 
 #include "app/cli_io.h"
 #include "core/field.h"
+#include "core/project/batch.h"
 
 #include <charconv>
 #include <cmath>

@@ -4,6 +4,7 @@
 #include "app/cli_shop.h"
 #include "core/printable.h"
 #include "core/process/coupled_sections.h"
+#include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/finished_surface.h"
@@ -150,7 +151,7 @@ std::string traceCsv(const SimulationResult& result, const Trajectory& trajector
     csv += zones ? "zone," : "section,";
     csv += strokes ? "step,revolution,radius," : "radius,";
     csv += "programmed_mm,actual_mm,accumulated_mm,radius_um,normal_force_n\n";
-    const double nominal = result.project.part.diameter_mm / 2;
+    const double nominal = result.project.part->diameter_mm / 2;
     for (const Pass& pass : trajectory.passes) {
         const Place& place = pass.place;
         std::string where =

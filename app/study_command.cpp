@@ -4,6 +4,7 @@
 #include "app/batch_watch.h"
 #include "app/stop_signals.h"
 #include "app/window_io.h"
+#include "core/project/batch.h"
 #include "core/study/evaluate.h"
 #include "ui/export/export_file.h"
 #include "ui/session/document.h"

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/indirect.h"
+#include "core/optional_indirect.h"
+
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -204,6 +207,15 @@ template <class T>
 struct IsOptional : std::false_type {};
 template <class T>
 struct IsOptional<std::optional<T>> : std::true_type {};
+/// Of objects that the struct holds where their type is only declared.
+template <class T>
+struct IsIndirect : std::false_type {};
+template <class T>
+struct IsIndirect<Indirect<T>> : std::true_type {};
+template <class T>
+struct IsOptionalIndirect : std::false_type {};
+template <class T>
+struct IsOptionalIndirect<OptionalIndirect<T>> : std::true_type {};
 template <class T>
 struct IsVector : std::false_type {};
 template <class T>
@@ -278,7 +290,14 @@ template <auto Member, class S, class T>
 void fillObject(Field& f) {
     f.kind = Kind::object;
     f.nested = &tableOf<T>();
-    f.object = [](void* owner, bool) -> void* { return &(static_cast<S*>(owner)->*Member); };
+    f.object = [](void* owner, bool) -> void* {
+        auto& member = static_cast<S*>(owner)->*Member;
+        if constexpr (std::is_same_v<std::remove_reference_t<decltype(member)>, T>) {
+            return &member;
+        } else {
+            return &*member;
+        }
+    };
 }
 
 /// A variant of kinds, one for each choice.
@@ -371,8 +390,10 @@ Field makeField(const char* key, const Row& row) {
         f.kind = Kind::jsonText;
     } else if constexpr (detail::IsVector<T>::value) {
         detail::fillList<Member, S, typename T::value_type>(f);
-    } else if constexpr (detail::IsOptional<T>::value) {
+    } else if constexpr (detail::IsOptional<T>::value || detail::IsOptionalIndirect<T>::value) {
         detail::fillOptionalObject<Member, S, typename T::value_type>(f);
+    } else if constexpr (detail::IsIndirect<T>::value) {
+        detail::fillObject<Member, S, typename T::value_type>(f);
     } else {
         detail::fillObject<Member, S, T>(f);
     }

@@ -2,6 +2,7 @@
 #include "python/study_objects.h"
 
 #include "core/optimisation/search_names.h"
+#include "core/project/part.h"
 #include "core/quality/result_names.h"
 #include "core/sparkout.h"
 #include "python/arrays.h"
@@ -65,7 +66,7 @@ py::list sectionsOf(const Evaluation& self) {
     py::list list;
     int number = 0;
     for (const SectionResult& section : self.result().sections) {
-        list.append(sectionDict(section, number++, self.result().project.part.diameter_mm));
+        list.append(sectionDict(section, number++, self.result().project.part->diameter_mm));
     }
     return list;
 }

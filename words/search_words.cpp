@@ -3,6 +3,7 @@
 
 #include "core/optimisation/grid.h"
 #include "core/optimisation/search_names.h"
+#include "core/project/optimisation.h"
 
 #include <cmath>
 #include <string>

@@ -2,6 +2,7 @@
 #include "core/batch/batch_check.h"
 
 #include "core/batch/scenario_source.h"
+#include "core/project/batch.h"
 #include "core/project/batch_rules.h"
 #include "core/project/validate.h"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_verdict.h"
 
+#include "core/project/batch.h"
+
 namespace sparkout {
 
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/characteristics.h"
 
+#include "core/project/part.h"
 #include "core/quality/constraints.h"
 #include "core/quality/finished_surface.h"
 #include "core/units.h"
@@ -48,7 +49,7 @@ public:
 
 private:
     void addSection(Zone zone, int section) {
-        const Part& part = m_project.part;
+        const Part& part = *m_project.part;
         const double low = part.lower_deviation_um, high = part.upper_deviation_um;
         m_zone = zone;
         m_section = section;
@@ -70,7 +71,7 @@ private:
         if (isOn) {
             limit = isRelative(row) ? wholeLimit : statedLimit(row, m_project);
         }
-        const Part& part = m_project.part;
+        const Part& part = *m_project.part;
         const double width =
             row.isDeviation || !limit ? part.upper_deviation_um - part.lower_deviation_um : *limit;
         const std::optional<double> none;
@@ -93,7 +94,7 @@ double valueOf(const Characteristic& characteristic, const SimulationResult& res
     }
     const auto section = static_cast<std::size_t>(characteristic.section);
     if (!row) {
-        return meanDeviation_um(result.sections[section], result.project.part.diameter_mm);
+        return meanDeviation_um(result.sections[section], result.project.part->diameter_mm);
     }
     if (row->kind == ConstraintKind::radialRunout) {
         return result.sections[section].radialRunout_mm * units::umPerMm;

@@ -2,6 +2,12 @@
 #include "core/batch/factor_law.h"
 
 #include "core/process/profile.h"
+#include "core/project/batch.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/statistics/intervals.h"
 
 #include <algorithm>
@@ -23,7 +29,7 @@ FactorEnds truncation(const GivenFactor& factor) {
 }
 
 void scaleCompliance(double factor, Project& project) {
-    Machine& machine = project.machine;
+    Machine& machine = *project.machine;
     if (auto* zones = std::get_if<ZoneCompliance>(&machine.compliance_mm_per_n)) {
         zones->rz1 *= factor;
         zones->nz *= factor;
@@ -38,8 +44,8 @@ void scaleCompliance(double factor, Project& project) {
         machine.stiffness_n_um->tailstock /= factor;
         machine.stiffness_n_um->wheel_head /= factor;
     }
-    project.part.shaft.youngs_modulus_gpa /= factor;
-    for (SteadyRest& rest : project.part.shaft.steady_rests) {
+    project.part->shaft.youngs_modulus_gpa /= factor;
+    for (SteadyRest& rest : project.part->shaft.steady_rests) {
         rest.stiffness_n_um /= factor;
     }
     if (machine.wheel_contact && machine.wheel_contact->n_um_at_n) {
@@ -47,8 +53,8 @@ void scaleCompliance(double factor, Project& project) {
             row[1] /= factor;
         }
     }
-    if (project.gauge.compliance_mm_per_n) {
-        *project.gauge.compliance_mm_per_n *= factor;
+    if (project.gauge->compliance_mm_per_n) {
+        *project.gauge->compliance_mm_per_n *= factor;
     }
 }
 
@@ -157,25 +163,25 @@ FactorEnds cornerEnds(const GivenFactor& factor) {
 
 void putFactor(FactorKind kind, double value, Project& project) {
     switch (kind) {
-    case FactorKind::stock: project.part.stock_mm = value; break;
+    case FactorKind::stock: project.part->stock_mm = value; break;
     case FactorKind::runout:
-        if (project.part.profile == ProfileForm::measured) {
-            const double runout = initialRunout(project.part);
-            for (double& radius : *project.part.radii_um) {
+        if (project.part->profile == ProfileForm::measured) {
+            const double runout = initialRunout(*project.part);
+            for (double& radius : *project.part->radii_um) {
                 radius *= runout > 0 ? value / runout : 1;
             }
         }
-        project.part.initial_runout_mm = value;
+        project.part->initial_runout_mm = value;
         break;
-    case FactorKind::dullness: project.wheel.dullness = value; break;
+    case FactorKind::dullness: project.wheel->dullness = value; break;
     case FactorKind::wheelDiameter:
-        project.machine.wheel_speed_m_s *= value / project.wheel.diameter_mm;
-        project.wheel.diameter_mm = value;
+        project.machine->wheel_speed_m_s *= value / project.wheel->diameter_mm;
+        project.wheel->diameter_mm = value;
         break;
-    case FactorKind::flowStress: project.material.flow_stress_mpa = value; break;
+    case FactorKind::flowStress: project.material->flow_stress_mpa = value; break;
     case FactorKind::compliance: scaleCompliance(value, project); break;
     case FactorKind::contactWidth:
-        (project.operation->travels ? project.wheel.width_mm : project.part.length_mm) = value;
+        (project.operation->travels ? project.wheel->width_mm : project.part->length_mm) = value;
         break;
     }
 }

@@ -2,6 +2,8 @@
 #include "core/batch/scenario_source.h"
 
 #include "core/process/profile.h"
+#include "core/project/batch.h"
+#include "core/project/gauge.h"
 #include "core/statistics/permutation.h"
 #include "core/statistics/sobol_sequence.h"
 
@@ -14,8 +16,8 @@ namespace sparkout {
 ScenarioSource::ScenarioSource(Project project)
     : m_nominal(std::move(project)), m_batch(m_nominal.batch.value_or(Batch{})) {
     m_factors = givenFactors(m_nominal);
-    if (auto& gauge = m_nominal.gauge; gauge.control == Control::position && !gauge.datum_mm) {
-        gauge.datum_mm = makeBlank(m_nominal.part).totalInfeed_mm;
+    if (Gauge& gauge = *m_nominal.gauge; gauge.control == Control::position && !gauge.datum_mm) {
+        gauge.datum_mm = makeBlank(*m_nominal.part).totalInfeed_mm;
     }
     m_nominal.batch.reset();
     m_nominal.optimisation.reset();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/batch/factor_law.h"
+#include "core/project/batch.h"
 #include "core/statistics/correlation.h"
 #include "core/statistics/value_bins.h"
 

@@ -2,6 +2,7 @@
 #include "core/batch/sensitivity.h"
 
 #include "core/batch/worker_pool.h"
+#include "core/project/batch.h"
 #include "core/simulation/simulate.h"
 #include "core/statistics/philox.h"
 #include "core/statistics/sobol_sequence.h"

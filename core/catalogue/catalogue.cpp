@@ -99,7 +99,7 @@ void readEntry(const json& text, const std::string& path, Entry& entry, Issues& 
     if (issues.size() == before) {
         checkSources(text.at("value"), valueTable<Entry>(), entry.sources, path, issues);
         Project project;
-        project.*Kindred<Entry>::member = entry.value;
+        *(project.*Kindred<Entry>::member) = entry.value;
         checkLimits(project, Kindred<Entry>::key, entry.sources, path, issues);
         if constexpr (std::is_same_v<Entry, MaterialEntry>) {
             if (entry.thermal) {
@@ -192,7 +192,7 @@ std::vector<Entry> mergedEntries(const std::vector<Entry>& shipped, const std::v
 
 template <class Entry>
 void applyEntry(const Entry& entry, Project& project) {
-    auto& target = project.*Kindred<Entry>::member;
+    auto& target = *(project.*Kindred<Entry>::member);
     const ordered_json given = givenPart(writeByTable(valueTable<Entry>(), &entry.value),
                                          valueTable<Entry>(), entry.sources);
     Issues issues;
@@ -204,7 +204,7 @@ template <class Entry>
 Entry entryOf(const Project& project, const std::string& name) {
     Entry entry;
     entry.name = name;
-    entry.value = project.*Kindred<Entry>::member;
+    entry.value = *(project.*Kindred<Entry>::member);
     const ordered_json value = writeByTable(valueTable<Entry>(), &entry.value);
     eachValue(value, valueTable<Entry>(), {}, [&](const std::string& key, const ordered_json&) {
         ValueSource source;

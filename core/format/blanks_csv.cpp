@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/format/blanks_csv.h"
 
+#include "core/project/batch.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include "core/limits/ierfc.h"
 #include "core/limits/rising_root.h"
+#include "core/project/material.h"
 #include "core/text.h"
 
 #include <algorithm>
@@ -22,9 +23,9 @@ constexpr double largestArgument = 26;
 
 BurnModel::BurnModel(const Project& project)
     : m_cutting(cuttingOf(project))
-    , m_lambda(project.material.conductivity_w_mk) // W/(m·K) = N/(s·K)
-    , m_Omega(project.material.diffusivity_mm2_s)
-    , m_share(project.material.heat_share) {
+    , m_lambda(project.material->conductivity_w_mk) // W/(m·K) = N/(s·K)
+    , m_Omega(project.material->diffusivity_mm2_s)
+    , m_share(project.material->heat_share) {
     const double De = m_cutting.De_mm, Vd = m_cutting.Vd_mm_s;
     m_surface = 2 * m_share * m_cutting.Vk_mm_s * std::sqrt(m_Omega)
                 / (m_lambda * std::sqrt(std::numbers::pi * Vd) * std::sqrt(std::sqrt(De)));

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/limits/cutting.h"
 
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/text.h"
 #include "core/units.h"
 
@@ -12,13 +16,13 @@ namespace sparkout {
 Cutting cuttingOf(const Project& project) {
     Cutting cutting;
     cutting.law = forceLaw(project);
-    cutting.d_mm = project.part.diameter_mm;
-    cutting.D_mm = project.wheel.diameter_mm;
-    cutting.De_mm = equivalentDiameter(cutting.d_mm, cutting.D_mm, project.part.surface);
-    cutting.n_rpm = project.machine.work_speed_rpm;
+    cutting.d_mm = project.part->diameter_mm;
+    cutting.D_mm = project.wheel->diameter_mm;
+    cutting.De_mm = equivalentDiameter(cutting.d_mm, cutting.D_mm, project.part->surface);
+    cutting.n_rpm = project.machine->work_speed_rpm;
     cutting.Vd_mm_s = std::numbers::pi * cutting.d_mm * cutting.n_rpm / units::secondsPerMinute;
-    cutting.Vk_mm_s = project.machine.wheel_speed_m_s * units::mmPerM;
-    cutting.dullness = project.wheel.dullness;
+    cutting.Vk_mm_s = project.machine->wheel_speed_m_s * units::mmPerM;
+    cutting.dullness = project.wheel->dullness;
     return cutting;
 }
 
@@ -29,7 +33,7 @@ namespace {
 void stateFriction(FormulaSheet* sheet, const Project& project, const Cutting& cutting) {
     state(sheet, "{k_r} = {η}·{σ_i}·√({D_e})/{c}", {"k_r", cutting.law.kr, "N/mm^1.5"},
           {{"η", cutting.dullness, ""},
-           {"σ_i", project.material.flow_stress_mpa, "MPa"},
+           {"σ_i", project.material->flow_stress_mpa, "MPa"},
            {"D_e", cutting.De_mm, "mm"},
            constantTerm("c", 3)});
 }
@@ -37,7 +41,7 @@ void stateFriction(FormulaSheet* sheet, const Project& project, const Cutting& c
 } // namespace
 
 void stateContact(FormulaSheet* sheet, const Project& project, const Cutting& cutting) {
-    const bool external = project.part.surface == Surface::external;
+    const bool external = project.part->surface == Surface::external;
     state(sheet, external ? "{D_e} = {d}·{D}/({D} + {d})" : "{D_e} = {d}·{D}/({d} − {D})",
           {"D_e", cutting.De_mm, "mm"}, {{"d", cutting.d_mm, "mm"}, {"D", cutting.D_mm, "mm"}});
     state(sheet, "{V_d} = π·{d}·{n}/{s}", {"V_d", cutting.Vd_mm_s, "mm/s"},
@@ -48,8 +52,8 @@ void stateContact(FormulaSheet* sheet, const Project& project, const Cutting& cu
 
 void stateNormal(FormulaSheet* sheet, const Project& project, const Cutting& cutting) {
     state(sheet, "{k_s} = {ε_i·tg β}·{σ_i}·{V_d}/{V_k}", {"k_s", cutting.law.ks, "MPa"},
-          {{"ε_i·tg β", project.material.shear_factor, ""},
-           {"σ_i", project.material.flow_stress_mpa, "MPa"},
+          {{"ε_i·tg β", project.material->shear_factor, ""},
+           {"σ_i", project.material->flow_stress_mpa, "MPa"},
            {"V_d", cutting.Vd_mm_s, "mm/s"},
            {"V_k", cutting.Vk_mm_s, "mm/s"}});
     stateFriction(sheet, project, cutting);
@@ -57,8 +61,8 @@ void stateNormal(FormulaSheet* sheet, const Project& project, const Cutting& cut
 
 void stateTangential(FormulaSheet* sheet, const Project& project, const Cutting& cutting) {
     state(sheet, "{k_t} = {ε_i}·{σ_i}·{V_d}/{V_k}", {"k_t", cutting.law.kt, "MPa"},
-          {{"ε_i", project.material.shear_strain, ""},
-           {"σ_i", project.material.flow_stress_mpa, "MPa"},
+          {{"ε_i", project.material->shear_strain, ""},
+           {"σ_i", project.material->flow_stress_mpa, "MPa"},
            {"V_d", cutting.Vd_mm_s, "mm/s"},
            {"V_k", cutting.Vk_mm_s, "mm/s"}});
     stateFriction(sheet, project, cutting);

@@ -3,6 +3,7 @@
 
 #include "core/optimisation/cycle_runner.h"
 #include "core/optimisation/refine_space.h"
+#include "core/project/cycle.h"
 #include "core/simulation/simulate.h"
 
 #include <algorithm>
@@ -154,7 +155,7 @@ std::optional<std::vector<ConstraintKind>> brokenIn(const std::vector<Neighbour>
     for (const auto& [cycle, machine] : others) {
         for (Project& part : parts) {
             setMachine(part, machine);
-            part.cycle = cycle;
+            *part.cycle = cycle;
             const SimulationResult result = simulateUnchecked(part, nullptr, stop);
             if (result.status == RunStatus::stopped || stop.stop_requested()) {
                 return std::nullopt;

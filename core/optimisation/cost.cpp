@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/cost.h"
 
+#include "core/project/batch.h"
+#include "core/project/optimisation.h"
+
 namespace sparkout {
 
 namespace {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/cycle_runner.h"
 
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
 #include "core/simulation/plunge.h"
 #include "core/simulation/stage_control.h"
 #include "core/simulation/traverse.h"
@@ -23,13 +25,13 @@ void SearchCounts::add(const SearchCounts& other) {
 }
 
 CycleRunner::CycleRunner(const Project& project, const Grid& grid, const std::stop_token& stop)
-    : m_grid(&grid), m_cuts(project), m_gauged(project.gauge.control == Control::gauge) {
+    : m_grid(&grid), m_cuts(project), m_gauged(project.gauge->control == Control::gauge) {
     for (const std::size_t stages : grid.stageCounts()) {
         m_starts.resize(std::max(m_starts.size(), stages + 1));
         Start& start = m_starts[stages];
         start.project = std::make_unique<Project>(project);
         start.project->runs.clear();
-        start.project->cycle.stages.assign(stages, {});
+        start.project->cycle->stages.assign(stages, {});
         start.steps = project.operation.match(
             [&](Traverse) { return traverseSteps(*start.project, Zone::nz, nullptr, stop); },
             [&](Plunge) { return plungeSteps(*start.project, nullptr, stop); });
@@ -42,7 +44,7 @@ std::shared_ptr<const CycleSteps> CycleRunner::begin(std::size_t stages) const {
 
 SimulationResult CycleRunner::finish(const GridCycle& cycle, CycleSteps& steps,
                                      const std::vector<int>& stepsByStage) {
-    m_starts[cycle.size()].project->cycle = m_grid->cycle(cycle);
+    *m_starts[cycle.size()].project->cycle = m_grid->cycle(cycle);
     return steps.finish(stepsByStage);
 }
 
@@ -50,7 +52,7 @@ SimulationResult CycleRunner::finish(const GridCycle& cycle, CycleSteps& steps,
 std::optional<SimulationResult> CycleRunner::run(const GridCycle& cycle, std::int64_t slowest_us,
                                                  SearchCounts& counts) {
     Project& project = *m_starts[cycle.size()].project;
-    project.cycle = m_grid->cycle(cycle);
+    *project.cycle = m_grid->cycle(cycle);
     const std::unique_ptr<CycleSteps> steps = begin(cycle.size())->copy();
     Run& run = steps->run();
     StageControl control(project, infeedsOfStages(project), run.blank().totalInfeed_mm);

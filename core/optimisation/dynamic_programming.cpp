@@ -3,6 +3,7 @@
 
 #include "core/optimisation/judge.h"
 #include "core/optimisation/stage_runs.h"
+#include "core/project/optimisation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/grid.h"
 
+#include "core/project/cycle.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -10,7 +14,7 @@
 namespace sparkout {
 
 Grid::Grid(const Project& project)
-    : m_operation(project.operation), m_stock_mm(project.part.stock_mm), m_fault(read(project)) {}
+    : m_operation(project.operation), m_stock_mm(project.part->stock_mm), m_fault(read(project)) {}
 
 GridFault Grid::read(const Project& project) {
     if (!project.optimisation) {

@@ -4,6 +4,12 @@
 #include "core/optimisation/variants.h"
 #include "core/process/coupled_sections.h"
 #include "core/process/profile.h"
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/quality/constraints.h"
 #include "core/quality/depth_limits.h"
 #include "core/simulation/cycle_steps.h"
@@ -26,7 +32,7 @@ constexpr double slowestShare = 1e-3; ///< of the fastest axial feed: the cells'
 
 /// The greatest a feed can be: of the machine's range, or of what is set and searched.
 double greatest(const Project& project, const StageFeed& feed) {
-    const auto& range = project.machine.limits.*feed.range;
+    const auto& range = project.machine->limits.*feed.range;
     if (range && range->size() == 3) {
         return (*range)[1];
     }
@@ -36,7 +42,7 @@ double greatest(const Project& project, const StageFeed& feed) {
             most = std::max(most, level);
         }
     }
-    for (const Stage& stage : project.cycle.stages) {
+    for (const Stage& stage : project.cycle->stages) {
         most = std::max(most, (stage.*feed.value).value_or(0));
     }
     return most;
@@ -44,7 +50,7 @@ double greatest(const Project& project, const StageFeed& feed) {
 
 /// Least of the depths allowed at every pass [mm], and no more than what counts: the stock.
 double leastLimit(const Project& project, double b, double stock_mm) {
-    double least = project.part.stock_mm;
+    double least = project.part->stock_mm;
     for (const DepthLimit& limit : depthLimits(project, b, stock_mm)) {
         if (requirementOf(limit.kind).bindsEveryPass()) {
             least = std::min(least, limit.depth_mm);
@@ -58,8 +64,8 @@ class StepTimes {
 public:
     explicit StepTimes(const Project& project)
         : m_project(project)
-        , m_revolution_s(units::secondsPerMinute / project.machine.work_speed_rpm) {
-        const Machine& machine = project.machine;
+        , m_revolution_s(units::secondsPerMinute / project.machine->work_speed_rpm) {
+        const Machine& machine = *project.machine;
         infeed_mm = project.operation.infeed_mm(greatest(project, project.operation->radial()),
                                                 machine.work_speed_rpm);
         if (const StageFeed* const axial = project.operation->axial()) {
@@ -68,7 +74,7 @@ public:
         m_dwells_s = m_revolution_s
                      * (2 * dwellRevolutions(machine.dwell_entry_s, machine.work_speed_rpm)
                         + dwellRevolutions(machine.dwell_exit_s, machine.work_speed_rpm));
-        m_travel_mm = project.part.length_mm - project.wheel.width_mm + machine.overrun_entry_mm
+        m_travel_mm = project.part->length_mm - project.wheel->width_mm + machine.overrun_entry_mm
                       + machine.overrun_exit_mm;
     }
 
@@ -81,7 +87,7 @@ public:
     [[nodiscard]] double rate(double stock_mm) const {
         if (!travels()) {
             const double slices = isCoupled(m_project) ? m_project.sections : 1;
-            return leastLimit(m_project, m_project.part.length_mm / slices, stock_mm)
+            return leastLimit(m_project, m_project.part->length_mm / slices, stock_mm)
                    / m_revolution_s;
         }
         double most = 0;
@@ -90,8 +96,8 @@ public:
             const double high =
                 m_fastest * std::pow(slowestShare, 1 - static_cast<double>(i) / feedCells);
             const double width =
-                std::min(std::max(low, m_fastest * 1e-9) / m_project.machine.work_speed_rpm,
-                         m_project.wheel.width_mm);
+                std::min(std::max(low, m_fastest * 1e-9) / m_project.machine->work_speed_rpm,
+                         m_project.wheel->width_mm);
             most = std::max(most, leastLimit(m_project, width, stock_mm) / (step_s(high) / 2));
             low = high;
         }
@@ -119,17 +125,17 @@ double leftByField_mm(const Part& part) {
 
 /// Of one variant.
 double limitOf(const Project& project, bool sparksOut, const std::stop_token& stop) {
-    const Blank blank = makeBlank(project.part);
+    const Blank blank = makeBlank(*project.part);
     const StepTimes times(project);
     if (times.infeed_mm <= 0) {
         return 0;
     }
-    const double left = sparksOut ? leftByField_mm(project.part) : 0;
+    const double left = sparksOut ? leftByField_mm(*project.part) : 0;
     const double all = blank.totalInfeed_mm - left - 2 * stageSlack_mm;
     const double steps = std::max(std::ceil(all / times.infeed_mm - 1e-9), 1.0);
     // a last step cut short still takes its dwells and strokes
     double limit_s = (steps + (sparksOut ? 1 : 0)) * times.least_s();
-    if (project.gauge.control == Control::gauge && !project.gauge.position_mm) {
+    if (project.gauge->control == Control::gauge && !project.gauge->position_mm) {
         const double deepest = *std::max_element(blank.depth_mm.begin(), blank.depth_mm.end());
         const double cell = (all - deepest) / stockCells;
         double sum_s = 0;

@@ -156,7 +156,7 @@ SearchSummary optimise(const Project& project, const SearchOptions& options) {
 
 Project withBest(Project project, const SearchSummary& summary) {
     setMachine(project, summary.machine);
-    project.cycle = summary.cycle;
+    *project.cycle = summary.cycle;
     return project;
 }
 

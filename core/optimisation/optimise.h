@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/optimisation/variants.h"
+#include "core/project/cycle.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/result.h"
 

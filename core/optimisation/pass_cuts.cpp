@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/pass_cuts.h"
 
+#include "core/project/part.h"
 #include "core/units.h"
 
 namespace sparkout {
@@ -11,9 +12,9 @@ constexpr double peakRounding = 1e-9;
 
 PassCuts::PassCuts(const Project& project)
     : m_points(static_cast<std::size_t>(placeCount(project)))
-    , m_least_mm(project.part.lower_deviation_um / units::umPerMm - 2 * diameterSlack_mm)
-    , m_most_mm(project.part.upper_deviation_um / units::umPerMm + 2 * diameterSlack_mm)
-    , m_isBore(project.part.surface == Surface::internal) {
+    , m_least_mm(project.part->lower_deviation_um / units::umPerMm - 2 * diameterSlack_mm)
+    , m_most_mm(project.part->upper_deviation_um / units::umPerMm + 2 * diameterSlack_mm)
+    , m_isBore(project.part->surface == Surface::internal) {
     for (const Requirement& row : requirementRows) {
         if (auto bound = row.passBound ? row.passBound(project) : std::nullopt) {
             bound->most *= 1 + peakRounding;

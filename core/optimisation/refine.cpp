@@ -4,6 +4,8 @@
 #include "core/optimisation/cycle_runner.h"
 #include "core/optimisation/grace_stop.h"
 #include "core/optimisation/refine_space.h"
+#include "core/project/cycle.h"
+#include "core/project/part.h"
 #include "core/simulation/simulate.h"
 
 #include <nlopt.h>
@@ -82,14 +84,14 @@ private:
         Tried tried{0, true, 0, 0, std::numeric_limits<double>::infinity()};
         double broken = 0;
         for (Project& part : m_parts) {
-            part.cycle = cycle;
+            *part.cycle = cycle;
             const SimulationResult result = simulateUnchecked(part, nullptr, stop);
             if (&part == &m_parts.front()) {
                 tried.holds = !m_options.everyStageSteps || !hasIdleStage(result);
                 tried.time_s = result.time_s;
                 tried.time_us = comparedTime_us(result.time_s);
                 const double beyond = std::min(0.0, result.remainingStock_mm);
-                tried.value = result.time_s * (1 + beyond / part.part.stock_mm);
+                tried.value = result.time_s * (1 + beyond / part.part->stock_mm);
                 m_scale_s = m_scale_s > 0 ? m_scale_s : result.time_s;
             }
             broken = std::max(broken, brokenBy(result, tried));
@@ -257,9 +259,9 @@ private:
 std::optional<Project> failing(const Project& project, const Cycle& cycle,
                                const RefineOptions& options, int round, int& candidates) {
     Project best = project;
-    best.cycle = cycle;
+    *best.cycle = cycle;
     for (Project& scenario : options.source(best, round)) {
-        scenario.cycle = cycle;
+        *scenario.cycle = cycle;
         const SimulationResult result = simulateUnchecked(scenario, nullptr, options.stop);
         const std::vector<ConstraintResult> all = evaluateConstraints(result);
         if (result.status == RunStatus::stopped) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/optimisation/robust.h"
+#include "core/project/cycle.h"
 
 #include <stop_token>
 #include <vector>

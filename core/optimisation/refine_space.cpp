@@ -2,6 +2,10 @@
 #include "core/optimisation/refine_space.h"
 
 #include "core/optimisation/grid.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,13 +37,13 @@ double RefineSpace::Setting::rounded(double value) const {
 RefineSpace::RefineSpace(const Project& project, Cycle cycle)
     : m_operation(project.operation)
     , m_cycle(std::move(cycle))
-    , m_stock_mm(project.part.stock_mm)
+    , m_stock_mm(project.part->stock_mm)
     , m_leastLast_mm(refinedStock_mm)
-    , m_mostLast_mm(project.part.stock_mm)
+    , m_mostLast_mm(project.part->stock_mm)
     , m_nonIncreasing(project.optimisation->non_increasing) {
     const Optimisation& asked = *project.optimisation;
     for (const StageFeed& feed : m_operation->feeds) {
-        addFeeds(feed, asked, project.machine.limits);
+        addFeeds(feed, asked, project.machine->limits);
     }
     addStocks(asked);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/cycle.h"
 #include "core/project/project.h"
 
 #include <optional>

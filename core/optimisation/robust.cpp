@@ -2,6 +2,9 @@
 #include "core/optimisation/robust.h"
 
 #include "core/batch/scenario_source.h"
+#include "core/project/batch.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/stage_control.h"
 #include "core/statistics/philox.h"
@@ -105,7 +108,7 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
     const auto challenge = [&](const FeasibleCycle& found) {
         Project best = variants.project(found.variant);
         best.optimisation = project.optimisation;
-        best.cycle = variants.grid(found.variant).cycle(found.cycle);
+        *best.cycle = variants.grid(found.variant).cycle(found.cycle);
         auto failing = trials.failing(best, source(best, draws++), options.search.stop);
         if (!failing && !options.search.stop.stop_requested()) {
             candidates.push_back(found);
@@ -161,7 +164,7 @@ std::vector<Project> stockPhases(const Project& project, int phases, double from
     for (const double infeed_mm : infeedsOfStages(project)) {
         for (int i = 0; i < phases && infeed_mm > 0; ++i) {
             spread.push_back(project);
-            spread.back().part.stock_mm += infeed_mm * (i + from) / phases;
+            spread.back().part->stock_mm += infeed_mm * (i + from) / phases;
         }
     }
     return spread;
@@ -182,7 +185,7 @@ std::optional<Project> failingPhase(const Project& best, std::uint32_t draw,
         };
         const auto stage =
             static_cast<std::size_t>(unit(0) * static_cast<double>(infeeds_mm.size()));
-        drawn.part.stock_mm = best.part.stock_mm + infeeds_mm[stage] * unit(1);
+        drawn.part->stock_mm = best.part->stock_mm + infeeds_mm[stage] * unit(1);
         const std::optional<Trial> trial = tried(drawn, stop);
         if (trial && !trial->holds && (!worst || trial->leastMargin < least)) {
             worst = drawn;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/stage_runs.h"
 
+#include "core/project/gauge.h"
+#include "core/project/part.h"
 #include "core/simulation/stage_control.h"
 
 namespace sparkout {
@@ -8,8 +10,8 @@ namespace sparkout {
 std::size_t prefixBytes(const Project& project) {
     constexpr std::size_t numbersPerLane = 12, rest = 4096;
     const int places = placeCount(project) + (project.operation->hasZones ? 0 : 1); // a free gauge
-    const auto lanes =
-        static_cast<std::size_t>(places) * static_cast<std::size_t>(project.part.radii_per_section);
+    const auto lanes = static_cast<std::size_t>(places)
+                       * static_cast<std::size_t>(project.part->radii_per_section);
     return lanes * numbersPerLane * sizeof(double) + rest;
 }
 
@@ -27,7 +29,7 @@ StageRuns::StageRuns(const Project& project, const Grid& grid, const CycleRunner
     , m_cuts(runner.cuts())
     , m_part(runner.begin(grid.stageCounts().front()))
     , m_total(m_part->run().blank().totalInfeed_mm)
-    , m_gauge(project.gauge.control == Control::gauge) {
+    , m_gauge(project.gauge->control == Control::gauge) {
     for (const StageSetting& setting : grid.settings()) {
         m_infeeds_mm.push_back(infeedOf(project, setting));
     }

@@ -2,6 +2,10 @@
 #include "core/optimisation/time_bound.h"
 
 #include "core/process/profile.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/simulation/cycle_steps.h"
 #include "core/simulation/stage_control.h"
 #include "core/simulation/traverse.h"
@@ -22,14 +26,14 @@ constexpr double boundRounding_mm = 1e-9, boundRounding = 1e-9;
 
 TimeBound::TimeBound(const Project& project, const Grid& grid, double totalInfeed_mm)
     : m_total(totalInfeed_mm - stageSlack_mm - boundRounding_mm)
-    , m_shortLastStep(project.gauge.control == Control::position) {
-    const Machine& machine = project.machine;
+    , m_shortLastStep(project.gauge->control == Control::position) {
+    const Machine& machine = *project.machine;
     const double revolution_s = units::secondsPerMinute / machine.work_speed_rpm;
     for (const StageSetting& setting : grid.settings()) {
         Rate rate;
         rate.infeed_mm = infeedOf(project, setting);
         if (project.operation->travels) {
-            const double travel = project.part.length_mm - project.wheel.width_mm
+            const double travel = project.part->length_mm - project.wheel->width_mm
                                   + machine.overrun_entry_mm + machine.overrun_exit_mm;
             const double dwells =
                 2 * dwellRevolutions(machine.dwell_entry_s, machine.work_speed_rpm)
@@ -93,11 +97,11 @@ double TimeBound::rest_s(std::size_t setting, double fed_mm, double later_mm, bo
 }
 
 double infeedOf(const Project& project, const StageSetting& setting) {
-    return project.operation.infeed_mm(setting.radial, project.machine.work_speed_rpm);
+    return project.operation.infeed_mm(setting.radial, project.machine->work_speed_rpm);
 }
 
 double leastTime_s(const Project& project, const Grid& grid) {
-    const double total_mm = makeBlank(project.part).totalInfeed_mm;
+    const double total_mm = makeBlank(*project.part).totalInfeed_mm;
     const TimeBound bound(project, grid, total_mm);
     const double fed_mm = firstFeed(project, total_mm);
     double least_s = std::numeric_limits<double>::infinity();

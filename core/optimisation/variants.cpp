@@ -2,6 +2,8 @@
 #include "core/optimisation/variants.h"
 
 #include "core/optimisation/grace.h"
+#include "core/project/machine.h"
+#include "core/project/optimisation.h"
 
 #include <algorithm>
 #include <array>
@@ -58,14 +60,14 @@ std::vector<std::shared_ptr<const Grid>> gridsOf(const Project& project,
 } // namespace
 
 MachineSettings machineSettings(const Project& project) {
-    return {project.machine.work_speed_rpm, project.machine.dwell_entry_s,
-            project.machine.dwell_exit_s};
+    return {project.machine->work_speed_rpm, project.machine->dwell_entry_s,
+            project.machine->dwell_exit_s};
 }
 
 void setMachine(Project& project, const MachineSettings& settings) {
-    project.machine.work_speed_rpm = settings.work_speed_rpm;
-    project.machine.dwell_entry_s = settings.dwell_entry_s;
-    project.machine.dwell_exit_s = settings.dwell_exit_s;
+    project.machine->work_speed_rpm = settings.work_speed_rpm;
+    project.machine->dwell_entry_s = settings.dwell_entry_s;
+    project.machine->dwell_exit_s = settings.dwell_exit_s;
 }
 
 Variants::Variants(const Project& project, const std::stop_token& stop) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/process/compliance.h"
 
+#include "core/project/part.h"
+
 #include <Eigen/Core>
 
 #include <algorithm>

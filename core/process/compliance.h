@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/part.h"
-
 #include <cstddef>
 #include <stop_token>
 #include <vector>
 
 namespace sparkout {
+
+enum class Mounting; // core/project/part.h
 
 /// One step of a stepped shaft.
 struct BeamSegment {
@@ -26,11 +26,11 @@ struct SupportSpring {
 struct ShaftModel {
     std::vector<BeamSegment> segments; ///< from the headstock end; their sum is L_s
     double youngsModulus_n_mm2 = 0;    ///< E; infinity: a rigid shaft [N/mm^2]
-    Mounting mounting = Mounting::centres;
-    double headstock_n_mm = 0;        ///< j_h [N/mm]
-    double tailstock_n_mm = 0;        ///< j_t, not read for a chuck [N/mm]
-    double wheelHead_n_mm = 0;        ///< j_w [N/mm]
-    std::vector<SupportSpring> rests; ///< steady rests, in any order
+    Mounting mounting{};               ///< the first: between centres
+    double headstock_n_mm = 0;         ///< j_h [N/mm]
+    double tailstock_n_mm = 0;         ///< j_t, not read for a chuck [N/mm]
+    double wheelHead_n_mm = 0;         ///< j_w [N/mm]
+    std::vector<SupportSpring> rests;  ///< steady rests, in any order
 };
 
 /// What makes up gamma(x) = G(x,x) [mm/N]. `rests` is what the steady rests take away (<= 0).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/process/contact_compliance.h"
 
+#include "core/project/machine.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -99,7 +100,7 @@ double ContactCompliance::root(const Balance& balance, double h, double from) co
 }
 
 std::optional<ContactCompliance> wheelContact(const Project& project) {
-    const auto& contact = project.machine.wheel_contact;
+    const auto& contact = project.machine->wheel_contact;
     if (!contact || !contact->n_um_at_n) {
         return std::nullopt;
     }

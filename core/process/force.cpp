@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/process/force.h"
 
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/units.h"
 
 #include <cmath>
@@ -13,15 +17,15 @@ double equivalentDiameter(double d, double D, Surface surface) {
 }
 
 ForceLaw forceLaw(const Project& project) {
-    const Material& material = project.material;
-    const double d = project.part.diameter_mm;
-    const double De = equivalentDiameter(d, project.wheel.diameter_mm, project.part.surface);
-    const double Vd = std::numbers::pi * d * project.machine.work_speed_rpm; // mm/min
+    const Material& material = *project.material;
+    const double d = project.part->diameter_mm;
+    const double De = equivalentDiameter(d, project.wheel->diameter_mm, project.part->surface);
+    const double Vd = std::numbers::pi * d * project.machine->work_speed_rpm; // mm/min
     const double Vk =
-        project.machine.wheel_speed_m_s * units::mmPerM * units::secondsPerMinute; // mm/min
+        project.machine->wheel_speed_m_s * units::mmPerM * units::secondsPerMinute; // mm/min
     const double sigma = material.flow_stress_mpa;
     return {.ks = material.shear_factor * sigma * Vd / Vk,
-            .kr = project.wheel.dullness * sigma * std::sqrt(De) / 3,
+            .kr = project.wheel->dullness * sigma * std::sqrt(De) / 3,
             .kt = material.shear_strain * sigma * Vd / Vk,
             .mu = material.friction};
 }

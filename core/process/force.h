@@ -5,6 +5,8 @@
 
 namespace sparkout {
 
+enum class Surface; // core/project/part.h
+
 /// D_e = dD/(D + d) external, dD/(d − D) internal [mm] [MODEL-1].
 [[nodiscard]] double equivalentDiameter(double d, double D, Surface surface);
 

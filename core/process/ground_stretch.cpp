@@ -2,12 +2,14 @@
 #include "core/process/ground_stretch.h"
 
 #include "core/process/system_compliance.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
 
 namespace sparkout {
 
 std::vector<Stretch> groundStretches(const Project& project) {
     std::vector<Stretch> stretches;
-    const double length = project.part.length_mm;
+    const double length = project.part->length_mm;
     if (!project.operation->hasZones) {
         for (int j = 0; j < project.sections; ++j) {
             stretches.push_back(
@@ -17,7 +19,7 @@ std::vector<Stretch> groundStretches(const Project& project) {
     }
     const ZoneLengths zones = zoneLengths(project);
     const double bounds[] = {0, zones.rz1, length - zones.rz2, length};
-    const bool mirrored = project.machine.entry_side == EntrySide::tailstock;
+    const bool mirrored = project.machine->entry_side == EntrySide::tailstock;
     for (int i = 0; i < 3; ++i) {
         stretches.push_back(mirrored ? Stretch{length - bounds[i + 1], length - bounds[i]}
                                      : Stretch{bounds[i], bounds[i + 1]});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/process/profile.h"
 
+#include "core/project/part.h"
 #include "core/units.h"
 
 #include <algorithm>

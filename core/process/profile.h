@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/part.h"
-
 #include <vector>
 
 namespace sparkout {
+
+struct Part;
 
 /// The blank's geometry [MODEL-4]. Radii are followed as depths below first touch: external
 /// R_k = R_first − depth_k, internal R_k = R_first + depth_k, with R_first the largest radius

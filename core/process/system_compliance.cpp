@@ -2,6 +2,10 @@
 #include "core/process/system_compliance.h"
 
 #include "core/process/compliance.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -13,8 +17,8 @@ namespace sparkout {
 namespace {
 
 Compliance shaftCompliance(const Project& project, const std::stop_token& stop) {
-    const Shaft& shaft = project.part.shaft;
-    const Stiffness& stiffness = *project.machine.stiffness_n_um;
+    const Shaft& shaft = project.part->shaft;
+    const Stiffness& stiffness = *project.machine->stiffness_n_um;
     ShaftModel model;
     for (const ShaftSegment& segment : shaft.segments) {
         model.segments.push_back({segment.length_mm, segment.diameter_mm});
@@ -31,8 +35,8 @@ Compliance shaftCompliance(const Project& project, const std::stop_token& stop) 
 }
 
 double quillGamma(const Project& project) {
-    const Shaft& shaft = project.part.shaft;
-    const Stiffness& stiffness = *project.machine.stiffness_n_um;
+    const Shaft& shaft = project.part->shaft;
+    const Stiffness& stiffness = *project.machine->stiffness_n_um;
     return quillCompliance(shaft.quill->length_mm, shaft.quill->diameter_mm,
                            shaft.youngs_modulus_gpa * units::mpaPerGpa,
                            stiffness.wheel_head * units::umPerMm,
@@ -40,12 +44,12 @@ double quillGamma(const Project& project) {
 }
 
 bool isComputed(const Project& project) {
-    return std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n);
+    return std::holds_alternative<std::monostate>(project.machine->compliance_mm_per_n);
 }
 
 std::vector<double> positions(const Project& project) {
     std::vector<double> middles;
-    const double length = project.part.length_mm;
+    const double length = project.part->length_mm;
     if (!project.operation->hasZones) {
         for (int j = 0; j < project.sections; ++j) {
             middles.push_back(length * (j + 0.5) / project.sections);
@@ -54,7 +58,7 @@ std::vector<double> positions(const Project& project) {
     }
     const ZoneLengths zones = zoneLengths(project);
     middles = {zones.rz1 / 2, zones.rz1 + zones.nz / 2, length - zones.rz2 / 2};
-    if (project.machine.entry_side == EntrySide::tailstock) {
+    if (project.machine->entry_side == EntrySide::tailstock) {
         for (double& middle : middles) {
             middle = length - middle;
         }
@@ -66,19 +70,19 @@ std::vector<double> positions(const Project& project) {
 std::vector<double> computedGammas(const Project& project, const std::vector<double>& at,
                                    const std::stop_token& stop = {}) {
     std::vector<double> gammas;
-    if (project.part.surface == Surface::internal) {
+    if (project.part->surface == Surface::internal) {
         gammas.assign(at.size(), quillGamma(project));
         return gammas;
     }
     const Compliance system = shaftCompliance(project, stop);
-    const double from = project.part.shaft.ground_from_mm;
+    const double from = project.part->shaft.ground_from_mm;
     for (const double position : at) {
         if (stop.stop_requested()) {
             break;
         }
         gammas.push_back(project.operation->travels
                              ? system.at(from + position)
-                             : system.mean(from + position, from, from + project.part.length_mm));
+                             : system.mean(from + position, from, from + project.part->length_mm));
     }
     gammas.resize(at.size()); // what was stopped
     return gammas;
@@ -88,7 +92,7 @@ std::vector<double> computedGammas(const Project& project, const std::vector<dou
 std::vector<double> lengths(const Project& project) {
     if (!project.operation->hasZones) {
         const auto sections = static_cast<std::size_t>(project.sections);
-        return std::vector<double>(sections, project.part.length_mm / project.sections);
+        return std::vector<double>(sections, project.part->length_mm / project.sections);
     }
     const ZoneLengths zones = zoneLengths(project);
     return {zones.rz1, zones.nz, zones.rz2};
@@ -104,16 +108,16 @@ std::vector<double> givenGammas(const GivenCompliance& given) {
 } // namespace
 
 ZoneLengths zoneLengths(const Project& project) {
-    const double rz1 = project.wheel.width_mm - project.machine.overrun_entry_mm;
-    const double rz2 = project.wheel.width_mm - project.machine.overrun_exit_mm;
-    return {rz1, project.part.length_mm - rz1 - rz2, rz2};
+    const double rz1 = project.wheel->width_mm - project.machine->overrun_entry_mm;
+    const double rz2 = project.wheel->width_mm - project.machine->overrun_exit_mm;
+    return {rz1, project.part->length_mm - rz1 - rz2, rz2};
 }
 
 std::vector<CompliantPoint> compliantPoints(const Project& project, const std::stop_token& stop) {
     const std::vector<double> at = positions(project);
     const std::vector<double> gammas = isComputed(project)
                                            ? computedGammas(project, at, stop)
-                                           : givenGammas(project.machine.compliance_mm_per_n);
+                                           : givenGammas(project.machine->compliance_mm_per_n);
     assert(gammas.size() == at.size());
     const std::vector<double> length = lengths(project);
     std::vector<CompliantPoint> points;
@@ -129,12 +133,12 @@ std::vector<CompliantPlace> complianceAlong(const Project& project, int places,
     if (!isComputed(project)) {
         return along;
     }
-    const Part& part = project.part;
+    const Part& part = *project.part;
     const double gaps = std::max(places, 2) - 1;
     if (part.surface == Surface::internal) {
         ComplianceParts parts;
-        parts.wheelHead = 1 / (project.machine.stiffness_n_um->wheel_head * units::umPerMm);
-        parts.headstock = 1 / (project.machine.stiffness_n_um->headstock * units::umPerMm);
+        parts.wheelHead = 1 / (project.machine->stiffness_n_um->wheel_head * units::umPerMm);
+        parts.headstock = 1 / (project.machine->stiffness_n_um->headstock * units::umPerMm);
         parts.bending = quillGamma(project) - parts.wheelHead - parts.headstock;
         for (int i = 0; i <= gaps; ++i) {
             along.push_back({part.length_mm * i / gaps, parts});
@@ -153,21 +157,21 @@ int gaugeSection(const Project& project) {
     if (project.operation->hasZones) {
         return 1; // the middle of НЗ
     }
-    if (project.gauge.position_mm) {
+    if (project.gauge->position_mm) {
         const std::vector<double> middles = positions(project);
         const auto nearest = std::ranges::min_element(middles, {}, [&](double middle) {
-            return std::abs(middle - *project.gauge.position_mm);
+            return std::abs(middle - *project.gauge->position_mm);
         });
         return static_cast<int>(nearest - middles.begin());
     }
-    return project.gauge.section.value_or(project.sections / 2);
+    return project.gauge->section.value_or(project.sections / 2);
 }
 
 CompliantPoint freeGaugePoint(const Project& project, const std::vector<CompliantPoint>& sections,
                               const std::stop_token& stop) {
-    const double x = *project.gauge.position_mm;
-    if (project.gauge.compliance_mm_per_n) {
-        return {x, *project.gauge.compliance_mm_per_n};
+    const double x = *project.gauge->position_mm;
+    if (project.gauge->compliance_mm_per_n) {
+        return {x, *project.gauge->compliance_mm_per_n};
     }
     if (isComputed(project)) {
         return {x, computedGammas(project, {x}, stop).front()};
@@ -189,10 +193,10 @@ CompliantPoint freeGaugePoint(const Project& project, const std::vector<Complian
 std::vector<double> influenceRows(const Project& project, const std::vector<double>& at,
                                   const std::vector<double>& from, const std::stop_token& stop) {
     assert(isComputed(project));
-    if (project.part.surface == Surface::internal) {
+    if (project.part->surface == Surface::internal) {
         return std::vector<double>(at.size() * from.size(), quillGamma(project));
     }
-    const double ground = project.part.shaft.ground_from_mm;
+    const double ground = project.part->shaft.ground_from_mm;
     const auto alongTheShaft = [ground](std::vector<double> places) {
         for (double& place : places) {
             place = ground + place;

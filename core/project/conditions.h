@@ -24,11 +24,7 @@ bool setsFeed(const Project& p, const void*) {
     return std::ranges::any_of(p.operation->feeds,
                                [](const StageFeed& feed) { return feed.value == Feed; });
 }
-inline bool external(const Project& p, const void*) {
-    return p.part.surface == Surface::external;
-}
-inline bool internal(const Project& p, const void*) {
-    return p.part.surface == Surface::internal;
-}
+[[nodiscard]] bool external(const Project& p, const void*);
+[[nodiscard]] bool internal(const Project& p, const void*);
 
 } // namespace sparkout::conditions

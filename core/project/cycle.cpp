@@ -2,6 +2,7 @@
 #include "core/project/cycle.h"
 
 #include "core/project/conditions.h"
+#include "core/project/gauge.h"
 #include "core/text.h"
 
 namespace sparkout {
@@ -22,8 +23,8 @@ bool retracts(const Project& p, const void* stage) {
 } // namespace
 
 bool mayRetract(const Project& project, const Stage& stage) {
-    const auto& stages = project.cycle.stages;
-    return project.operation->mayRetract && project.gauge.control == Control::gauge
+    const auto& stages = project.cycle->stages;
+    return project.operation->mayRetract && project.gauge->control == Control::gauge
            && stages.size() > 2 && &stage > &stages.front() && &stage < &stages.back();
 }
 

@@ -9,13 +9,13 @@ namespace sparkout {
 namespace {
 
 bool gaugeAtSection(const Project& p, const void*) {
-    return !p.operation->hasZones && !p.gauge.position_mm;
+    return !p.operation->hasZones && !p.gauge->position_mm;
 }
 bool byPosition(const Project& p, const void*) {
-    return p.gauge.control == Control::position;
+    return p.gauge->control == Control::position;
 }
 bool gaugeFree(const Project& p, const void*) {
-    return !p.operation->hasZones && p.gauge.position_mm;
+    return !p.operation->hasZones && p.gauge->position_mm;
 }
 
 } // namespace

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/given_factors.h"
 
+#include "core/project/batch.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
+
 #include <algorithm>
 
 namespace sparkout {

@@ -2,6 +2,7 @@
 #include "core/project/machine.h"
 
 #include "core/project/conditions.h"
+#include "core/project/part.h"
 #include "core/text.h"
 
 namespace sparkout {
@@ -9,7 +10,7 @@ namespace sparkout {
 namespace {
 
 bool onCentres(const Project& p, const void*) {
-    return p.part.surface == Surface::external && p.part.shaft.mounting == Mounting::centres;
+    return p.part->surface == Surface::external && p.part->shaft.mounting == Mounting::centres;
 }
 
 } // namespace

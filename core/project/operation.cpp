@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/operation.h"
 
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/optimisation.h"
 #include "core/text.h"
 
 #include <array>

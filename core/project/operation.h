@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/optimisation.h"
+#include "core/field.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace sparkout {
+
+struct MachineLimits;
+struct Optimisation;
+struct Stage;
 
 /// A feed that stages set, and where machine and search speak of it.
 struct StageFeed {

@@ -2,6 +2,7 @@
 #include "core/project/optimisation.h"
 
 #include "core/project/conditions.h"
+#include "core/project/cycle.h"
 #include "core/text.h"
 
 namespace sparkout {

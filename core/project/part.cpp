@@ -9,10 +9,10 @@ namespace sparkout {
 namespace {
 
 bool lobed(const Project& p, const void*) {
-    return p.part.profile == ProfileForm::lobes;
+    return p.part->profile == ProfileForm::lobes;
 }
 bool measured(const Project& p, const void*) {
-    return p.part.profile == ProfileForm::measured;
+    return p.part->profile == ProfileForm::measured;
 }
 bool notMeasured(const Project& p, const void*) {
     return !measured(p, nullptr);

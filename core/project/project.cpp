@@ -1,10 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 
+#include "core/project/batch.h"
 #include "core/project/conditions.h"
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
+#include "core/project/sweep.h"
+#include "core/project/wheel.h"
 #include "core/text.h"
 
 namespace sparkout {
+
+template class Indirect<Cycle>;
+template class Indirect<Gauge>;
+template class Indirect<Machine>;
+template class Indirect<Material>;
+template class Indirect<Part>;
+template class Indirect<Wheel>;
+template class OptionalIndirect<Batch>;
+template class OptionalIndirect<Optimisation>;
+template class OptionalIndirect<Sweep>;
 
 int placeCount(const Project& project) {
     return project.operation->hasZones ? 3 : project.sections;

@@ -2,15 +2,35 @@
 #pragma once
 
 #include "core/field.h"
-#include "core/project/batch.h"
-#include "core/project/gauge.h"
-#include "core/project/material.h"
+#include "core/indirect.h"
+#include "core/optional_indirect.h"
 #include "core/project/operation.h"
-#include "core/project/part.h"
-#include "core/project/sweep.h"
-#include "core/project/wheel.h"
+
+#include <string>
+#include <vector>
 
 namespace sparkout {
+
+// Only declared, for nearly every source includes this header: who looks into a part of a project
+// includes the part's.
+struct Batch;
+struct Cycle;
+struct Gauge;
+struct Machine;
+struct Material;
+struct Optimisation;
+struct Part;
+struct Sweep;
+struct Wheel;
+extern template class Indirect<Cycle>;
+extern template class Indirect<Gauge>;
+extern template class Indirect<Machine>;
+extern template class Indirect<Material>;
+extern template class Indirect<Part>;
+extern template class Indirect<Wheel>;
+extern template class OptionalIndirect<Batch>;
+extern template class OptionalIndirect<Optimisation>;
+extern template class OptionalIndirect<Sweep>;
 
 /// A kept run: what was run, when, by which engine, and its summary. Never changed again.
 struct KeptRun {
@@ -29,17 +49,17 @@ struct Project {
     std::string author;
     std::string notes;
     Operation operation;
-    Part part;
-    Material material;
-    Wheel wheel;
-    Machine machine;
-    Gauge gauge;
-    Cycle cycle;
+    Indirect<Part> part;
+    Indirect<Material> material;
+    Indirect<Wheel> wheel;
+    Indirect<Machine> machine;
+    Indirect<Gauge> gauge;
+    Indirect<Cycle> cycle;
     int sections = 4; ///< J, where the ground length has no zones
     bool sections_coupled = false;
-    std::optional<Batch> batch;
-    std::optional<Optimisation> optimisation;
-    std::optional<Sweep> sweep;
+    OptionalIndirect<Batch> batch;
+    OptionalIndirect<Optimisation> optimisation;
+    OptionalIndirect<Sweep> sweep;
     std::vector<KeptRun> runs;
 };
 

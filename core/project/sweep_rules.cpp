@@ -2,6 +2,7 @@
 #include "core/project/sweep_rules.h"
 
 #include "core/project/number_input.h"
+#include "core/project/sweep.h"
 
 #include <cmath>
 #include <string>

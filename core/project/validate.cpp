@@ -2,8 +2,14 @@
 #include "core/project/validate.h"
 
 #include "core/project/batch_rules.h"
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
 #include "core/project/range_check.h"
 #include "core/project/sweep_rules.h"
+#include "core/project/wheel.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -70,15 +76,16 @@ private:
         return sound({"/part/diameter_mm", "/part/upper_deviation_um", "/part/lower_deviation_um"});
     }
     [[nodiscard]] bool runoutIsSound() const {
-        return sound({project().part.profile == ProfileForm::measured ? "/part/radii_um"
-                                                                      : "/part/initial_runout_mm"});
+        return sound({project().part->profile == ProfileForm::measured
+                          ? "/part/radii_um"
+                          : "/part/initial_runout_mm"});
     }
     static Amount mm(double value) { return {value, "mm"}; }
     static Amount um(double value) { return {value, "µm"}; }
     static Bounds mm(const Range& range) { return {range, "mm"}; }
 
     void checkPart() {
-        const Part& part = project().part;
+        const Part& part = *project().part;
         if (part.lower_deviation_um >= part.upper_deviation_um
             && sound({"/part/upper_deviation_um"})) {
             add(IssueCode::deviationsReversed, "/part/lower_deviation_um",
@@ -104,8 +111,9 @@ private:
             }
             const bool known = fieldIsSound() && runoutIsSound()
                                && sound({"/part/target_diameter_mm", "/part/stock_mm"});
-            if (known && project().wheel.diameter_mm >= smallestBore()) {
-                add(IssueCode::wheelTooLarge, "/wheel/diameter_mm", mm(project().wheel.diameter_mm),
+            if (known && project().wheel->diameter_mm >= smallestBore()) {
+                add(IssueCode::wheelTooLarge, "/wheel/diameter_mm",
+                    mm(project().wheel->diameter_mm),
                     Bounds{.range = {.high = smallestBore()},
                            .unit = "mm",
                            .formula = "2R_t − 2·Π − 2·ΔR",
@@ -116,7 +124,7 @@ private:
 
     /// ΔR of the blank [mm].
     double blankRunout() const {
-        const Part& part = project().part;
+        const Part& part = *project().part;
         if (part.profile != ProfileForm::measured || !part.radii_um || part.radii_um->empty()) {
             return part.initial_runout_mm;
         }
@@ -126,7 +134,7 @@ private:
 
     /// The smallest diameter of a bore's blank, which the wheel must fit into [mm].
     double smallestBore() const {
-        const Part& part = project().part;
+        const Part& part = *project().part;
         const double middle =
             part.diameter_mm
             + (part.upper_deviation_um + part.lower_deviation_um) / 2 / units::umPerMm;
@@ -134,7 +142,7 @@ private:
     }
 
     void checkProfile() {
-        const Part& part = project().part;
+        const Part& part = *project().part;
         const Field& radii = *tableOf<Part>().find("radii_per_section");
         if (part.radii_per_section % 2 != 0) {
             add(IssueCode::notEven, "/part/radii_per_section", Count{part.radii_per_section},
@@ -155,7 +163,7 @@ private:
 
     /// The smallest radius of blank and part must stay a radius.
     void checkBlank() {
-        const Part& part = project().part;
+        const Part& part = *project().part;
         if (!sound({"/part/diameter_mm"})) {
             return;
         }
@@ -176,8 +184,8 @@ private:
     }
 
     void checkZones() {
-        const Wheel& wheel = project().wheel;
-        const Machine& machine = project().machine;
+        const Wheel& wheel = *project().wheel;
+        const Machine& machine = *project().machine;
         const double rz1 = wheel.width_mm - machine.overrun_entry_mm;
         const double rz2 = wheel.width_mm - machine.overrun_exit_mm;
         const Bounds below{.range = {.high = wheel.width_mm},
@@ -194,28 +202,28 @@ private:
                 below);
         }
         const bool known = wide && sound({"/machine/overrun_entry_mm", "/machine/overrun_exit_mm"});
-        if (known && rz1 > 0 && rz2 > 0 && project().part.length_mm <= rz1 + rz2) {
-            add(IssueCode::zoneTooShort, "/part/length_mm", mm(project().part.length_mm),
+        if (known && rz1 > 0 && rz2 > 0 && project().part->length_mm <= rz1 + rz2) {
+            add(IssueCode::zoneTooShort, "/part/length_mm", mm(project().part->length_mm),
                 Bounds{.range = {.low = rz1 + rz2, .lowOpen = true},
                        .unit = "mm",
                        .formula = "2·B − o_1 − o_2"});
         }
-        if (project().gauge.position_mm) {
-            warn(IssueCode::notUsedHere, "/gauge/position_mm", mm(*project().gauge.position_mm),
+        if (project().gauge->position_mm) {
+            warn(IssueCode::notUsedHere, "/gauge/position_mm", mm(*project().gauge->position_mm),
                  Phrase::plunge);
         }
-        if (project().gauge.section) {
-            warn(IssueCode::notUsedHere, "/gauge/section", Count{*project().gauge.section},
+        if (project().gauge->section) {
+            warn(IssueCode::notUsedHere, "/gauge/section", Count{*project().gauge->section},
                  Phrase::plunge);
         }
     }
 
     void checkSections() {
-        const Part& part = project().part;
-        const Gauge& gauge = project().gauge;
+        const Part& part = *project().part;
+        const Gauge& gauge = *project().gauge;
         const bool lengthIsSound = sound({"/part/length_mm"});
-        if (lengthIsSound && project().wheel.width_mm < part.length_mm) {
-            add(IssueCode::wheelTooNarrow, "/wheel/width_mm", mm(project().wheel.width_mm),
+        if (lengthIsSound && project().wheel->width_mm < part.length_mm) {
+            add(IssueCode::wheelTooNarrow, "/wheel/width_mm", mm(project().wheel->width_mm),
                 Bounds{{part.length_mm}, "mm", "/part/length_mm"});
         }
         if (gauge.section && *gauge.section >= project().sections && sound({"/sections"})) {
@@ -230,7 +238,7 @@ private:
 
     /// Lowest, highest and step, in this order.
     void checkMachineLimits() {
-        const MachineLimits& limits = project().machine.limits;
+        const MachineLimits& limits = project().machine->limits;
         for (const Field& field : tableOf<MachineLimits>().fields) {
             const auto& range = field.as<std::optional<std::vector<double>>>(&limits);
             const std::string lowest = std::string("/machine/limits/") + field.key + "/0";
@@ -242,7 +250,7 @@ private:
     }
 
     void checkCompliance() {
-        const GivenCompliance& given = project().machine.compliance_mm_per_n;
+        const GivenCompliance& given = project().machine->compliance_mm_per_n;
         const char* path = "/machine/compliance_mm_per_n";
         const auto* sections = std::get_if<std::vector<double>>(&given);
         if (std::holds_alternative<std::monostate>(given)) {
@@ -269,9 +277,9 @@ private:
     }
 
     void checkStiffness() {
-        const Shaft& shaft = project().part.shaft;
-        const bool internal = project().part.surface == Surface::internal;
-        if (!project().machine.stiffness_n_um) {
+        const Shaft& shaft = project().part->shaft;
+        const bool internal = project().part->surface == Surface::internal;
+        if (!project().machine->stiffness_n_um) {
             add(IssueCode::complianceMissing, "/machine/compliance_mm_per_n", {},
                 Phrase::anyCompliance);
             return;
@@ -285,7 +293,7 @@ private:
         const double length = std::accumulate(
             shaft.segments.begin(), shaft.segments.end(), 0.0,
             [](double sum, const ShaftSegment& segment) { return sum + segment.length_mm; });
-        const double needed = shaft.ground_from_mm + project().part.length_mm;
+        const double needed = shaft.ground_from_mm + project().part->length_mm;
         if (shaft.segments.empty()) {
             add(IssueCode::complianceMissing, "/part/shaft/segments", {}, Phrase::shaftSteps);
         } else if (length < needed - 1e-9
@@ -306,7 +314,7 @@ private:
 
     /// Forces that rise, and a stiffness that is one.
     void checkWheelContact() {
-        const auto& contact = project().machine.wheel_contact;
+        const auto& contact = project().machine->wheel_contact;
         if (!contact || !contact->n_um_at_n) {
             return;
         }
@@ -335,7 +343,7 @@ private:
     }
 
     void checkStages() {
-        const auto& stages = project().cycle.stages;
+        const auto& stages = project().cycle->stages;
         double sum = 0;
         bool known = sound({"/part/stock_mm"});
         for (std::size_t i = 0; i < stages.size(); ++i) {
@@ -343,13 +351,13 @@ private:
             sum += stages[i].stock_mm;
             known = known && sound({"/cycle/stages/" + std::to_string(i) + "/stock_mm"});
         }
-        if (known && std::abs(sum - project().part.stock_mm) > 1e-9) {
+        if (known && std::abs(sum - project().part->stock_mm) > 1e-9) {
             sum = std::round(sum * 1e9) / 1e9; // as one would add it up
             warn(IssueCode::stocksDoNotSumUp, "/cycle/stages", mm(sum),
-                 mm(project().part.stock_mm));
+                 mm(project().part->stock_mm));
         }
-        const auto commands = static_cast<std::size_t>(project().gauge.commands);
-        if (project().gauge.control == Control::gauge && stages.size() > commands
+        const auto commands = static_cast<std::size_t>(project().gauge->commands);
+        if (project().gauge->control == Control::gauge && stages.size() > commands
             && sound({"/gauge/commands"})) {
             warn(IssueCode::tooManyStages, "/cycle/stages", countOf(stages.size()),
                  countOf(commands));
@@ -357,7 +365,7 @@ private:
     }
 
     void checkStage(const Stage& stage, std::size_t index) {
-        const std::size_t count = project().cycle.stages.size();
+        const std::size_t count = project().cycle->stages.size();
         const std::string path = "/cycle/stages/" + std::to_string(index);
         const StageFeed& radial = project().operation->radial();
         const std::string feedPath = path + "/" + radial.key;

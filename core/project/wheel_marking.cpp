@@ -2,6 +2,7 @@
 #include "core/project/wheel_marking.h"
 
 #include "core/project/validate.h"
+#include "core/project/wheel.h"
 
 #include <algorithm>
 #include <charconv>

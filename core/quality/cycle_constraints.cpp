@@ -3,6 +3,8 @@
 
 #include "core/limits/burn.h"
 #include "core/process/coupled_sections.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
 #include "core/quality/depth_limits.h"
 #include "core/quality/power.h"
 #include "core/quality/self_sharpening.h"
@@ -52,7 +54,7 @@ std::optional<PeakCut> peakCut(const SimulationResult& result) {
 } // namespace
 
 std::optional<BurnState> burnStateOf(const SimulationResult& result) {
-    const auto& U = result.project.material.burn_rise_k;
+    const auto& U = result.project.material->burn_rise_k;
     if (!U) {
         return std::nullopt;
     }
@@ -77,12 +79,12 @@ std::optional<FormulaSheet> sheetOfBurn(const Judged& of) {
     const std::optional<BurnVisit>& burn = of.result.burn;
     const Project& project = of.result.project;
     return burn ? std::optional(
-               burnLimitSheet(project, *project.material.burn_rise_k, burn->stock_mm))
+               burnLimitSheet(project, *project.material->burn_rise_k, burn->stock_mm))
                 : std::nullopt;
 }
 
 std::optional<double> burnDepth(const Project& project, double /*b*/, double stock) {
-    const auto& U = project.material.burn_rise_k;
+    const auto& U = project.material->burn_rise_k;
     return U ? std::optional(BurnModel(project).limitDepth(*U, stock)) : std::nullopt;
 }
 
@@ -113,7 +115,7 @@ std::optional<PassBound> selfSharpeningBound(const Project& project) {
 
 // The drives' powers are P_z·V_k and P_z·V_d: the same pass is the worst for both.
 void evaluateWheelPower(ConstraintKind kind, const Judged& of, ConstraintResults& found) {
-    if (const auto& limit = of.result.project.machine.wheel_drive_kw) {
+    if (const auto& limit = of.result.project.machine->wheel_drive_kw) {
         add(kind, *limit, of.result.peakPower_w / wattsPerKilowatt, of.result.peakPowerAt, found);
     }
 }
@@ -124,20 +126,20 @@ std::optional<FormulaSheet> sheetOfWheelPower(const Judged& of) {
 }
 
 std::optional<double> wheelPowerDepth(const Project& project, double b, double /*stock*/) {
-    const auto& N = project.machine.wheel_drive_kw;
+    const auto& N = project.machine->wheel_drive_kw;
     return N ? std::optional(PowerModel(project).wheelLimitDepth(b, *N * milliwattsPerKilowatt))
              : std::nullopt;
 }
 
 std::optional<PassBound> wheelPowerBound(const Project& project) {
-    const auto& limit = project.machine.wheel_drive_kw;
+    const auto& limit = project.machine->wheel_drive_kw;
     return limit && !isCoupled(project)
                ? std::optional(PassBound{PassBound::Peak::power_w, *limit * wattsPerKilowatt})
                : std::nullopt;
 }
 
 void evaluateWorkPower(ConstraintKind kind, const Judged& of, ConstraintResults& found) {
-    if (const auto& limit = of.result.project.machine.work_drive_kw) {
+    if (const auto& limit = of.result.project.machine->work_drive_kw) {
         const Cutting cutting = cuttingOf(of.result.project);
         add(kind, *limit,
             of.result.peakPower_w / wattsPerKilowatt * cutting.Vd_mm_s / cutting.Vk_mm_s,
@@ -151,13 +153,13 @@ std::optional<FormulaSheet> sheetOfWorkPower(const Judged& of) {
 }
 
 std::optional<double> workPowerDepth(const Project& project, double b, double /*stock*/) {
-    const auto& N = project.machine.work_drive_kw;
+    const auto& N = project.machine->work_drive_kw;
     return N ? std::optional(PowerModel(project).workLimitDepth(b, *N * milliwattsPerKilowatt))
              : std::nullopt;
 }
 
 std::optional<PassBound> workPowerBound(const Project& project) {
-    const auto& limit = project.machine.work_drive_kw;
+    const auto& limit = project.machine->work_drive_kw;
     if (!limit || isCoupled(project)) {
         return std::nullopt;
     }

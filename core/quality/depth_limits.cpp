@@ -2,6 +2,10 @@
 #include "core/quality/depth_limits.h"
 
 #include "core/process/system_compliance.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 
 #include <algorithm>
 
@@ -44,15 +48,15 @@ bool wheelStands(const Place& place) {
 double effectiveWidth(const Project& project, const Place& place) {
     const StageFeed* const axial = project.operation->axial();
     if (!axial) {
-        return project.part.length_mm;
+        return project.part->length_mm;
     }
     if (wheelStands(place)) {
         const ZoneLengths lengths = zoneLengths(project);
         return place.zone == Zone::rz1 ? lengths.rz1 : lengths.rz2;
     }
-    const Stage& stage = project.cycle.stages[static_cast<std::size_t>(place.stage - 1)];
-    return std::min((stage.*axial->value).value_or(0) / project.machine.work_speed_rpm,
-                    project.wheel.width_mm);
+    const Stage& stage = project.cycle->stages[static_cast<std::size_t>(place.stage - 1)];
+    return std::min((stage.*axial->value).value_or(0) / project.machine->work_speed_rpm,
+                    project.wheel->width_mm);
 }
 
 const DepthLimit* bindingOf(const std::vector<DepthLimit>& limits) {

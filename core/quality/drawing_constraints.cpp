@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/drawing_constraints.h"
 
+#include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/quality/roughness.h"
 #include "core/units.h"
 
@@ -19,11 +21,11 @@ const SectionResult& judgedSection(const Judged& of) {
 }
 
 const Tolerance& toleranceOf(const Judged& of) {
-    return of.result.project.part.tolerance;
+    return of.result.project.part->tolerance;
 }
 
 double geometricRunout(const SimulationResult& result) {
-    return result.project.machine.geometric_runout_um / umPerMm;
+    return result.project.machine->geometric_runout_um / umPerMm;
 }
 
 /// A requirement in µm, held against a section or the part.
@@ -44,14 +46,14 @@ void addTolerance(ConstraintKind kind, const Judged& of, double limit, double va
 } // namespace
 
 void evaluateLeastDiameter(ConstraintKind kind, const Judged& of, ConstraintResults& found) {
-    const Part& part = of.result.project.part;
+    const Part& part = *of.result.project.part;
     const double low = part.lower_deviation_um;
     add(kind, Side::atLeast, of, low, judgedSection(of).diameterDeviationMin_mm * umPerMm,
         part.upper_deviation_um - low, found);
 }
 
 void evaluateLargestDiameter(ConstraintKind kind, const Judged& of, ConstraintResults& found) {
-    const Part& part = of.result.project.part;
+    const Part& part = *of.result.project.part;
     const double high = part.upper_deviation_um;
     add(kind, Side::atMost, of, high, judgedSection(of).diameterDeviationMax_mm * umPerMm,
         high - part.lower_deviation_um, found);
@@ -116,7 +118,7 @@ std::optional<FormulaSheet> sheetOfRoughness(const Judged& of) {
 }
 
 std::optional<double> roughnessDepth(const Project& project, double /*b*/, double /*stock*/) {
-    const auto& Ra = project.part.tolerance.roughness_ra_um;
+    const auto& Ra = project.part->tolerance.roughness_ra_um;
     return Ra ? std::optional(RoughnessModel(project).limitDepth(*Ra / umPerMm)) : std::nullopt;
 }
 
@@ -134,7 +136,7 @@ PartAccuracy accuracyOf(const SimulationResult& result) {
 
 PartAccuracy requiredAccuracy(const SimulationResult& result) {
     PartAccuracy accuracy;
-    const Tolerance& tolerance = result.project.part.tolerance;
+    const Tolerance& tolerance = result.project.part->tolerance;
     const std::vector<SectionShape> shapes = shapesOf(result);
     if (shapes.empty()) {
         return accuracy;

@@ -5,6 +5,8 @@
 #include "core/limits/burn_table.h"
 #include "core/process/coupled_sections.h"
 #include "core/process/profile.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
 #include "core/quality/constraints.h"
 
 #include <algorithm>
@@ -38,15 +40,15 @@ bool isWorse(const LimitedCut& a, const LimitedCut& b) {
 class LimitSeriesBuilder {
 public:
     LimitSeriesBuilder(const SimulationResult& result, const Trajectory& trajectory)
-        : m_project(result.project), m_trajectory(trajectory), m_blank(makeBlank(m_project.part)) {
+        : m_project(result.project), m_trajectory(trajectory), m_blank(makeBlank(*m_project.part)) {
         m_series.deepest_mm = m_blank.totalInfeed_mm;
-        if (const auto& U = m_project.material.burn_rise_k) {
+        if (const auto& U = m_project.material->burn_rise_k) {
             m_burn.emplace(BurnModel(m_project), *U, m_blank.totalInfeed_mm);
         }
     }
 
     LimitSeries build() {
-        for (const DepthLimit& limit : depthLimits(m_project, m_project.part.length_mm, 0)) {
+        for (const DepthLimit& limit : depthLimits(m_project, m_project.part->length_mm, 0)) {
             m_series.on.push_back(limit.kind);
         }
         for (const Pass& pass : m_trajectory.passes) {
@@ -147,7 +149,7 @@ private:
 
     /// Denser towards the target, where the limit rises fastest; below it as at 0.
     void addBurn() {
-        const auto& U = m_project.material.burn_rise_k;
+        const auto& U = m_project.material->burn_rise_k;
         if (!U) {
             return;
         }
@@ -166,7 +168,7 @@ private:
     const Project& m_project;
     const Trajectory& m_trajectory;
     Blank m_blank;
-    double m_sign = m_project.part.surface == Surface::external ? 1 : -1;
+    double m_sign = m_project.part->surface == Surface::external ? 1 : -1;
     std::optional<BurnTable> m_burn;
     LimitSeries m_series;
 };
@@ -261,7 +263,7 @@ std::optional<LimitedCut> limitedCutOf(const SimulationResult& result, const Tra
     if (requirement.kind == ConstraintKind::burn && result.burn) {
         visit = first + result.burn->radius;
     }
-    const Part& part = result.project.part;
+    const Part& part = *result.project.part;
     const double over = visit->radius_mm - targetRadius(part);
     return LimitedCut{pass->place,
                       static_cast<int>(visit - first),

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/ranges.h"
 
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/wheel.h"
 #include "core/quality/requirement.h"
 
 #include <algorithm>
@@ -70,38 +74,38 @@ std::optional<double> magnitude(const Project& project, const StageFeed& feed, c
 } // namespace
 
 std::vector<MachineRange> checkMachineRanges(const Project& project) {
-    const MachineLimits& limits = project.machine.limits;
+    const MachineLimits& limits = project.machine->limits;
     Checks checks;
     for (const StageFeed& feed : project.operation->feeds) {
         int number = 0;
-        for (const Stage& stage : project.cycle.stages) {
+        for (const Stage& stage : project.cycle->stages) {
             checks.add(kindOf(feed), limits.*feed.range, ++number, magnitude(project, feed, stage));
         }
     }
     if (project.operation->travels) {
         checks.add(ConstraintKind::rangePlungeFeed, limits.plunge_feed_mm_min, 0,
-                   project.machine.plunge_feed_mm_min);
+                   project.machine->plunge_feed_mm_min);
     }
     checks.add(ConstraintKind::rangeWorkSpeed, limits.work_speed_rpm, 0,
-               project.machine.work_speed_rpm);
+               project.machine->work_speed_rpm);
     return checks.take();
 }
 
 std::optional<GaugeCommands> checkGaugeCommands(const Project& project) {
-    if (project.gauge.control != Control::gauge) {
+    if (project.gauge->control != Control::gauge) {
         return {};
     }
-    return GaugeCommands{static_cast<int>(project.cycle.stages.size()), project.gauge.commands};
+    return GaugeCommands{static_cast<int>(project.cycle->stages.size()), project.gauge->commands};
 }
 
 double overlapOf(const Project& project, double axialFeed_mm_min) {
-    return project.wheel.width_mm * project.machine.work_speed_rpm / axialFeed_mm_min;
+    return project.wheel->width_mm * project.machine->work_speed_rpm / axialFeed_mm_min;
 }
 
 std::vector<OverlapCheck> checkOverlaps(const Project& project) {
     std::vector<OverlapCheck> found;
     const StageFeed* const axial = project.operation->axial();
-    const auto& stages = project.cycle.stages;
+    const auto& stages = project.cycle->stages;
     for (std::size_t z = 0; axial && z < stages.size(); ++z) {
         const std::optional<double>& axialFeed = stages[z].*axial->value;
         if (axialFeed && *axialFeed > 0) {

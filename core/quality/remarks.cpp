@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/remarks.h"
 
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/cycle_steps.h"
 #include "core/simulation/traverse.h"
@@ -16,7 +19,7 @@ namespace {
 
 /// Whether the gauge's last reading has metal beyond the drawing's limit.
 bool endsOversize(const SimulationResult& result) {
-    const Part& part = result.project.part;
+    const Part& part = *result.project.part;
     const double deviation = result.gaugeReading_mm - part.diameter_mm;
     return part.surface == Surface::external
                ? deviation > part.upper_deviation_um / units::umPerMm + diameterSlack_mm
@@ -30,7 +33,7 @@ Amount shortMm(double value) {
 
 /// A spark-out that leaves a stock which the deflection did not give back.
 void addSparkOut(const SimulationResult& result, Issues& found) {
-    const auto& stages = result.project.cycle.stages;
+    const auto& stages = result.project.cycle->stages;
     const Stage& last = stages.back();
     const bool leaves = last.sparkOutSteps() && last.stock_mm > 0;
     if (leaves && endsOversize(result)) {
@@ -41,7 +44,7 @@ void addSparkOut(const SimulationResult& result, Issues& found) {
 }
 
 void addIdleStages(const SimulationResult& result, Issues& found) {
-    const auto& stages = result.project.cycle.stages;
+    const auto& stages = result.project.cycle->stages;
     for (std::size_t z = 0; z < stages.size(); ++z) {
         if (result.countsByStage[z] == 0 && stages[z].feeds()) {
             found.push_back({IssueCode::stageIdle, Severity::warning,
@@ -56,7 +59,7 @@ void addDwells(const Project& project, Issues& found) {
         return;
     }
     constexpr double noticed = 0.02; // of the dwell
-    const Machine& machine = project.machine;
+    const Machine& machine = *project.machine;
     const std::pair<const char*, double> dwells[] = {{"entry", machine.dwell_entry_s},
                                                      {"exit", machine.dwell_exit_s}};
     for (const auto& [name, dwell_s] : dwells) {
@@ -73,7 +76,7 @@ void addDwells(const Project& project, Issues& found) {
 } // namespace
 
 Issues remarksOn(const SimulationResult& result) {
-    if (result.status != RunStatus::completed || result.project.cycle.stages.empty()) {
+    if (result.status != RunStatus::completed || result.project.cycle->stages.empty()) {
         return {};
     }
     Issues found;

@@ -2,6 +2,7 @@
 #include "core/quality/result_json.h"
 
 #include "core/format/strict_json.h"
+#include "core/project/part.h"
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/finished_surface.h"
 #include "core/quality/result_names.h"
@@ -22,7 +23,7 @@ ordered_json statedJson(const FinishedSurface& surface, ordered_json value) {
 
 ordered_json zoneJson(const SimulationResult& result, const SectionResult& section,
                       const SectionAccuracy& accuracy) {
-    const double nominal = result.project.part.diameter_mm / 2;
+    const double nominal = result.project.part->diameter_mm / 2;
     ordered_json radii = ordered_json::array();
     for (const double radius : section.radii_mm) {
         radii.push_back((radius - nominal) * units::umPerMm);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/roughness.h"
 
+#include "core/project/wheel.h"
 #include "core/text.h"
 
 #include <cmath>
@@ -18,11 +19,11 @@ constexpr double perStep = 0.5;     ///< structure numbers for one percent of gr
 
 RoughnessModel::RoughnessModel(const Project& project)
     : m_cutting(cuttingOf(project))
-    , m_grain(project.wheel.grain_mm)
-    , m_grainShare(project.wheel.grain_share)
-    , m_tipAngle_deg(project.wheel.grain_tip_angle_deg)
-    , m_chipping(project.wheel.dressing_chipping_mm)
-    , m_factor(project.wheel.roughness_factor)
+    , m_grain(project.wheel->grain_mm)
+    , m_grainShare(project.wheel->grain_share)
+    , m_tipAngle_deg(project.wheel->grain_tip_angle_deg)
+    , m_chipping(project.wheel->dressing_chipping_mm)
+    , m_factor(project.wheel->roughness_factor)
     , m_structure(perStep * (structureOf0 - 100 * m_grainShare))
     , m_profile(m_grain / std::tan(m_tipAngle_deg * std::numbers::pi / 180)
                 * std::sqrt(m_chipping / (4 * m_structure))) {}
@@ -89,7 +90,7 @@ double RoughnessModel::limitDepth(double Ra, FormulaSheet* sheet) const {
 }
 
 bool isRoughnessCalibrated(const Project& project) {
-    return project.wheel.roughness_factor != 1;
+    return project.wheel->roughness_factor != 1;
 }
 
 FormulaSheet roughnessSheet(const Project& project, double a) {

@@ -5,6 +5,7 @@
 #include "core/format/strict_json.h"
 #include "core/format/table_reader.h"
 #include "core/format/table_writer.h"
+#include "core/project/part.h"
 #include "core/quality/result_names.h"
 #include "core/text.h"
 #include "core/units.h"
@@ -194,7 +195,7 @@ RunSummary summarise(const SimulationResult& result, const PartAccuracy& accurac
     summary.counts_by_stage.assign(result.countsByStage.begin(), result.countsByStage.end());
     for (std::size_t i = 0; i < result.sections.size(); ++i) {
         summary.zones.push_back(zoneSummary(result.sections[i], accuracy.sections[i],
-                                            result.project.part.diameter_mm / 2));
+                                            result.project.part->diameter_mm / 2));
     }
     summary.cylindricity_um = accuracy.minimumZone.deviation() * umPerMm;
     summary.total_runout_um = accuracy.totalRunout_mm * umPerMm;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/self_sharpening.h"
 
+#include "core/project/wheel.h"
 #include "core/text.h"
 #include "core/units.h"
 
@@ -94,7 +95,7 @@ std::optional<double> SelfSharpening::limitDepth() const {
 }
 
 std::optional<SelfSharpening> selfSharpening(const Project& project, FormulaSheet* sheet) {
-    const std::optional<Strengths> given = strengths(project.wheel);
+    const std::optional<Strengths> given = strengths(*project.wheel);
     if (!given) {
         return {};
     }
@@ -102,8 +103,8 @@ std::optional<SelfSharpening> selfSharpening(const Project& project, FormulaShee
     SelfSharpening s;
     s.ks = cutting.law.ks;
     s.kr = cutting.law.kr;
-    lattice(s, project.wheel, sheet);
-    criticalForce(s, project.wheel.grain_mm, *given, sheet);
+    lattice(s, *project.wheel, sheet);
+    criticalForce(s, project.wheel->grain_mm, *given, sheet);
     s.allowedPressure_mpa = dullingShare * s.criticalForce_n * s.grains_mm2;
     s.allowed = s.allowedPressure_mpa * std::sqrt(cutting.De_mm);
     state(sheet, "{F} = {k}·{f_cr}·{n_g}·√({D_e})", {"F", s.allowed, "N/mm^1.5"},

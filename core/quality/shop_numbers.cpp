@@ -2,6 +2,10 @@
 #include "core/quality/shop_numbers.h"
 
 #include "core/process/force.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/quality/ranges.h"
 #include "core/units.h"
 
@@ -36,11 +40,11 @@ class Shop {
 public:
     explicit Shop(const Project& project)
         : m_law(forceLaw(project))
-        , m_turn_s(units::secondsPerMinute / project.machine.work_speed_rpm)
-        , m_girth_mm(std::numbers::pi * project.part.diameter_mm)
-        , m_wheelSpeed_m_s(project.machine.wheel_speed_m_s)
-        , m_De(equivalentDiameter(project.part.diameter_mm, project.wheel.diameter_mm,
-                                  project.part.surface)) {}
+        , m_turn_s(units::secondsPerMinute / project.machine->work_speed_rpm)
+        , m_girth_mm(std::numbers::pi * project.part->diameter_mm)
+        , m_wheelSpeed_m_s(project.machine->wheel_speed_m_s)
+        , m_De(equivalentDiameter(project.part->diameter_mm, project.wheel->diameter_mm,
+                                  project.part->surface)) {}
 
     [[nodiscard]] ShopColumn column(const StageSums& sums) const {
         ShopColumn c;
@@ -81,7 +85,7 @@ private:
 
 std::optional<double> overlap(const Project& project, std::size_t stage) {
     const StageFeed* const axial = project.operation->axial();
-    const auto axialFeed = axial ? project.cycle.stages[stage].*axial->value : std::nullopt;
+    const auto axialFeed = axial ? project.cycle->stages[stage].*axial->value : std::nullopt;
     return axialFeed && *axialFeed > 0 ? std::optional(overlapOf(project, *axialFeed))
                                        : std::nullopt;
 }
@@ -128,10 +132,10 @@ ShopNumbers shopNumbers(const SimulationResult& result) {
     numbers.cycle.count = result.cycleCount;
     numbers.cycle.time_s = result.time_s;
     numbers.cycle.overlap = least;
-    numbers.wheelSpeed_rpm = project.machine.wheel_speed_m_s * units::mmPerM
+    numbers.wheelSpeed_rpm = project.machine->wheel_speed_m_s * units::mmPerM
                              * units::secondsPerMinute
-                             / (std::numbers::pi * project.wheel.diameter_mm);
-    numbers.rotationRatio = numbers.wheelSpeed_rpm / project.machine.work_speed_rpm;
+                             / (std::numbers::pi * project.wheel->diameter_mm);
+    numbers.rotationRatio = numbers.wheelSpeed_rpm / project.machine->work_speed_rpm;
     return numbers;
 }
 

@@ -4,6 +4,7 @@
 #include "core/process/coupled_sections.h"
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
+#include "core/project/part.h"
 #include "core/quality/balance.h"
 #include "core/simulation/progress.h"
 #include "core/text.h"
@@ -23,9 +24,9 @@ FormulaSheet visitSheet(const SimulationResult& result, const Trajectory& trajec
     const Project& project = result.project;
     const Pass& of = trajectory.passes[pass];
     const Visit& visit = trajectory.visits[of.firstVisit + static_cast<std::size_t>(radius)];
-    const bool external = project.part.surface == Surface::external;
+    const bool external = project.part->surface == Surface::external;
     const double side = external ? 1 : -1;
-    const double first = makeBlank(project.part).firstTouchRadius_mm;
+    const double first = makeBlank(*project.part).firstTouchRadius_mm;
     const double a = visit.actual_mm, after = visit.radius_mm, before = after + side * a;
     const double h = visit.programmed_mm - side * (first - before);
     const double b = of.effectiveWidth_mm;
@@ -48,7 +49,7 @@ FormulaSheet visitSheet(const SimulationResult& result, const Trajectory& trajec
         append(sheet, balanceSheet(project, b, gamma, h));
     }
     const FormulaTerm cut{"a", a, "mm"}, left{"R_k′", after, "mm"};
-    const FormulaTerm target{"R_t", targetRadius(project.part), "mm"};
+    const FormulaTerm target{"R_t", targetRadius(*project.part), "mm"};
     state(&sheet, external ? "{R_k′} = {R_k} − {a}" : "{R_k′} = {R_k} + {a}", left, {R, cut});
     state(&sheet, external ? "{Π_k} = {R_k′} − {R_t}" : "{Π_k} = {R_t} − {R_k′}",
           {"Π_k", side * (after - target.value), "mm"}, {left, target});

@@ -6,6 +6,7 @@
 #include "core/format/table_reader.h"
 #include "core/format/table_writer.h"
 #include "core/project/conditions.h"
+#include "core/project/optimisation.h"
 
 #include <cmath>
 #include <initializer_list>

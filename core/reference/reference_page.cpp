@@ -4,6 +4,9 @@
 #include "core/format/strict_json.h"
 #include "core/format/table_reader.h"
 #include "core/format/table_writer.h"
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/part.h"
 #include "core/project/project.h"
 #include "core/project/validate.h"
 #include "core/text.h"
@@ -51,22 +54,22 @@ const std::array<Question, 7>& questions() {
         {{SPARKOUT_NOOP("Condition", "traverse"), SPARKOUT_NOOP("Condition", "plunge")},
          [](Project& p, Stage&, std::size_t i) { p.operation = Operation::ofIndex(i); }},
         {{SPARKOUT_NOOP("Condition", "external"), SPARKOUT_NOOP("Condition", "internal")},
-         [](Project& p, Stage&, std::size_t i) { p.part.surface = static_cast<Surface>(i); }},
+         [](Project& p, Stage&, std::size_t i) { p.part->surface = static_cast<Surface>(i); }},
         {{SPARKOUT_NOOP("Condition", "ellipse"), SPARKOUT_NOOP("Condition", "eccentric"),
           SPARKOUT_NOOP("Condition", "lobes"), SPARKOUT_NOOP("Condition", "measured")},
-         [](Project& p, Stage&, std::size_t i) { p.part.profile = static_cast<ProfileForm>(i); }},
+         [](Project& p, Stage&, std::size_t i) { p.part->profile = static_cast<ProfileForm>(i); }},
         {{SPARKOUT_NOOP("Condition", "between centres"), SPARKOUT_NOOP("Condition", "in a chuck")},
          [](Project& p, Stage&, std::size_t i) {
-             p.part.shaft.mounting = static_cast<Mounting>(i);
+             p.part->shaft.mounting = static_cast<Mounting>(i);
          }},
         {{SPARKOUT_NOOP("Condition", "gauge at a section"),
           SPARKOUT_NOOP("Condition", "gauge at a free position")},
          [](Project& p, Stage&, std::size_t i) {
-             p.gauge.position_mm = i == 0 ? std::nullopt : std::optional<double>(1);
+             p.gauge->position_mm = i == 0 ? std::nullopt : std::optional<double>(1);
          }},
         {{SPARKOUT_NOOP("Condition", "gauge control"),
           SPARKOUT_NOOP("Condition", "position control")},
-         [](Project& p, Stage&, std::size_t i) { p.gauge.control = static_cast<Control>(i); }},
+         [](Project& p, Stage&, std::size_t i) { p.gauge->control = static_cast<Control>(i); }},
         {{SPARKOUT_NOOP("Condition", "the stage feeds"),
           SPARKOUT_NOOP("Condition", "the stage is a spark-out")},
          [](Project&, Stage& stage, std::size_t i) {

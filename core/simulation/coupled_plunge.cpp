@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/coupled_plunge.h"
 
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,12 +25,12 @@ std::vector<double> positionsOf(const std::vector<CompliantPoint>& points, std::
 std::vector<double> gaugeInfluence(const Project& project,
                                    const std::vector<CompliantPoint>& points,
                                    const std::stop_token& stop) {
-    if (!project.gauge.position_mm) {
+    if (!project.gauge->position_mm) {
         return {};
     }
     const auto sections = static_cast<std::size_t>(project.sections);
-    if (project.gauge.compliance_mm_per_n) {
-        return std::vector<double>(sections, *project.gauge.compliance_mm_per_n);
+    if (project.gauge->compliance_mm_per_n) {
+        return std::vector<double>(sections, *project.gauge->compliance_mm_per_n);
     }
     return influenceRows(project, {points.back().position_mm}, positionsOf(points, sections), stop);
 }
@@ -34,7 +39,7 @@ CoupledSections balance(const Project& project, const std::vector<CompliantPoint
                         const std::stop_token& stop) {
     const auto sections = static_cast<std::size_t>(project.sections);
     const std::vector<double> middles = positionsOf(points, sections);
-    const std::vector<double> widths(sections, project.part.length_mm / project.sections);
+    const std::vector<double> widths(sections, project.part->length_mm / project.sections);
     return {influenceRows(project, middles, middles, stop), widths, forceLaw(project),
             wheelContact(project)};
 }
@@ -46,15 +51,15 @@ SectionCoupling::SectionCoupling(const Project& project, const std::vector<Compl
     : m_radii(blank.depth_mm.size())
     , m_sections(static_cast<std::size_t>(project.sections))
     , m_points(points.size())
-    , m_sliceWidth(project.part.length_mm / project.sections)
+    , m_sliceWidth(project.part->length_mm / project.sections)
     , m_law(forceLaw(project))
     , m_contact(wheelContact(project))
     , m_balance(balance(project, points, stop))
     , m_gaugeInfluence(gaugeInfluence(project, points, stop))
     , m_roots(m_radii * m_sections)
     , m_lag(m_sections)
-    , m_wheelSpeed_m_s(project.machine.wheel_speed_m_s)
-    , m_peaks(project.cycle.stages.size()) {
+    , m_wheelSpeed_m_s(project.machine->wheel_speed_m_s)
+    , m_peaks(project.cycle->stages.size()) {
     for (std::size_t point = 0; point < m_points; ++point) {
         m_depth.insert(m_depth.end(), blank.depth_mm.begin(), blank.depth_mm.end());
     }

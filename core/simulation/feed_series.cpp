@@ -3,6 +3,8 @@
 
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/simulation/feed_column_builder.h"
 #include "core/simulation/stage_control.h"
 #include "core/units.h"
@@ -100,10 +102,10 @@ int FeedSeries::strokeAt(double time_s) const {
 FeedSeries makeFeedSeries(const SimulationResult& result, const Trajectory& trajectory) {
     FeedSeries series;
     series.operation = result.project.operation;
-    series.target_mm = targetRadius(result.project.part);
-    series.firstFeed_mm = firstFeed(result.project, makeBlank(result.project.part).totalInfeed_mm);
-    series.removalSign = result.project.part.surface == Surface::internal ? -1 : 1;
-    series.revolutions_per_s = result.project.machine.work_speed_rpm / units::secondsPerMinute;
+    series.target_mm = targetRadius(*result.project.part);
+    series.firstFeed_mm = firstFeed(result.project, makeBlank(*result.project.part).totalInfeed_mm);
+    series.removalSign = result.project.part->surface == Surface::internal ? -1 : 1;
+    series.revolutions_per_s = result.project.machine->work_speed_rpm / units::secondsPerMinute;
     series.columns = emptyColumns(result);
     readTimes(series, trajectory);
     const std::size_t group =

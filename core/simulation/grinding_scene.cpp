@@ -3,6 +3,10 @@
 
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 
 #include <algorithm>
 
@@ -22,16 +26,16 @@ double wayDone(const Trajectory& trajectory, const Progress& moment) {
 
 /// Where the wheel is, the way done: from the entry's overrun to that of the exit.
 Stretch wheelAt(const Project& project, double way) {
-    const double L = project.part.length_mm, B = project.wheel.width_mm;
+    const double L = project.part->length_mm, B = project.wheel->width_mm;
     if (!project.operation->travels) {
         return {(L - B) / 2, (L + B) / 2};
     }
-    const double first = -project.machine.overrun_entry_mm;
+    const double first = -project.machine->overrun_entry_mm;
     const double travel =
-        L - B + project.machine.overrun_entry_mm + project.machine.overrun_exit_mm;
+        L - B + project.machine->overrun_entry_mm + project.machine->overrun_exit_mm;
     const double from = first + way * travel;
-    return project.machine.entry_side == EntrySide::tailstock ? Stretch{L - from - B, L - from}
-                                                              : Stretch{from, from + B};
+    return project.machine->entry_side == EntrySide::tailstock ? Stretch{L - from - B, L - from}
+                                                               : Stretch{from, from + B};
 }
 
 std::size_t surfaceAt(const std::vector<SceneSurface>& surfaces, double x_mm) {
@@ -47,7 +51,7 @@ public:
     SceneBuilder(const SimulationResult& result, const Trajectory& trajectory,
                  const Progress& moment)
         : m_result(result), m_trajectory(trajectory), m_moment(moment) {
-        const Part& part = result.project.part;
+        const Part& part = *result.project.part;
         m_first_mm = makeBlank(part).firstTouchRadius_mm;
         m_scene.operation = result.project.operation;
         m_scene.removalSign = part.surface == Surface::external ? 1 : -1;
@@ -73,13 +77,13 @@ private:
         const Project& project = m_result.project;
         const double middle =
             m_result.sections[static_cast<std::size_t>(gaugeSection(project))].position_mm;
-        return project.operation->hasZones ? middle : project.gauge.position_mm.value_or(middle);
+        return project.operation->hasZones ? middle : project.gauge->position_mm.value_or(middle);
     }
 
     void addSurfaces() {
         const LastVisits last = lastVisits(m_trajectory, m_result.sections.size(), m_moment);
         const std::vector<Stretch> stretches = groundStretches(m_result.project);
-        const Blank blank = makeBlank(m_result.project.part);
+        const Blank blank = makeBlank(*m_result.project.part);
         const auto k = static_cast<std::size_t>(m_scene.radius);
         for (std::size_t i = 0; i < last.size(); ++i) {
             const double untouched = m_first_mm - m_scene.removalSign * blank.depth_mm[k];

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/limit_watch.h"
 
+#include "core/project/material.h"
+#include "core/project/part.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -9,8 +12,8 @@ namespace sparkout {
 LimitWatch::LimitWatch(const Project& project, const Blank& blank)
     : m_radii(blank.depth_mm.size())
     , m_total(blank.totalInfeed_mm)
-    , m_keepsLast(project.part.tolerance.roughness_ra_um.has_value()) {
-    if (const auto& rise = project.material.burn_rise_k) {
+    , m_keepsLast(project.part->tolerance.roughness_ra_um.has_value()) {
+    if (const auto& rise = project.material->burn_rise_k) {
         m_burn = std::make_shared<const BurnTable>(BurnModel(project), *rise, m_total);
     }
 }

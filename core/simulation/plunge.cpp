@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/plunge.h"
 
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/simulation/coupled_plunge.h"
 #include "core/units.h"
 
@@ -15,7 +18,7 @@ namespace {
 /// The sections, and after them the free gauge position if there is one.
 std::vector<CompliantPoint> points(const Project& project, const std::stop_token& stop) {
     std::vector<CompliantPoint> sections = compliantPoints(project, stop);
-    if (project.gauge.position_mm) {
+    if (project.gauge->position_mm) {
         sections.push_back(freeGaugePoint(project, sections, stop));
     }
     return sections;
@@ -28,9 +31,9 @@ public:
         : CycleSteps(Run(project, points(project, stop), trajectory, stop), gaugePoint(project))
         , m_project(project)
         , m_sections(static_cast<std::size_t>(project.sections))
-        , m_hasFreeGauge(project.gauge.position_mm.has_value())
+        , m_hasFreeGauge(project.gauge->position_mm.has_value())
         , m_stop(stop)
-        , m_width(std::make_shared<CutWidth>(m_run.makeCut(project.part.length_mm)))
+        , m_width(std::make_shared<CutWidth>(m_run.makeCut(project.part->length_mm)))
         , m_places(m_sections) {
         for (std::size_t j = 0; j < m_places.size(); ++j) {
             m_places[j].section = static_cast<int>(j);
@@ -56,7 +59,7 @@ public:
             place.stage = static_cast<int>(step.stage) + 1;
             place.cycleCount = m_steps;
         }
-        const double duration = units::secondsPerMinute / m_project.machine.work_speed_rpm;
+        const double duration = units::secondsPerMinute / m_project.machine->work_speed_rpm;
         const PassFeed feed{m_run.fed_mm, 0, infeed, std::max(infeed, 0.0)};
         if (m_coupling && !couple(feed)) {
             return false;
@@ -82,8 +85,8 @@ public:
 
 private:
     static std::size_t gaugePoint(const Project& project) {
-        return static_cast<std::size_t>(project.gauge.position_mm ? project.sections
-                                                                  : gaugeSection(project));
+        return static_cast<std::size_t>(project.gauge->position_mm ? project.sections
+                                                                   : gaugeSection(project));
     }
 
     bool couple(const PassFeed& feed) {

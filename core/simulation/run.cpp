@@ -2,6 +2,10 @@
 #include "core/simulation/run.h"
 
 #include "core/process/coupled_sections.h"
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/simulation/plunge.h"
 #include "core/simulation/simulate.h"
@@ -31,8 +35,8 @@ bool isLifted(const CompliantPoint& point) {
 Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory* trajectory,
          std::stop_token stop)
     : m_project(project)
-    , m_blank(makeBlank(project.part))
-    , m_radii(project.part.radii_per_section)
+    , m_blank(makeBlank(*project.part))
+    , m_radii(project.part->radii_per_section)
     , m_points(std::move(points))
     , m_law(forceLaw(project))
     , m_lanes(m_points.size() * static_cast<std::size_t>(m_radii))
@@ -40,7 +44,7 @@ Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory*
     , m_watch(project, m_blank)
     , m_trajectory(trajectory)
     , m_stop(std::move(stop))
-    , m_wheelSpeed_m_s(project.machine.wheel_speed_m_s) {
+    , m_wheelSpeed_m_s(project.machine->wheel_speed_m_s) {
     if (!isCoupled(project)) { // else the contact is part of the coupled balance
         m_contact = wheelContact(project);
     }
@@ -60,8 +64,11 @@ Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory*
     for (const CompliantPoint& point : m_points) {
         m_lengthBefore.push_back(m_lengthBefore.back() + point.length_mm);
     }
-    m_result.timeByStage_s.assign(project.cycle.stages.size(), 0.0);
-    m_result.sumsByStage.assign(project.cycle.stages.size(), {});
+    // finish() puts the project in: until then copies of the run, of which a search makes many,
+    // have none to copy.
+    [[maybe_unused]] const Project none = std::move(m_result.project);
+    m_result.timeByStage_s.assign(project.cycle->stages.size(), 0.0);
+    m_result.sumsByStage.assign(project.cycle->stages.size(), {});
     if (m_trajectory) {
         m_trajectory->passes.clear(); // keeps what the caller has reserved
         m_trajectory->visits.clear();
@@ -192,7 +199,7 @@ void Run::record(std::size_t point, const CutWidth& width, const PassFeed& feed,
 
 double Run::remaining(std::size_t point) const {
     return remainingStock(m_lanes.depth_mm.data() + point * static_cast<std::size_t>(m_radii),
-                          m_radii, m_project.gauge.rule, m_blank.totalInfeed_mm);
+                          m_radii, m_project.gauge->rule, m_blank.totalInfeed_mm);
 }
 
 double Run::takeLargestRoot() {
@@ -226,7 +233,8 @@ SectionResult Run::sectionResult(std::size_t point, Zone zone) const {
             std::max(section.peakNormalForce_n, m_lanes.peakForce_n[point * K + k]);
     }
     const auto [low, high] = std::minmax_element(section.radii_mm.begin(), section.radii_mm.end());
-    section.radialRunout_mm = *high - *low + m_project.machine.geometric_runout_um / units::umPerMm;
+    section.radialRunout_mm =
+        *high - *low + m_project.machine->geometric_runout_um / units::umPerMm;
     std::tie(section.diameterDeviationMin_mm, section.diameterDeviationMax_mm) =
         diameterDeviations(point);
     return section;
@@ -298,7 +306,7 @@ SimulationResult Run::finish(const std::vector<int>& stepsByStage, std::size_t g
     }
     m_watch.put(m_result, m_lanes);
     m_result.remainingStock_mm = remaining(gaugePoint);
-    const double side = m_project.part.surface == Surface::external ? 1 : -1;
+    const double side = m_project.part->surface == Surface::external ? 1 : -1;
     m_result.gaugeReading_mm = 2 * (m_blank.targetRadius_mm + side * m_result.remainingStock_mm);
     return std::move(m_result);
 }

@@ -6,6 +6,7 @@
 #include "core/process/pass_kernel.h"
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
+#include "core/project/part.h"
 #include "core/simulation/limit_watch.h"
 #include "core/simulation/result.h"
 #include "core/simulation/stage_control.h"
@@ -78,7 +79,7 @@ public:
     [[nodiscard]] std::pair<double, double> diameterDeviations(std::size_t point) const;
     /// D_k less the nominal diameter [mm] of two opposite radii at these depths.
     [[nodiscard]] double diameterDeviation(double depth_mm, double opposite_mm) const {
-        return radiusAt(depth_mm) + radiusAt(opposite_mm) - m_project.part.diameter_mm;
+        return radiusAt(depth_mm) + radiusAt(opposite_mm) - m_project.part->diameter_mm;
     }
     [[nodiscard]] std::size_t pointOf(std::size_t lane) const {
         return lane / static_cast<std::size_t>(m_radii);
@@ -111,8 +112,9 @@ private:
     void record(std::size_t point, const CutWidth& width, const PassFeed& feed, const Place& place,
                 const PassInfo& info);
     [[nodiscard]] double radiusAt(double depth_mm) const {
-        return m_project.part.surface == Surface::external ? m_blank.firstTouchRadius_mm - depth_mm
-                                                           : m_blank.firstTouchRadius_mm + depth_mm;
+        return m_project.part->surface == Surface::external
+                   ? m_blank.firstTouchRadius_mm - depth_mm
+                   : m_blank.firstTouchRadius_mm + depth_mm;
     }
     [[nodiscard]] SectionResult sectionResult(std::size_t point, Zone zone) const;
 

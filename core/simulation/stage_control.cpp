@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/stage_control.h"
 
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+
 #include <algorithm>
 
 namespace sparkout {
 
 std::vector<double> infeedsOfStages(const Project& project) {
     std::vector<double> feeds;
-    for (const Stage& stage : project.cycle.stages) {
+    for (const Stage& stage : project.cycle->stages) {
         feeds.push_back(
             project.operation.infeed_mm((stage.*project.operation->radial().value).value_or(0),
-                                        project.machine.work_speed_rpm));
+                                        project.machine->work_speed_rpm));
     }
     return feeds;
 }
@@ -18,15 +22,15 @@ std::vector<double> infeedsOfStages(const Project& project) {
 StageControl::StageControl(const Project& project, std::vector<double> feeds_mm,
                            double totalInfeed_mm)
     : m_feeds(std::move(feeds_mm))
-    , m_stages(project.cycle.stages)
+    , m_stages(project.cycle->stages)
     , m_laterStock(m_feeds.size())
     , m_steps(m_feeds.size())
-    , m_control(project.gauge.control)
+    , m_control(project.gauge->control)
     , m_totalInfeed(totalInfeed_mm) {
     double later = 0;
     for (std::size_t z = m_feeds.size(); z-- > 0;) {
         m_laterStock[z] = later;
-        later += project.cycle.stages[z].stock_mm;
+        later += project.cycle->stages[z].stock_mm;
     }
 }
 
@@ -92,7 +96,7 @@ double remainingStock(const double* depth_mm, int radii, GaugeRule rule, double 
 }
 
 double firstFeed(const Project& project, double totalInfeed_mm) {
-    const Gauge& gauge = project.gauge;
+    const Gauge& gauge = *project.gauge;
     return gauge.control == Control::position && gauge.datum_mm ? totalInfeed_mm - *gauge.datum_mm
                                                                 : 0;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
 #include "core/project/project.h"
 
 #include <vector>

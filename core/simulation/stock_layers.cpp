@@ -2,6 +2,7 @@
 #include "core/simulation/stock_layers.h"
 
 #include "core/process/profile.h"
+#include "core/project/part.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ public:
     LayerBuilder(const SimulationResult& result, const Trajectory& trajectory,
                  std::optional<int> radius)
         : m_result(result), m_trajectory(trajectory) {
-        const Part& part = result.project.part;
+        const Part& part = *result.project.part;
         m_series.operation = result.project.operation;
         m_series.removalSign = part.surface == Surface::external ? 1 : -1;
         m_series.length_mm = part.length_mm;
@@ -58,7 +59,7 @@ private:
     }
 
     void addColumns() {
-        const Blank blank = makeBlank(m_result.project.part);
+        const Blank blank = makeBlank(*m_result.project.part);
         const double depth = overRadii([&](std::size_t k) { return blank.depth_mm[k]; });
         const std::vector<Stretch> stretches = groundStretches(m_result.project);
         for (std::size_t i = 0; i < m_result.sections.size(); ++i) {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/traverse.h"
 
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 #include "core/units.h"
 
@@ -31,10 +35,10 @@ public:
         , m_project(project)
         , m_plunge1(sharedCut(zoneLengths(project).rz1))
         , m_plunge2(sharedCut(zoneLengths(project).rz2))
-        , m_entryDwell(dwellRevolutions(project.machine.dwell_entry_s, rpm()))
-        , m_exitDwell(dwellRevolutions(project.machine.dwell_exit_s, rpm()))
-        , m_travel_mm(project.part.length_mm - project.wheel.width_mm
-                      + project.machine.overrun_entry_mm + project.machine.overrun_exit_mm) {
+        , m_entryDwell(dwellRevolutions(project.machine->dwell_entry_s, rpm()))
+        , m_exitDwell(dwellRevolutions(project.machine->dwell_exit_s, rpm()))
+        , m_travel_mm(project.part->length_mm - project.wheel->width_mm
+                      + project.machine->overrun_entry_mm + project.machine->overrun_exit_mm) {
         for (std::size_t zone = 0; zone < zoneCount; ++zone) {
             m_plungeBalances[zone] =
                 m_run.balance(zone, plungeCut(static_cast<Zone>(zone)).width_mm);
@@ -129,10 +133,10 @@ private:
     }
 
     double strokeWidth(double axialFeed) const {
-        return std::min(axialFeed / rpm(), m_project.wheel.width_mm);
+        return std::min(axialFeed / rpm(), m_project.wheel->width_mm);
     }
 
-    double rpm() const { return m_project.machine.work_speed_rpm; }
+    double rpm() const { return m_project.machine->work_speed_rpm; }
     double revolution_s() const { return units::secondsPerMinute / rpm(); }
 
     Place place(Zone zone, Step step, int revolution = 1) const {
@@ -176,7 +180,7 @@ private:
     /// E1 of РЗ1: t_П + min(S_t, (S_rad/n)·(m − 1 + (k+1)/K)) in N_E1 = ⌈n·S_t/S_rad⌉ revolutions.
     template <class Do>
     bool plungeIn(double fed, double infeed, const Do& pass) const {
-        const double feed = m_project.machine.plunge_feed_mm_min;
+        const double feed = m_project.machine->plunge_feed_mm_min;
         const int revolutions = static_cast<int>(std::ceil(rpm() * infeed / feed - 1e-9));
         const double perRevolution = feed / rpm();
         for (int m = 1; m <= revolutions; ++m) {
@@ -229,7 +233,7 @@ SimulationResult simulateGauged(Zone gaugeZone, const Project& project, Trajecto
     StageControl control(project, infeedsOfStages(project), run.blank().totalInfeed_mm);
     while (!control.finished() && !run.mustEnd()) {
         const bool waits = control.waitsForSize();
-        const Stage& stage = project.cycle.stages[control.stage()];
+        const Stage& stage = project.cycle->stages[control.stage()];
         if (!steps->step(
                 {control.nextInfeed(run.fed_mm), control.stage(), *stage.axial_feed_mm_min})) {
             break; // in the middle of a double stroke, which then does not count

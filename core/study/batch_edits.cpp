@@ -5,6 +5,12 @@
 #include "core/batch/factor_law.h"
 #include "core/batch/scenario_source.h"
 #include "core/format/project_file.h"
+#include "core/project/batch.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,10 +81,10 @@ Project shortened(Project made, const Project& nominal) {
             shorten(value);
         }
     };
-    Machine& machine = made.machine;
-    tidy(machine.wheel_speed_m_s, nominal.machine.wheel_speed_m_s);
-    tidy(made.part.shaft.youngs_modulus_gpa, nominal.part.shaft.youngs_modulus_gpa);
-    if (made.part.shaft.youngs_modulus_gpa == nominal.part.shaft.youngs_modulus_gpa) {
+    Machine& machine = *made.machine;
+    tidy(machine.wheel_speed_m_s, nominal.machine->wheel_speed_m_s);
+    tidy(made.part->shaft.youngs_modulus_gpa, nominal.part->shaft.youngs_modulus_gpa);
+    if (made.part->shaft.youngs_modulus_gpa == nominal.part->shaft.youngs_modulus_gpa) {
         return made; // the compliance is the nominal one
     }
     if (auto* zones = std::get_if<ZoneCompliance>(&machine.compliance_mm_per_n)) {
@@ -95,7 +101,7 @@ Project shortened(Project made, const Project& nominal) {
             shorten(*stiffness);
         }
     }
-    for (SteadyRest& rest : made.part.shaft.steady_rests) {
+    for (SteadyRest& rest : made.part->shaft.steady_rests) {
         shorten(rest.stiffness_n_um);
     }
     if (machine.wheel_contact && machine.wheel_contact->n_um_at_n) {
@@ -103,8 +109,8 @@ Project shortened(Project made, const Project& nominal) {
             shorten(row[1]);
         }
     }
-    if (made.gauge.compliance_mm_per_n) {
-        shorten(*made.gauge.compliance_mm_per_n);
+    if (made.gauge->compliance_mm_per_n) {
+        shorten(*made.gauge->compliance_mm_per_n);
     }
     return made;
 }
@@ -282,24 +288,24 @@ Project withCorrelation(Project project, std::size_t first, std::size_t second, 
 Factor usualFactor(FactorKind kind, const Project& project) {
     switch (kind) {
     case FactorKind::stock:
-        return uniformFactor(times(project.part.stock_mm, {leastShare, mostShare}));
+        return uniformFactor(times(project.part->stock_mm, {leastShare, mostShare}));
     case FactorKind::runout: {
-        const double runout = project.part.initial_runout_mm;
+        const double runout = project.part->initial_runout_mm;
         return runout > 0 ? normalFactor(times(runout, {1, 0.25}), times(runout, {0.25, 2}))
                           : uniformFactor({0, 0.01});
     }
     case FactorKind::dullness:
-        return growingFactor(times(project.wheel.dullness, {0.75, 1.5}), betweenDressings);
+        return growingFactor(times(project.wheel->dullness, {0.75, 1.5}), betweenDressings);
     case FactorKind::wheelDiameter:
-        return growingFactor(times(project.wheel.diameter_mm, {1, 0.9}), betweenDressings);
+        return growingFactor(times(project.wheel->diameter_mm, {1, 0.9}), betweenDressings);
     case FactorKind::flowStress: {
-        const double stress = project.material.flow_stress_mpa;
+        const double stress = project.material->flow_stress_mpa;
         return normalFactor(times(stress, {1, 0.05}), times(stress, {0.85, 1.15}));
     }
     case FactorKind::compliance: return uniformFactor({0.9, 1.1});
     case FactorKind::contactWidth:
         return uniformFactor(
-            times(project.operation->travels ? project.wheel.width_mm : project.part.length_mm,
+            times(project.operation->travels ? project.wheel->width_mm : project.part->length_mm,
                   {0.96, 1}));
     }
     return {};
@@ -315,10 +321,10 @@ Project withUsualBatch(Project project) {
         }
     };
     tryFactor(FactorKind::stock, &Factors::stock_mm);
-    if (project.part.initial_runout_mm > 0) {
+    if (project.part->initial_runout_mm > 0) {
         tryFactor(FactorKind::runout, &Factors::initial_runout_mm);
     }
-    if (project.wheel.dullness > 0) {
+    if (project.wheel->dullness > 0) {
         tryFactor(FactorKind::dullness, &Factors::dullness);
     }
     return project;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/batch/batch_run.h"
+#include "core/project/batch.h"
 #include "core/project/given_factors.h"
 
 /// Edits of a project that have to do with its batch.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/coupling_comparison.h"
 
+#include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/simulation/simulate.h"
 
 #include <numeric>
@@ -11,7 +13,8 @@ CouplingAnswer couplingOf(const Project& project) {
     if (project.operation->hasZones) {
         return CouplingAnswer::traverse;
     }
-    const bool given = !std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n);
+    const bool given =
+        !std::holds_alternative<std::monostate>(project.machine->compliance_mm_per_n);
     return given ? CouplingAnswer::givenCompliance : CouplingAnswer::comparable;
 }
 
@@ -29,8 +32,8 @@ CouplingComparison compareCoupling(const Project& project, const std::stop_token
     both.coupled = simulateUnchecked(run, nullptr, stop);
     for (std::size_t i = 0; i < both.coupled.sections.size(); ++i) {
         both.differences_mm.push_back(
-            meanDiameterDeviation(both.coupled.sections[i], project.part)
-            - meanDiameterDeviation(both.independent.sections[i], project.part));
+            meanDiameterDeviation(both.coupled.sections[i], *project.part)
+            - meanDiameterDeviation(both.independent.sections[i], *project.part));
     }
     return both;
 }

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/exercises.h"
 
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/project/validate.h"
+#include "core/project/wheel.h"
 #include "core/quality/finished_surface.h"
 #include "core/simulation/simulate.h"
 #include "core/units.h"
@@ -35,14 +39,14 @@ Change changeOf(const Project& project, ExerciseChange kind, std::vector<Asked> 
 MadeChange duller(const Project& project) {
     Change change = changeOf(project, ExerciseChange::dullerWheel,
                              {Asked::stepFeed_um, Asked::stepForce_n, Asked::time_min});
-    change.run.changed.wheel.dullness *= dullerBy;
-    return project.wheel.dullness > 0 ? MadeChange(change) : std::nullopt;
+    change.run.changed.wheel->dullness *= dullerBy;
+    return project.wheel->dullness > 0 ? MadeChange(change) : std::nullopt;
 }
 
 MadeChange softer(const Project& project) {
     Change change = changeOf(project, ExerciseChange::softerSystem,
                              {Asked::spread_um, Asked::peakForce_n, Asked::time_min});
-    Machine& machine = change.run.changed.machine;
+    Machine& machine = *change.run.changed.machine;
     if (auto* zones = std::get_if<ZoneCompliance>(&machine.compliance_mm_per_n)) {
         for (double* value : {&zones->rz1, &zones->nz, &zones->rz2}) {
             *value *= softerBy;
@@ -64,7 +68,7 @@ MadeChange softer(const Project& project) {
 MadeChange slower(const Project& project) {
     Change change = changeOf(project, ExerciseChange::slowerFeed,
                              {Asked::time_min, Asked::spread_um, Asked::runout_um});
-    auto& stages = change.run.changed.cycle.stages;
+    auto& stages = change.run.changed.cycle->stages;
     for (std::size_t z = stages.size(); z-- > 0;) {
         auto& feed = stages[z].*project.operation->radial().value;
         if (stages[z].feeds() && feed && *feed > 0) {
@@ -80,8 +84,8 @@ MadeChange slower(const Project& project) {
 MadeChange rounder(const Project& project) {
     Change change = changeOf(project, ExerciseChange::moreRunout,
                              {Asked::runout_um, Asked::count, Asked::time_min});
-    change.run.changed.part.initial_runout_mm *= moreRunoutBy;
-    return project.part.initial_runout_mm > 0 && project.part.profile != ProfileForm::measured
+    change.run.changed.part->initial_runout_mm *= moreRunoutBy;
+    return project.part->initial_runout_mm > 0 && project.part->profile != ProfileForm::measured
                ? MadeChange(change)
                : std::nullopt;
 }
@@ -90,12 +94,12 @@ MadeChange thicker(const Project& project) {
     Change change = changeOf(project, ExerciseChange::thickerStock,
                              {Asked::time_min, Asked::count, Asked::peakPower_kw});
     Project& changed = change.run.changed;
-    const double more = project.part.stock_mm * (thickerBy - 1);
-    if (changed.cycle.stages.empty() || !changed.cycle.stages.front().feeds()) {
+    const double more = project.part->stock_mm * (thickerBy - 1);
+    if (changed.cycle->stages.empty() || !changed.cycle->stages.front().feeds()) {
         return {};
     }
-    changed.part.stock_mm += more;
-    changed.cycle.stages.front().stock_mm += more;
+    changed.part->stock_mm += more;
+    changed.cycle->stages.front().stock_mm += more;
     return change;
 }
 

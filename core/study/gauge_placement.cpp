@@ -2,6 +2,9 @@
 #include "core/study/gauge_placement.h"
 
 #include "core/process/system_compliance.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/simulation/simulate.h"
 #include "core/study/coupling_comparison.h"
 #include "core/units.h"
@@ -18,9 +21,9 @@ namespace {
 /// The zone a place of the ground length lies in.
 Zone zoneAt(const Project& project, double position_mm) {
     const ZoneLengths zones = zoneLengths(project);
-    const double fromEntry = project.machine.entry_side == EntrySide::headstock
+    const double fromEntry = project.machine->entry_side == EntrySide::headstock
                                  ? position_mm
-                                 : project.part.length_mm - position_mm;
+                                 : project.part->length_mm - position_mm;
     if (fromEntry < zones.rz1) {
         return Zone::rz1;
     }
@@ -50,7 +53,7 @@ double straightRise(const std::vector<SectionResult>& sections, const std::vecto
 }
 
 GaugePosition summary(const SimulationResult& result) {
-    const Part& part = result.project.part;
+    const Part& part = *result.project.part;
     GaugePosition at;
     at.status = result.status;
     at.time_s = result.time_s;
@@ -79,9 +82,9 @@ class Placement {
 public:
     Placement(Project project, std::stop_token stop)
         : m_project(std::move(project)), m_stop(std::move(stop)) {
-        m_project.gauge.section.reset();
-        m_project.gauge.position_mm.reset();
-        m_project.gauge.compliance_mm_per_n.reset();
+        m_project.gauge->section.reset();
+        m_project.gauge->position_mm.reset();
+        m_project.gauge->compliance_mm_per_n.reset();
         m_points = compliantPoints(m_project, m_stop);
     }
 
@@ -91,7 +94,7 @@ public:
 
 private:
     GaugePosition atPlace(double position_mm) {
-        m_project.gauge.position_mm = position_mm;
+        m_project.gauge->position_mm = position_mm;
         GaugePosition found = summary(simulateUnchecked(m_project, nullptr, m_stop));
         found.position_mm = position_mm;
         found.compliance_mm_per_n = freeGaugePoint(m_project, m_points, m_stop).gamma_mm_n;
@@ -150,7 +153,7 @@ std::vector<double> gaugeCandidates(const Project& project, int count) {
     }
     const int steps = std::max(count, 2) - 1;
     for (int i = 0; i <= steps; ++i) {
-        positions.push_back(project.part.length_mm * i / steps);
+        positions.push_back(project.part->length_mm * i / steps);
     }
     return positions;
 }

@@ -5,6 +5,8 @@
 #include "core/optimisation/binding.h"
 #include "core/optimisation/grace_stop.h"
 #include "core/optimisation/limit.h"
+#include "core/project/cycle.h"
+#include "core/project/optimisation.h"
 #include "core/project/validate.h"
 #include "core/simulation/simulate.h"
 #include "core/study/refine_answer.h"
@@ -131,7 +133,7 @@ const Cycle& cycleFound(const GridSearchReport& report) {
 
 Project withAnswer(const GridSearchReport& report) {
     Project project = withBest(report.project, report.search);
-    project.cycle = cycleFound(report);
+    *project.cycle = cycleFound(report);
     return project;
 }
 

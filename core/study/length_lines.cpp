@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/length_lines.h"
 
+#include "core/project/part.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -109,11 +110,11 @@ int profileAt(const ProfileSeries& series, double position_mm) {
 
 std::vector<ShaftStep> shaftSteps(const Project& project) {
     std::vector<ShaftStep> steps;
-    if (project.part.surface == Surface::internal) {
+    if (project.part->surface == Surface::internal) {
         return steps;
     }
-    double at = -project.part.shaft.ground_from_mm;
-    for (const ShaftSegment& segment : project.part.shaft.segments) {
+    double at = -project.part->shaft.ground_from_mm;
+    for (const ShaftSegment& segment : project.part->shaft.segments) {
         steps.push_back({at, at + segment.length_mm, segment.diameter_mm / 2});
         at += segment.length_mm;
     }

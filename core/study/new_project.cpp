@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/new_project.h"
 
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/study/operation.h"
 
 #include <utility>
@@ -9,9 +12,9 @@ namespace sparkout {
 
 Project newProject(Operation operation) {
     Project project;
-    project.part.tolerance.radial_runout_um = 6;
-    project.machine.dwell_entry_s = 0.333;
-    project.machine.compliance_mm_per_n = ZoneCompliance{1.2e-4, 1.7e-4, 1.5e-4};
+    project.part->tolerance.radial_runout_um = 6;
+    project.machine->dwell_entry_s = 0.333;
+    project.machine->compliance_mm_per_n = ZoneCompliance{1.2e-4, 1.7e-4, 1.5e-4};
     Stage rough;
     rough.radial_feed_mm = 0.004;
     rough.axial_feed_mm_min = 1800;
@@ -21,9 +24,9 @@ Project newProject(Operation operation) {
     finish.radial_feed_mm = operation == Operation::traverse ? 0.002 : 0.001;
     finish.axial_feed_mm_min = 1000;
     finish.stock_mm = 0.04;
-    project.cycle.stages = {rough, finish};
+    project.cycle->stages = {rough, finish};
     if (operation == Operation::plunge) {
-        project.part.length_mm = 40;
+        project.part->length_mm = 40;
     }
     return withOperation(std::move(project), operation);
 }

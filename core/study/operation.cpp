@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/operation.h"
 
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
 #include "core/project/member.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/study/search_edits.h"
 
 #include <algorithm>
@@ -43,9 +48,9 @@ double between(const std::vector<double>& sections, double share) {
 
 /// Compliance along the part, from the headstock: zones may be entered from the other side.
 double complianceAt(const Project& project, double share) {
-    const GivenCompliance& given = project.machine.compliance_mm_per_n;
+    const GivenCompliance& given = project.machine->compliance_mm_per_n;
     if (const auto* zones = std::get_if<ZoneCompliance>(&given)) {
-        const bool turned = project.machine.entry_side == EntrySide::tailstock;
+        const bool turned = project.machine->entry_side == EntrySide::tailstock;
         return between(*zones, turned ? 1 - share : share);
     }
     const auto* sections = std::get_if<std::vector<double>>(&given);
@@ -54,7 +59,7 @@ double complianceAt(const Project& project, double share) {
 
 /// Of sections on the first `reach_mm` of the ground length.
 std::vector<double> sectionCompliance(const Project& project, int count, double reach_mm) {
-    const double share = reach_mm / project.part.length_mm;
+    const double share = reach_mm / project.part->length_mm;
     std::vector<double> values;
     values.reserve(static_cast<std::size_t>(count));
     for (int j = 0; j < count; ++j) {
@@ -64,7 +69,7 @@ std::vector<double> sectionCompliance(const Project& project, int count, double 
 }
 
 ZoneCompliance zoneCompliance(const Project& project) {
-    const bool turned = project.machine.entry_side == EntrySide::tailstock;
+    const bool turned = project.machine->entry_side == EntrySide::tailstock;
     return {rounded(complianceAt(project, turned ? 1 : 0)), rounded(complianceAt(project, 0.5)),
             rounded(complianceAt(project, turned ? 0 : 1))};
 }
@@ -79,7 +84,7 @@ GivenCompliance givenCompliance(const Project& project, const Operation& operati
 }
 
 void makePlunge(Project& project) {
-    for (Stage& stage : project.cycle.stages) {
+    for (Stage& stage : project.cycle->stages) {
         if (stage.radial_feed_mm && stage.feeds()) {
             stage.radial_feed_mm_min =
                 rounded(std::clamp(*stage.radial_feed_mm * plungePerTraverseFeed, 0.02, 5.0));
@@ -92,9 +97,9 @@ void makePlunge(Project& project) {
 
 /// Leaves a zone between the reversals: L_p > (B − o1) + (B − o2), each bracket above zero.
 void fitZones(Project& project) {
-    const double length = project.part.length_mm;
-    double& width = project.wheel.width_mm;
-    Machine& machine = project.machine;
+    const double length = project.part->length_mm;
+    double& width = project.wheel->width_mm;
+    Machine& machine = *project.machine;
     const auto zones = [&] {
         return 2 * width - machine.overrun_entry_mm - machine.overrun_exit_mm;
     };
@@ -109,7 +114,7 @@ void fitZones(Project& project) {
 }
 
 void makeTraverse(Project& project) {
-    auto& stages = project.cycle.stages;
+    auto& stages = project.cycle->stages;
     for (std::size_t i = 0; i < stages.size(); ++i) {
         Stage& stage = stages[i];
         if (stage.radial_feed_mm_min && stage.feeds()) {
@@ -122,15 +127,15 @@ void makeTraverse(Project& project) {
             stage.axial_feed_mm_min = roughing ? 1800 : 300;
         }
     }
-    project.part.surface = Surface::external;
-    project.gauge.section.reset();
-    project.gauge.position_mm.reset();
-    project.gauge.compliance_mm_per_n.reset();
+    project.part->surface = Surface::external;
+    project.gauge->section.reset();
+    project.gauge->position_mm.reset();
+    project.gauge->compliance_mm_per_n.reset();
     project = fitted(std::move(project), Operation::traverse);
     const bool computed =
-        std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n);
+        std::holds_alternative<std::monostate>(project.machine->compliance_mm_per_n);
     if (computed && !complianceComputable(project)) { // a bore has no shaft
-        project.machine.compliance_mm_per_n = zoneCompliance(project);
+        project.machine->compliance_mm_per_n = zoneCompliance(project);
     }
 }
 
@@ -148,26 +153,26 @@ void giveUsualShaft(Part& part) {
 /// A quill that reaches through the bore behind a wheel thicker than itself.
 Quill usualQuill(const Project& project) {
     Quill quill;
-    quill.length_mm = std::min(rounded(project.part.length_mm + 20), 2000.0);
+    quill.length_mm = std::min(rounded(project.part->length_mm + 20), 2000.0);
     quill.diameter_mm =
-        rounded(std::min(project.wheel.diameter_mm, project.part.diameter_mm) * 0.6);
+        rounded(std::min(project.wheel->diameter_mm, project.part->diameter_mm) * 0.6);
     return quill;
 }
 
 } // namespace
 
 bool complianceComputable(const Project& project) {
-    const bool body = project.part.surface == Surface::internal
-                          ? project.part.shaft.quill.has_value()
-                          : !project.part.shaft.segments.empty();
-    return body && project.machine.stiffness_n_um;
+    const bool body = project.part->surface == Surface::internal
+                          ? project.part->shaft.quill.has_value()
+                          : !project.part->shaft.segments.empty();
+    return body && project.machine->stiffness_n_um;
 }
 
 Project fitted(Project project, Operation operation) {
     operation.match([&](Traverse) { fitZones(project); },
                     [&](Plunge) { // grinds what the wheel that is there covers
-                        Part& part = project.part;
-                        part.length_mm = std::min(part.length_mm, project.wheel.width_mm);
+                        Part& part = *project.part;
+                        part.length_mm = std::min(part.length_mm, project.wheel->width_mm);
                     });
     return project;
 }
@@ -176,9 +181,9 @@ Project withOperation(Project project, Operation operation) {
     if (project.operation == operation) {
         return project;
     }
-    if (!std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n)) {
-        const double reach_mm = fitted(project, operation).part.length_mm;
-        project.machine.compliance_mm_per_n = givenCompliance(project, operation, reach_mm);
+    if (!std::holds_alternative<std::monostate>(project.machine->compliance_mm_per_n)) {
+        const double reach_mm = fitted(project, operation).part->length_mm;
+        project.machine->compliance_mm_per_n = givenCompliance(project, operation, reach_mm);
     }
     operation.match([&](Traverse) { makeTraverse(project); }, [&](Plunge) { makePlunge(project); });
     project.operation = operation;
@@ -186,49 +191,49 @@ Project withOperation(Project project, Operation operation) {
 }
 
 Project withSections(Project project, int sections) {
-    auto& given = project.machine.compliance_mm_per_n;
+    auto& given = project.machine->compliance_mm_per_n;
     const auto* list = std::get_if<std::vector<double>>(&given);
     if (list && list->size() != static_cast<std::size_t>(sections)) {
-        given = sectionCompliance(project, sections, project.part.length_mm);
+        given = sectionCompliance(project, sections, project.part->length_mm);
     }
-    if (project.gauge.section && *project.gauge.section >= sections) {
-        project.gauge.section.reset();
+    if (project.gauge->section && *project.gauge->section >= sections) {
+        project.gauge->section.reset();
     }
     project.sections = sections;
     return project;
 }
 
 Project withGivenCompliance(Project project, bool given) {
-    auto& compliance = project.machine.compliance_mm_per_n;
+    auto& compliance = project.machine->compliance_mm_per_n;
     if (!given) {
         compliance = std::monostate{};
         project = withComputable(std::move(project));
     } else {
-        compliance = givenCompliance(project, project.operation, project.part.length_mm);
+        compliance = givenCompliance(project, project.operation, project.part->length_mm);
     }
     return project;
 }
 
 Project withComputable(Project project) {
-    if (!std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n)) {
+    if (!std::holds_alternative<std::monostate>(project.machine->compliance_mm_per_n)) {
         return project;
     }
-    if (!project.machine.stiffness_n_um) {
-        project.machine.stiffness_n_um.emplace();
+    if (!project.machine->stiffness_n_um) {
+        project.machine->stiffness_n_um.emplace();
     }
-    Shaft& shaft = project.part.shaft;
-    if (project.part.surface == Surface::internal) {
+    Shaft& shaft = project.part->shaft;
+    if (project.part->surface == Surface::internal) {
         shaft.quill = shaft.quill ? shaft.quill : usualQuill(project);
     } else if (shaft.segments.empty()) {
-        giveUsualShaft(project.part);
+        giveUsualShaft(*project.part);
     }
     return project;
 }
 
 Project withRadii(Project project, std::vector<double> radii_um) {
-    project.part.radii_per_section = static_cast<int>(radii_um.size());
-    project.part.radii_um = std::move(radii_um);
-    project.part.profile = ProfileForm::measured;
+    project.part->radii_per_section = static_cast<int>(radii_um.size());
+    project.part->radii_um = std::move(radii_um);
+    project.part->profile = ProfileForm::measured;
     return project;
 }
 

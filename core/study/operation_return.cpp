@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/operation_return.h"
 
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/study/operation.h"
 
 #include <cstddef>
@@ -28,12 +34,12 @@ bool sameFeeds(const Stage& a, const Stage& b) {
 /// removed, the one with the feeds that the way from there made; null when it is another stage.
 const Stage* stageOfLastTime(std::size_t i, const Project& now, const Project& thence,
                              const Project& last) {
-    const auto& stages = last.cycle.stages;
-    if (stages.size() == now.cycle.stages.size()) {
+    const auto& stages = last.cycle->stages;
+    if (stages.size() == now.cycle->stages.size()) {
         return &stages[i];
     }
     for (std::size_t j = 0; j < stages.size(); ++j) {
-        if (sameFeeds(thence.cycle.stages[j], now.cycle.stages[i])) {
+        if (sameFeeds(thence.cycle->stages[j], now.cycle->stages[i])) {
             return &stages[j];
         }
     }
@@ -42,8 +48,8 @@ const Stage* stageOfLastTime(std::size_t i, const Project& now, const Project& t
 
 /// Feeds belong to one operation: they come back whatever was done under the other.
 void giveBackFeeds(Project& made, const Project& now, const Project& thence, const Project& last) {
-    for (std::size_t i = 0; i < made.cycle.stages.size(); ++i) {
-        Stage& stage = made.cycle.stages[i];
+    for (std::size_t i = 0; i < made.cycle->stages.size(); ++i) {
+        Stage& stage = made.cycle->stages[i];
         const Stage* was = stageOfLastTime(i, now, thence, last);
         if (!was) {
             continue;
@@ -84,22 +90,22 @@ Project withOperation(const Project& project, Operation operation, const Project
     }
     const Project thence = withOperation(*last, project.operation);
     giveBackFeeds(made, project, thence, *last);
-    giveBackGauge(made.gauge, project.gauge, thence.gauge, last->gauge);
-    giveBack(made.part.surface, project.part.surface, thence.part.surface, last->part.surface);
-    giveBack(made.part.length_mm, project.part.length_mm, thence.part.length_mm,
-             last->part.length_mm);
-    giveBack(made.wheel.width_mm, project.wheel.width_mm, thence.wheel.width_mm,
-             last->wheel.width_mm);
+    giveBackGauge(*made.gauge, *project.gauge, *thence.gauge, *last->gauge);
+    giveBack(made.part->surface, project.part->surface, thence.part->surface, last->part->surface);
+    giveBack(made.part->length_mm, project.part->length_mm, thence.part->length_mm,
+             last->part->length_mm);
+    giveBack(made.wheel->width_mm, project.wheel->width_mm, thence.wheel->width_mm,
+             last->wheel->width_mm);
     giveBackLevels(made, project, thence, *last);
-    Machine& machine = made.machine;
-    const Machine& now = project.machine;
-    giveBack(machine.overrun_entry_mm, now.overrun_entry_mm, thence.machine.overrun_entry_mm,
-             last->machine.overrun_entry_mm);
-    giveBack(machine.overrun_exit_mm, now.overrun_exit_mm, thence.machine.overrun_exit_mm,
-             last->machine.overrun_exit_mm);
+    Machine& machine = *made.machine;
+    const Machine& now = *project.machine;
+    giveBack(machine.overrun_entry_mm, now.overrun_entry_mm, thence.machine->overrun_entry_mm,
+             last->machine->overrun_entry_mm);
+    giveBack(machine.overrun_exit_mm, now.overrun_exit_mm, thence.machine->overrun_exit_mm,
+             last->machine->overrun_exit_mm);
     if (made.sections == last->sections) {
         giveBack(machine.compliance_mm_per_n, now.compliance_mm_per_n,
-                 thence.machine.compliance_mm_per_n, last->machine.compliance_mm_per_n);
+                 thence.machine->compliance_mm_per_n, last->machine->compliance_mm_per_n);
     }
     return fitted(std::move(made), operation);
 }

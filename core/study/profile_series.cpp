@@ -5,6 +5,9 @@
 #include "core/process/ground_stretch.h"
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/quality/finished_surface.h"
 #include "core/units.h"
 
@@ -39,7 +42,7 @@ void setStretches(ProfileSeries& series, const Project& project) {
 }
 
 ProfileSeries endOfCycle(const SimulationResult& result) {
-    const Part& part = result.project.part;
+    const Part& part = *result.project.part;
     ProfileSeries series;
     series.operation = result.project.operation;
     series.surface = part.surface;
@@ -69,7 +72,7 @@ ProfileSeries endOfCycle(const SimulationResult& result) {
         series.profiles.push_back(std::move(p));
         if (i == static_cast<std::size_t>(gauge)) {
             series.gauge_mm =
-                zones ? s.position_mm : result.project.gauge.position_mm.value_or(s.position_mm);
+                zones ? s.position_mm : result.project.gauge->position_mm.value_or(s.position_mm);
         }
     }
     setStretches(series, result.project);
@@ -115,7 +118,7 @@ ProfileSeries makeProfileSeries(const SimulationResult& result, const Trajectory
     }
     if (moment && moment->end <= trajectory.passes.size() && !trajectory.passes.empty()) {
         rewindTo(series, trajectory, *moment);
-        const double geometric = result.project.machine.geometric_runout_um / units::umPerMm;
+        const double geometric = result.project.machine->geometric_runout_um / units::umPerMm;
         for (Profile& p : series.profiles) {
             measure(p, series.nominal_mm, geometric);
         }
@@ -139,11 +142,11 @@ void addMinimumZones(ProfileSeries& series, const std::vector<int>& shown) {
 
 int gaugeProfile(const SimulationResult& result) {
     const Project& project = result.project;
-    if (!project.gauge.position_mm || project.operation->hasZones) {
+    if (!project.gauge->position_mm || project.operation->hasZones) {
         return gaugeSection(project);
     }
     const auto away = [&](const SectionResult& section) {
-        return std::abs(section.position_mm - *project.gauge.position_mm);
+        return std::abs(section.position_mm - *project.gauge->position_mm);
     };
     return static_cast<int>(std::ranges::min_element(result.sections, {}, away)
                             - result.sections.begin());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/form/roundness.h"
+#include "core/project/part.h"
 #include "core/simulation/progress.h"
 #include "core/simulation/result.h"
 #include "core/simulation/trajectory.h"

@@ -2,6 +2,7 @@
 #include "core/study/run_comparison.h"
 
 #include "core/digits.h"
+#include "core/project/part.h"
 #include "core/quality/result_names.h"
 
 #include <algorithm>
@@ -171,7 +172,7 @@ void addDiffering(const std::vector<RunValues>& runs, bool isResult,
 
 /// Along the ground length, from 0 to 1.
 double placeShare(const RunPlaces& run, std::size_t zone) {
-    const double length_mm = run.project.part.length_mm;
+    const double length_mm = run.project.part->length_mm;
     return length_mm > 0 ? run.summary.zones.at(zone).position_mm / length_mm : 0;
 }
 

@@ -3,6 +3,10 @@
 
 #include "core/format/project_file.h"
 #include "core/optimisation/variants.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,17 +71,17 @@ std::vector<double> feedsOf(const Cycle& cycle, Member member) {
 } // namespace
 
 Project withUsualSearch(Project project) {
-    const MachineLimits& limits = project.machine.limits;
+    const MachineLimits& limits = project.machine->limits;
     Optimisation search;
-    const auto stages = std::clamp<std::size_t>(project.cycle.stages.size(), 2, 3);
+    const auto stages = std::clamp<std::size_t>(project.cycle->stages.size(), 2, 3);
     search.stages.clear();
     for (std::size_t count = 1; count <= stages; ++count) {
         search.stages.push_back(static_cast<double>(count));
     }
-    search.stock_step_mm = std::clamp(roundStep(project.part.stock_mm / stepsOfStock), 1e-4, 5.0);
+    search.stock_step_mm = std::clamp(roundStep(project.part->stock_mm / stepsOfStock), 1e-4, 5.0);
     search.non_increasing = true;
     for (const StageFeed& feed : project.operation->feeds) {
-        search.*feed.levels = usualLevels(feedsOf(project.cycle, feed.value), limits.*feed.range,
+        search.*feed.levels = usualLevels(feedsOf(*project.cycle, feed.value), limits.*feed.range,
                                           tableOf<Optimisation>().find(feed.key)->hard.high);
     }
     project.optimisation = std::move(search);
@@ -100,7 +104,7 @@ Project withSearchFor(Project project) {
 
 bool sameSearch(const Project& a, const Project& b) {
     const auto searched = [](Project project) {
-        project.cycle = {};
+        *project.cycle = {};
         project.title.clear();
         project.author.clear();
         project.notes.clear();
@@ -111,9 +115,9 @@ bool sameSearch(const Project& a, const Project& b) {
             const auto free = [](const Levels& levels, double own) {
                 return levels == Levels() ? own : 0;
             };
-            setMachine(project, {free(asked.work_speed_rpm, project.machine.work_speed_rpm),
-                                 free(asked.dwell_entry_s, project.machine.dwell_entry_s),
-                                 free(asked.dwell_exit_s, project.machine.dwell_exit_s)});
+            setMachine(project, {free(asked.work_speed_rpm, project.machine->work_speed_rpm),
+                                 free(asked.dwell_entry_s, project.machine->dwell_entry_s),
+                                 free(asked.dwell_exit_s, project.machine->dwell_exit_s)});
         }
         if (!project.optimisation
             || project.optimisation->scenarios == OptimisationScenarios::nominal) {

@@ -3,6 +3,7 @@
 
 #include "core/format/project_file.h"
 #include "core/project/number_input.h"
+#include "core/project/sweep.h"
 #include "core/project/sweep_rules.h"
 
 #include <algorithm>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/whole_batch.h"
 
+#include "core/project/batch.h"
+
 namespace sparkout {
 
 const Characteristic* BatchOutcome::characteristicOf(std::size_t quantity) const {

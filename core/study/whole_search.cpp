@@ -9,6 +9,7 @@
 #include "core/optimisation/robust.h"
 #include "core/optimisation/trade_off.h"
 #include "core/optimisation/variants.h"
+#include "core/project/optimisation.h"
 #include "core/project/validate.h"
 #include "core/study/refine_answer.h"
 
@@ -305,7 +306,7 @@ SearchOutcomePtr runWholeSearch(const Project& project, SearchWish wish, std::st
 
 Project withFound(Project project, const FoundCycle& found) {
     setMachine(project, found.machine);
-    project.cycle = found.cycle;
+    *project.cycle = found.cycle;
     return project;
 }
 

@@ -4,6 +4,7 @@
 #include "core/issue.h"
 #include "core/optimisation/optimise.h"
 #include "core/optimisation/variants.h"
+#include "core/project/cycle.h"
 
 #include <array>
 #include <functional>

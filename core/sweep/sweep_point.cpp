@@ -3,6 +3,7 @@
 
 #include "core/batch/characteristics.h"
 #include "core/form/roundness.h"
+#include "core/project/part.h"
 #include "core/quality/constraints.h"
 #include "core/quality/finished_surface.h"
 #include "core/units.h"
@@ -79,7 +80,7 @@ private:
     }
 
     void addSection(const SectionResult& section, int index) {
-        const Part& part = m_result.project.part;
+        const Part& part = *m_result.project.part;
         const auto addHere = [&](const char* name, const SweepValue& value) {
             add(name, "µm", value, section.zone, index);
         };

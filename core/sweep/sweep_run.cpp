@@ -4,6 +4,7 @@
 #include "core/batch/worker_pool.h"
 #include "core/project/number_input.h"
 #include "core/project/range_check.h"
+#include "core/project/sweep.h"
 #include "core/project/sweep_rules.h"
 #include "core/project/validate.h"
 #include "core/simulation/simulate.h"

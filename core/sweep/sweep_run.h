@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/issue.h"
+#include "core/project/sweep.h"
 #include "core/simulation/result.h"
 
 #include <atomic>

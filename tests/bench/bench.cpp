@@ -9,7 +9,12 @@
 #include "core/format/project_file.h"
 #include "core/limits/burn_table.h"
 #include "core/process/pass_kernel.h"
+#include "core/project/batch.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
 #include "core/project/validate.h"
+#include "core/project/wheel.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/limit_watch.h"
 #include "core/simulation/simulate.h"
@@ -111,14 +116,14 @@ const char* const shaft30h6 = R"({
 /// A project that asks for everything: burn, roughness, both drives, the wheel's strengths, form.
 Project demanding() {
     Project p = readProject(shaft30h6).project.value();
-    p.material.burn_rise_k = 700;
-    p.part.tolerance = {4, 6, 5, 8, 1.6};
-    p.machine.wheel_drive_kw = 7.5;
-    p.machine.work_drive_kw = 0.5;
-    p.wheel.grain_surface_energy_j_m2 = 1800;
-    p.wheel.grain_modulus_gpa = 390;
-    p.wheel.bond_surface_energy_j_m2 = 400;
-    p.wheel.bond_modulus_gpa = 65;
+    p.material->burn_rise_k = 700;
+    p.part->tolerance = {4, 6, 5, 8, 1.6};
+    p.machine->wheel_drive_kw = 7.5;
+    p.machine->work_drive_kw = 0.5;
+    p.wheel->grain_surface_energy_j_m2 = 1800;
+    p.wheel->grain_modulus_gpa = 390;
+    p.wheel->bond_surface_energy_j_m2 = 400;
+    p.wheel->bond_modulus_gpa = 65;
     return p;
 }
 

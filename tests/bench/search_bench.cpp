@@ -6,6 +6,11 @@
 #include "core/format/project_file.h"
 #include "core/optimisation/optimise.h"
 #include "core/optimisation/robust.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 
 #include <cstdio>
 #include <ctime>
@@ -45,7 +50,7 @@ Project shaft(double stages) {
 Project plunge(int feeds, int levels) {
     Project p = example("plunge-shaft-two-stage.sparkout");
     p.optimisation->stages = {1, 2, 3, 4, 5};
-    p.optimisation->stock_step_mm = p.part.stock_mm / levels;
+    p.optimisation->stock_step_mm = p.part->stock_mm / levels;
     p.optimisation->radial_feed_mm_min = steps(0.8 / feeds, feeds);
     return p;
 }
@@ -60,13 +65,13 @@ std::vector<Project> corners(const Project& part) {
         }
         all.insert(all.end(), both.begin(), both.end());
     };
-    vary([](Project& p) { p.part.stock_mm += 0.01; });
-    vary([](Project& p) { p.part.initial_runout_mm += 0.01; });
-    vary([](Project& p) { p.wheel.dullness += 0.01; });
-    vary([](Project& p) { p.material.flow_stress_mpa *= 1.05; });
-    vary([](Project& p) { p.wheel.diameter_mm -= 20; });
+    vary([](Project& p) { p.part->stock_mm += 0.01; });
+    vary([](Project& p) { p.part->initial_runout_mm += 0.01; });
+    vary([](Project& p) { p.wheel->dullness += 0.01; });
+    vary([](Project& p) { p.material->flow_stress_mpa *= 1.05; });
+    vary([](Project& p) { p.wheel->diameter_mm -= 20; });
     vary([](Project& p) {
-        ZoneCompliance& zones = std::get<ZoneCompliance>(p.machine.compliance_mm_per_n);
+        ZoneCompliance& zones = std::get<ZoneCompliance>(p.machine->compliance_mm_per_n);
         zones.rz1 *= 1.1;
         zones.nz *= 1.1;
         zones.rz2 *= 1.1;

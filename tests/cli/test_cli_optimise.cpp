@@ -172,7 +172,7 @@ private slots:
         json file = shaft();
         file["cycle"] = answer.at("cycle");
         Project alone = project;
-        alone.cycle = found.cycle;
+        *alone.cycle = found.cycle;
         QVERIFY(sameProject(projectOf(file), alone));
     }
 
@@ -268,7 +268,7 @@ private slots:
         const Project found = projectOf(cycleFile);
         json binding = json::array();
         const auto kinds =
-            bindingRequirements(found, found.cycle, std::llround(simulate(found).time_s * 1e6));
+            bindingRequirements(found, *found.cycle, std::llround(simulate(found).time_s * 1e6));
         for (const ConstraintKind kind : kinds.value()) {
             binding.push_back(requirementOf(kind).key);
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What simulate prints, as text and as JSON, is what the engine computes.
+#include "core/project/part.h"
 #include "core/quality/constraints.h"
 #include "core/quality/shop_numbers.h"
 #include "core/simulation/simulate.h"
@@ -51,7 +52,7 @@ private slots:
         for (std::size_t i = 0; i < result.sections.size(); ++i) {
             checkSection(traverse ? answer.at("zones").at(zoneName(result.sections[i].zone))
                                   : answer.at("sections").at(i),
-                         result.sections[i], result.project.part.diameter_mm);
+                         result.sections[i], result.project.part->diameter_mm);
         }
         QCOMPARE(answer.at(traverse ? "zones" : "sections").size(), result.sections.size());
         checkForm(answer, result);

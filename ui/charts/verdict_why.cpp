@@ -2,6 +2,8 @@
 #include "ui/charts/verdict_why.h"
 
 #include "core/process/profile.h"
+#include "core/project/machine.h"
+#include "core/project/wheel.h"
 #include "core/quality/diameter_shares.h"
 #include "core/units.h"
 #include "ui/charts/verdict_model.h"
@@ -54,8 +56,8 @@ QString VerdictWhy::diameter(const Outcome& outcome, const ConstraintResult& c) 
 QString VerdictWhy::form(const Outcome& outcome, const ConstraintResult& c) {
     const Project& project = outcome.result.project;
     const double own_um =
-        c.kind == ConstraintKind::radialRunout ? project.machine.geometric_runout_um : 0;
-    const double blank_um = initialRunout(project.part) * units::umPerMm;
+        c.kind == ConstraintKind::radialRunout ? project.machine->geometric_runout_um : 0;
+    const double blank_um = initialRunout(*project.part) * units::umPerMm;
     const double left_um = c.value - own_um;
     QString text = tr("%1 in %2: the blank has %3 µm, the end of the cycle %4 µm")
                        .arg(Names::constraint(c.kind), Names::zone(c.zone, c.section),
@@ -108,7 +110,7 @@ QString VerdictWhy::place(const Outcome& outcome, const ConstraintResult& c) {
 
 /// The largest axial feed that leaves no strips [mm/min].
 QString mostAxialFeed(const Project& project) {
-    return Names::significant(project.wheel.width_mm * project.machine.work_speed_rpm, 4);
+    return Names::significant(project.wheel->width_mm * project.machine->work_speed_rpm, 4);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "ui/export/result_parts.h"
 
 #include "core/process/profile.h"
+#include "core/project/part.h"
 #include "core/quality/result_json.h"
 #include "core/quality/run_summary.h"
 #include "core/units.h"
@@ -44,7 +45,7 @@ CsvTable wholeCycle(const Outcome& outcome) {
 
 /// The final radii from the nominal one: a row an angle, a column a zone or section.
 CsvTable finalProfiles(const SimulationResult& result) {
-    const double nominal_mm = result.project.part.diameter_mm / 2;
+    const double nominal_mm = result.project.part->diameter_mm / 2;
     CsvTable table;
     table.header << ResultParts::tr("Radius no.") << ResultParts::tr("Angle, °");
     for (std::size_t i = 0; i < result.sections.size(); ++i) {

@@ -2,6 +2,8 @@
 #include "ui/export/study_book.h"
 
 #include "core/optimisation/limit.h"
+#include "core/project/batch.h"
+#include "core/project/sweep.h"
 #include "core/units.h"
 #include "core/version.h"
 #include "ui/charts/run_table.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/trace_sheet.h"
 
+#include "core/project/part.h"
 #include "core/simulation/progress.h"
 #include "core/units.h"
 #include "ui/text/names.h"
@@ -76,7 +77,7 @@ void fillRow(const Outcome& outcome, const PassTexts& texts, const Pass& pass, s
     put(visit.programmed_mm);
     put(visit.actual_mm);
     put(visit.accumulated_mm);
-    put((visit.radius_mm - project.part.diameter_mm / 2) * units::umPerMm);
+    put((visit.radius_mm - project.part->diameter_mm / 2) * units::umPerMm);
     put(visit.normalForce_n);
 }
 

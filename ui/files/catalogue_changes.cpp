@@ -4,6 +4,9 @@
 #include "core/catalogue/catalogue_check.h"
 #include "core/format/table_reader.h"
 #include "core/format/table_writer.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/wheel.h"
 #include "ui/text/number_text.h"
 #include "ui/text/source_names.h"
 #include "ui/text/texts.h"
@@ -26,13 +29,13 @@ QString inWords(const char* text) {
 }
 
 const Material& valueIn(const Project& project, const MaterialEntry&) {
-    return project.material;
+    return *project.material;
 }
 const Wheel& valueIn(const Project& project, const WheelEntry&) {
-    return project.wheel;
+    return *project.wheel;
 }
 const Machine& valueIn(const Project& project, const MachineEntry&) {
-    return project.machine;
+    return *project.machine;
 }
 
 /// A note with the keys of sources in words.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/slider_scale.h"
 
+#include "core/project/machine.h"
 #include "core/project/project.h"
 
 #include <algorithm>
@@ -68,7 +69,7 @@ SliderSpec sliderSpec(const Project& project, const std::string& path, const Fie
     SliderSpec spec{field.soft.unbounded() ? field.stated() : field.soft, field.stated(),
                     field.kind == Kind::integer || field.kind == Kind::optionalInteger, false,
                     std::nullopt};
-    const auto* machine = machineRange(project.machine.limits, path);
+    const auto* machine = machineRange(project.machine->limits, path);
     if (machine && *machine && (*machine)->size() == 3) {
         const double low = std::max((**machine)[0], field.stated().low);
         const double high = std::min((**machine)[1], field.stated().high);

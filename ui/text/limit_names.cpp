@@ -2,6 +2,7 @@
 #include "ui/text/limit_names.h"
 
 #include "core/project/member.h"
+#include "core/project/part.h"
 #include "core/quality/roughness.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
@@ -86,7 +87,7 @@ QString LimitNames::guessed() {
 
 QString LimitNames::missingLinks(const Project& project) {
     QStringList lines{notCheckedLinks(project)};
-    if (project.part.tolerance.roughness_ra_um && isGuess(ConstraintKind::roughness, project)) {
+    if (project.part->tolerance.roughness_ra_um && isGuess(ConstraintKind::roughness, project)) {
         static const std::string path = "/wheel/roughness_factor";
         lines << tr("Roughness is not limiting while it is not calibrated: %1")
                      .arg(QStringLiteral("<a href=\"%1\">%2</a>")

@@ -2,6 +2,7 @@
 #include "ui/text/marking_text.h"
 
 #include "core/project/member.h"
+#include "core/project/wheel.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/size_field.h"
 
+#include "core/project/part.h"
 #include "ui/text/number_text.h"
 
 #include <QCoreApplication>

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "core/project/iso286.h"
-#include "core/project/part.h"
 
 #include <QString>
 
 #include <optional>
 
 namespace sparkout {
+
+struct Part;
 
 /// A size with its field as typed, 30h6 or, for the part's own diameter, h6: what it says, or why
 /// it cannot be taken.

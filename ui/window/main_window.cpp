@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/main_window.h"
 
+#include "core/project/gauge.h"
 #include "ui/charts/verdict_why.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
@@ -140,9 +141,9 @@ void MainWindow::buildViews() {
 /// Its compliance is that of the place, so a given one goes.
 void MainWindow::putGauge(double position_mm) {
     Project project = m_document.project();
-    project.gauge.position_mm = position_mm;
-    project.gauge.section.reset();
-    project.gauge.compliance_mm_per_n.reset();
+    project.gauge->position_mm = position_mm;
+    project.gauge->section.reset();
+    project.gauge->compliance_mm_per_n.reset();
     m_document.endMerge();
     m_document.edit(std::move(project),
                     {"Edit", QT_TRANSLATE_NOOP("Edit", "Put the gauge in the best place")});

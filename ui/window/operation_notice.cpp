@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/operation_notice.h"
 
+#include "core/project/part.h"
 #include "core/study/operation.h"
 #include "ui/text/operation_changes.h"
 #include "ui/window/notice_bar.h"
@@ -14,7 +15,7 @@ namespace {
 const QString operationKey = QStringLiteral("operation");
 
 QString sentence(const Project& before, const Project& after) {
-    const bool shortened = after.part.length_mm < before.part.length_mm;
+    const bool shortened = after.part->length_mm < before.part->length_mm;
     return !after.operation->travels && shortened
                ? QCoreApplication::translate("OperationNotice",
                                              "A plunge grinds no more than the wheel covers. With "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/report_commands.h"
 
+#include "core/project/batch.h"
 #include "core/study/batch_edits.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/kit/help_topic.h"

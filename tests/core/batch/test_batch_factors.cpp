@@ -5,6 +5,11 @@
 #include "core/batch/factor_law.h"
 #include "core/format/blanks_csv.h"
 #include "core/process/system_compliance.h"
+#include "core/project/batch.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
@@ -51,7 +56,7 @@ double meanOf(const std::vector<double>& values) {
 
 /// Fed to a position, with stocks that scatter about the nominal 0.2 mm.
 Project positionBatch(Project project) {
-    project.gauge.control = Control::position;
+    project.gauge->control = Control::position;
     project.batch = Batch{};
     project.batch->parts = 20;
     project.batch->factors.stock_mm = uniform(0.17, 0.23);
@@ -105,11 +110,11 @@ private slots:
     /// Whatever the compliance comes from, each of its terms is as many times as large.
     void aFactorOfTheComplianceMultipliesAllOfIt() {
         Project project = fixtures::traverse();
-        project.machine.compliance_mm_per_n = std::monostate();
-        project.machine.stiffness_n_um = Stiffness{60, 40, 50};
-        project.part.shaft.segments = {{40, 25}, {120, 30}, {40, 20}};
-        project.part.shaft.ground_from_mm = 50;
-        project.part.shaft.steady_rests = {{100, 30}};
+        project.machine->compliance_mm_per_n = std::monostate();
+        project.machine->stiffness_n_um = Stiffness{60, 40, 50};
+        project.part->shaft.segments = {{40, 25}, {120, 30}, {40, 20}};
+        project.part->shaft.ground_from_mm = 50;
+        project.part->shaft.steady_rests = {{100, 30}};
         Project softer = project;
         putFactor(FactorKind::compliance, 1.25, softer);
         const auto before = complianceAlong(project, 21), after = complianceAlong(softer, 21);
@@ -157,10 +162,10 @@ private slots:
         }
         const ScenarioSource strokes(traverse), sections(plunge);
         for (std::int64_t part = 0; part < 5; ++part) {
-            QCOMPARE(strokes.project(part).wheel.width_mm, strokes.values(part).at(0));
-            QCOMPARE(strokes.project(part).part.length_mm, traverse.part.length_mm);
-            QCOMPARE(sections.project(part).part.length_mm, sections.values(part).at(0));
-            QCOMPARE(sections.project(part).wheel.width_mm, plunge.wheel.width_mm);
+            QCOMPARE(strokes.project(part).wheel->width_mm, strokes.values(part).at(0));
+            QCOMPARE(strokes.project(part).part->length_mm, traverse.part->length_mm);
+            QCOMPARE(sections.project(part).part->length_mm, sections.values(part).at(0));
+            QCOMPARE(sections.project(part).wheel->width_mm, plunge.wheel->width_mm);
         }
     }
 
@@ -171,7 +176,7 @@ private slots:
         project.batch->factors.contact_width_mm = uniform(20, 40);
         const ScenarioSource source(project);
         const double perWidth =
-            simulateUnchecked(project).peakNormalForce_n / project.part.length_mm;
+            simulateUnchecked(project).peakNormalForce_n / project.part->length_mm;
         for (std::int64_t part = 0; part < 20; ++part) {
             QVERIFY(close(simulateUnchecked(source.project(part)).peakNormalForce_n,
                           perWidth * source.values(part).at(0), 1e-9));
@@ -182,13 +187,13 @@ private slots:
 
     void atTheNominalBlankTheDatumChangesNothing() {
         Project project = fixtures::traverse();
-        project.gauge.control = Control::position;
+        project.gauge->control = Control::position;
         const SimulationResult own = simulateUnchecked(project);
-        project.gauge.datum_mm = makeBlank(project.part).totalInfeed_mm;
+        project.gauge->datum_mm = makeBlank(*project.part).totalInfeed_mm;
         QVERIFY(fixtures::sameBits(simulateUnchecked(project), own));
-        project.gauge.control = Control::gauge;
+        project.gauge->control = Control::gauge;
         const SimulationResult gauged = simulateUnchecked(project);
-        project.gauge.datum_mm.reset();
+        project.gauge->datum_mm.reset();
         QVERIFY(fixtures::sameBits(simulateUnchecked(project), gauged)); // not read then
     }
 
@@ -198,12 +203,12 @@ private slots:
         Project stiff = fixtures::stiffBatch(20);
         const ScenarioSource source(positionBatch(stiff));
         const SimulationResult nominal = simulateUnchecked(source.nominal());
-        const std::optional nominalDatum = makeBlank(stiff.part).totalInfeed_mm;
+        const std::optional nominalDatum = makeBlank(*stiff.part).totalInfeed_mm;
         std::set<double> stocks;
         for (std::int64_t part = 0; part < 20; ++part) {
             const Project project = source.project(part);
-            stocks.insert(project.part.stock_mm);
-            QCOMPARE(project.gauge.datum_mm, nominalDatum);
+            stocks.insert(project.part->stock_mm);
+            QCOMPARE(project.gauge->datum_mm, nominalDatum);
             const SimulationResult result = simulateUnchecked(project);
             QVERIFY(result.status == RunStatus::completed);
             QCOMPARE(result.time_s, nominal.time_s);
@@ -212,7 +217,7 @@ private slots:
             for (std::size_t k = 0; k < radii.size(); ++k) {
                 QVERIFY(within(radii[k], nominal.sections.at(0).radii_mm[k], 1e-9));
             }
-            QVERIFY(within(radii.back(), targetRadius(project.part), 1e-9)); // the last one cut
+            QVERIFY(within(radii.back(), targetRadius(*project.part), 1e-9)); // the last one cut
         }
         QVERIFY(*stocks.begin() < 0.2 && *stocks.rbegin() > 0.2);
     }
@@ -220,27 +225,27 @@ private slots:
     // By the gauge the time follows the stock instead, 0.9 mm/min, to within two revolutions.
     void byTheGaugeTheTimeFollowsTheStock() {
         Project project = positionBatch(fixtures::stiffBatch(20));
-        project.gauge.control = Control::gauge;
+        project.gauge->control = Control::gauge;
         const ScenarioSource source(project);
         const double revolution_s = 60.0 / 180;
         for (std::int64_t part = 0; part < 20; ++part) {
             const Project one = source.project(part);
-            QVERIFY(within(simulateUnchecked(one).time_s, one.part.stock_mm / 0.9 * 60,
+            QVERIFY(within(simulateUnchecked(one).time_s, one.part->stock_mm / 0.9 * 60,
                            2.01 * revolution_s));
-            QVERIFY(!one.gauge.datum_mm);
+            QVERIFY(!one.gauge->datum_mm);
         }
     }
 
     // A larger blank is met deeper: what it has more is cut in the first revolution.
     void aLargerBlankIsCutDeeperAtOnceAndASmallerOneLater() {
         Project project = fixtures::stiffBatch(1);
-        project.gauge.control = Control::position;
-        project.gauge.datum_mm = 0.2;
+        project.gauge->control = Control::position;
+        project.gauge->datum_mm = 0.2;
         const double perRevolution = 0.9 / 180;
         const auto firstCut = [&project](double stock_mm) {
-            project.part.stock_mm = stock_mm;
+            project.part->stock_mm = stock_mm;
             const fixtures::Traced run(project);
-            const int K = project.part.radii_per_section;
+            const int K = project.part->radii_per_section;
             return run.visit(run.passesOf(0).at(0), K - 1).actual_mm;
         };
         QVERIFY(within(firstCut(0.2), perRevolution, 1e-9));

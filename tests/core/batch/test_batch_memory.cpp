@@ -2,6 +2,9 @@
 // Memory of a batch: what the script of a cluster asks for holds the largest batch there is.
 #include "core/batch/batch_memory.h"
 #include "core/batch/characteristics.h"
+#include "core/project/batch.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
 
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/core/support/project_samples.h"
@@ -21,12 +24,12 @@ constexpr std::size_t mebi = std::size_t{1} << 20;
 /// As many sections and parts as a project may have, everything required of each.
 Project largest() {
     Project project = fixtures::stiffBatch(1'000'000);
-    project.machine.compliance_mm_per_n = std::vector<double>{1e-6};
+    project.machine->compliance_mm_per_n = std::vector<double>{1e-6};
     project.sections = static_cast<int>(tableOf<Project>().find("sections")->hard.high);
-    Tolerance& tolerance = project.part.tolerance;
+    Tolerance& tolerance = project.part->tolerance;
     tolerance.roundness_um = tolerance.cylindricity_um = tolerance.total_runout_um = 50;
     tolerance.radial_runout_um = tolerance.roughness_ra_um = 50;
-    project.machine.work_drive_kw = 2;
+    project.machine->work_drive_kw = 2;
     Factors& factors = project.batch->factors;
     factors.stock_mm = fixtures::uniform(0.13, 0.17);
     factors.initial_runout_mm = fixtures::uniform(0.01, 0.03);

@@ -4,6 +4,9 @@
 #include "core/batch/moments.h"
 #include "core/batch/part_queue.h"
 #include "core/batch/part_table.h"
+#include "core/project/batch.h"
+#include "core/project/cycle.h"
+#include "core/project/part.h"
 
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
@@ -88,7 +91,7 @@ Project partlyBad(int parts) {
         }
     }
     std::ranges::sort(largest);
-    project.part.tolerance.radial_runout_um = largest[largest.size() / 2];
+    project.part->tolerance.radial_runout_um = largest[largest.size() / 2];
     return project;
 }
 
@@ -232,7 +235,7 @@ private slots:
 
     void whereStripsStayUncutTheSurfaceHasNoNumbers() {
         Project project = shaftBatch(4);
-        for (Stage& stage : project.cycle.stages) {
+        for (Stage& stage : project.cycle->stages) {
             if (stage.axial_feed_mm_min) {
                 *stage.axial_feed_mm_min *= 100;
             }

@@ -5,6 +5,11 @@
 #include "core/batch/batch_state_reader.h"
 #include "core/batch/batch_summary.h"
 #include "core/batch/sensitivity.h"
+#include "core/project/batch.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
 
 #include "tests/check_line.h"
 #include "tests/core/support/batch_fixtures.h"
@@ -334,9 +339,9 @@ private slots:
     // Counted again from the parts one by one, over shards; a part counts at each of its causes.
     void causesAreCountedAtEveryPartThatFailsThem() {
         Project project = shaftBatch(60);
-        project.part.tolerance.roundness_um = 1e-6;
-        project.part.tolerance.radial_runout_um = 1e-6;
-        project.material.burn_rise_k = 500;
+        project.part->tolerance.roundness_um = 1e-6;
+        project.part->tolerance.radial_runout_um = 1e-6;
+        project.material->burn_rise_k = 500;
         const ScenarioSource source(project);
         std::map<ConstraintKind, std::int64_t> counted;
         std::int64_t failed = 0, several = 0;
@@ -368,10 +373,10 @@ private slots:
 
     void everyRequirementOfThePassesIsAQuantity() {
         Project project = shaftBatch(8);
-        project.material.burn_rise_k = 700;
-        project.part.tolerance = {4, 6, 5, 8, 0.8};
-        project.machine.wheel_drive_kw = 4;
-        project.machine.work_drive_kw = 1;
+        project.material->burn_rise_k = 700;
+        project.part->tolerance = {4, 6, 5, 8, 0.8};
+        project.machine->wheel_drive_kw = 4;
+        project.machine->work_drive_kw = 1;
         const BatchResult result = runWith(project, 1);
         const ScenarioSource source(project);
         const auto characteristics = characteristicsOf(source.nominal());
@@ -397,7 +402,7 @@ private slots:
         Project noBatch = shaftBatch(5), noPart = shaftBatch(5), noProject = shaftBatch(5);
         noBatch.batch.reset();
         noPart.batch->parts = 0;
-        noProject.cycle.stages.clear();
+        noProject.cycle->stages.clear();
         for (const Project& project : {noBatch, noPart, noProject, Project{}}) {
             const BatchResult result = runBatch(project);
             QVERIFY(result.status == BatchStatus::refused);
@@ -526,8 +531,8 @@ private slots:
     /// Capability is of sizes and forms; of all parts, so that a drift is in its s.
     void capabilityIsOfSizesAndFormsAlone() {
         Project project = shaftBatch(40);
-        project.machine.wheel_drive_kw = 7.5;
-        project.part.tolerance.roughness_ra_um = 1.6;
+        project.machine->wheel_drive_kw = 7.5;
+        project.part->tolerance.roughness_ra_um = 1.6;
         QVERIFY(!summarise(runWith(project, 2)).drifts);
         project.batch->factors.dullness = Factor{};
         project.batch->factors.dullness->grows = {0.015, 0.03};

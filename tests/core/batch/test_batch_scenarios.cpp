@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_check.h"
 #include "core/batch/scenario_source.h"
+#include "core/project/batch.h"
+#include "core/project/machine.h"
 #include "core/project/validate.h"
+#include "core/project/wheel.h"
 #include "core/statistics/intervals.h"
 #include "core/statistics/permutation.h"
 #include "core/statistics/sobol_sequence.h"
@@ -162,11 +165,11 @@ private slots:
         wheel.grows = {500, 450};
         wheel.parts_between_dressings = 10;
         project.batch->factors.wheel_diameter_mm = wheel;
-        const double rate = project.machine.wheel_speed_m_s / project.wheel.diameter_mm;
+        const double rate = project.machine->wheel_speed_m_s / project.wheel->diameter_mm;
         const ScenarioSource source(project);
-        QCOMPARE(source.project(9).wheel.diameter_mm, 500.0);
-        QCOMPARE(source.project(10).wheel.diameter_mm, 450.0);
-        QVERIFY(fixtures::close(source.project(10).machine.wheel_speed_m_s, 450 * rate, 1e-14));
+        QCOMPARE(source.project(9).wheel->diameter_mm, 500.0);
+        QCOMPARE(source.project(10).wheel->diameter_mm, 450.0);
+        QVERIFY(fixtures::close(source.project(10).machine->wheel_speed_m_s, 450 * rate, 1e-14));
     }
 
     // Quantiles of the truncated law by its own distribution function.

@@ -3,6 +3,10 @@
 // batch, whose parts fail by the overlap alone.
 #include "core/batch/batch_summary.h"
 #include "core/batch/batch_verdict.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/quality/finished_surface.h"
 #include "core/quality/result_json.h"
 #include "core/sweep/sweep_point.h"
@@ -26,19 +30,19 @@ constexpr std::int64_t parts = 30;
 /// Every requirement that is of the surface, and the drives; the first stage leaves strips.
 Project stripped() {
     Project project = fixtures::shaftBatch(static_cast<int>(parts));
-    Tolerance& tolerance = project.part.tolerance;
+    Tolerance& tolerance = project.part->tolerance;
     tolerance.roundness_um = tolerance.cylindricity_um = tolerance.total_runout_um = 5;
     tolerance.radial_runout_um = tolerance.roughness_ra_um = 5;
-    project.machine.wheel_drive_kw = 10;
-    project.cycle.stages.front().axial_feed_mm_min =
-        1.25 * project.wheel.width_mm * project.machine.work_speed_rpm;
+    project.machine->wheel_drive_kw = 10;
+    project.cycle->stages.front().axial_feed_mm_min =
+        1.25 * project.wheel->width_mm * project.machine->work_speed_rpm;
     return project;
 }
 
 Project whole() {
     Project project = stripped();
-    project.cycle.stages.front().axial_feed_mm_min =
-        0.8 * project.wheel.width_mm * project.machine.work_speed_rpm;
+    project.cycle->stages.front().axial_feed_mm_min =
+        0.8 * project.wheel->width_mm * project.machine->work_speed_rpm;
     return project;
 }
 

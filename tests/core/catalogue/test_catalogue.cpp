@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Catalogues: read strictly, used in a project, saved as one's own.
 #include "core/catalogue/catalogue.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/wheel.h"
 
 #include "tests/core/catalogue/shipped_catalogues.h"
 #include "tests/core/support/project_fixtures.h"
@@ -131,29 +134,30 @@ private slots:
 
     void entryChangesOnlyWhatItGives() {
         Project project = fixtures::plunge();
-        project.material.friction = 0.41;
-        project.material.heat_share = 0.8;
+        project.material->friction = 0.41;
+        project.material->heat_share = 0.8;
         const Project before = project;
         applyEntry(readCatalogue<MaterialEntry>(smallest().dump()).entries->front(), project);
-        QCOMPARE(project.material.grade, std::string("40Х"));
-        QCOMPARE(project.material.conductivity_w_mk, 38.5);
-        QCOMPARE(project.material.friction, 0.41);
+        QCOMPARE(project.material->grade, std::string("40Х"));
+        QCOMPARE(project.material->conductivity_w_mk, 38.5);
+        QCOMPARE(project.material->friction, 0.41);
         project.material = before.material;
         QVERIFY(sameProject(project, before));
     }
 
     void machineGivesItsUnitsAndRanges() {
         Project project = fixtures::plunge();
-        project.machine.dwell_entry_s = 0.7;
+        project.machine->dwell_entry_s = 0.7;
         const auto machines = shipped<MachineEntry>();
         const auto found = std::ranges::find(machines, "3М151", &MachineEntry::name);
         QVERIFY(found != machines.end());
         applyEntry(*found, project);
-        QCOMPARE(project.machine.name, std::string("3М151"));
-        QVERIFY(project.machine.stiffness_n_um && project.machine.wheel_drive_kw);
-        QCOMPARE(project.machine.stiffness_n_um->tailstock, found->value.stiffness_n_um->tailstock);
-        QCOMPARE(project.machine.dwell_entry_s, 0.7);
-        QVERIFY(std::holds_alternative<std::vector<double>>(project.machine.compliance_mm_per_n));
+        QCOMPARE(project.machine->name, std::string("3М151"));
+        QVERIFY(project.machine->stiffness_n_um && project.machine->wheel_drive_kw);
+        QCOMPARE(project.machine->stiffness_n_um->tailstock,
+                 found->value.stiffness_n_um->tailstock);
+        QCOMPARE(project.machine->dwell_entry_s, 0.7);
+        QVERIFY(std::holds_alternative<std::vector<double>>(project.machine->compliance_mm_per_n));
     }
 
     void ownEntryTakesThePlaceOfTheShippedOne() {
@@ -174,25 +178,27 @@ private slots:
 
     void savedAsMineComesBackWhole() {
         Project project = fixtures::traverse();
-        project.material.hardness_hrc = 57;
-        project.machine.stiffness_n_um = Stiffness{11, 12, 13};
-        project.machine.wheel_contact = WheelContact{{{{10, 5}, {20, 9}}}};
-        project.wheel.marking = "25А F60 L 6 V";
+        project.material->hardness_hrc = 57;
+        project.machine->stiffness_n_um = Stiffness{11, 12, 13};
+        project.machine->wheel_contact = WheelContact{{{{10, 5}, {20, 9}}}};
+        project.wheel->marking = "25А F60 L 6 V";
         const QTemporaryDir folder;
         QVERIFY(savedAndRead<MaterialEntry>(
             project, folder.filePath("m.json"), [](const Project& a, const Project& b) {
-                return a.material.hardness_hrc == b.material.hardness_hrc
-                       && a.material.friction == b.material.friction;
+                return a.material->hardness_hrc == b.material->hardness_hrc
+                       && a.material->friction == b.material->friction;
             }));
-        QVERIFY(savedAndRead<WheelEntry>(
-            project, folder.filePath("w.json"), [](const Project& a, const Project& b) {
-                return a.wheel.marking == b.wheel.marking && a.wheel.dullness == b.wheel.dullness;
-            }));
+        QVERIFY(savedAndRead<WheelEntry>(project, folder.filePath("w.json"),
+                                         [](const Project& a, const Project& b) {
+                                             return a.wheel->marking == b.wheel->marking
+                                                    && a.wheel->dullness == b.wheel->dullness;
+                                         }));
         QVERIFY(savedAndRead<MachineEntry>(
             project, folder.filePath("g.json"), [](const Project& a, const Project& b) {
-                return a.machine.stiffness_n_um->wheel_head == b.machine.stiffness_n_um->wheel_head
-                       && a.machine.wheel_contact->n_um_at_n == b.machine.wheel_contact->n_um_at_n
-                       && a.machine.compliance_mm_per_n == b.machine.compliance_mm_per_n;
+                return a.machine->stiffness_n_um->wheel_head
+                           == b.machine->stiffness_n_um->wheel_head
+                       && a.machine->wheel_contact->n_um_at_n == b.machine->wheel_contact->n_um_at_n
+                       && a.machine->compliance_mm_per_n == b.machine->compliance_mm_per_n;
             }));
     }
 

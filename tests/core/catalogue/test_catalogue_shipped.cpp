@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is shipped: whole, sourced, told in both languages, and good for a project.
+#include "core/project/machine.h"
+#include "core/project/material.h"
 #include "core/project/validate.h"
+#include "core/project/wheel.h"
 #include "core/project/wheel_marking.h"
 #include "tests/core/catalogue/shipped_catalogues.h"
 #include "tests/core/support/project_fixtures.h"
@@ -168,13 +171,13 @@ private slots:
             Project project = fixtures::plunge();
             applyEntry(entry, project);
             QVERIFY2(!hasErrors(validate(project)), entry.name.c_str());
-            QCOMPARE(project.material.grade, entry.name);
+            QCOMPARE(project.material->grade, entry.name);
         }
         for (const MachineEntry& entry : shipped<MachineEntry>()) {
             Project project = fixtures::plunge();
             applyEntry(entry, project);
             QVERIFY2(!hasErrors(validate(project)), entry.name.c_str());
-            const auto& speeds = *project.machine.limits.work_speed_rpm;
+            const auto& speeds = *project.machine->limits.work_speed_rpm;
             QVERIFY(speeds[0] < speeds[1] && speeds[2] > 0 && speeds[2] < speeds[1] - speeds[0]);
         }
     }

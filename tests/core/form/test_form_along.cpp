@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Total runout, the form along the length, and the harmonics of sections.
+#include "core/project/machine.h"
 #include "tests/core/form/ground_bodies.h"
 #include "tests/registry.h"
 
@@ -49,7 +50,7 @@ private slots:
     // A section of a run: the engine's runout is this one.
     void runoutOfARunIsTheEngines() {
         Project p = fixtures::traverse();
-        p.machine.geometric_runout_um = 1.5;
+        p.machine->geometric_runout_um = 1.5;
         const SimulationResult result = simulateUnchecked(p);
         std::vector<SectionShape> shapes;
         for (const SectionResult& section : result.sections) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is wrong with a project file is named, all at once, with path, value and what is allowed.
+#include "core/project/cycle.h"
+#include "core/project/part.h"
 #include "core/project/range_check.h"
+#include "core/project/wheel.h"
 #include "tests/check_line.h"
 #include "tests/core/project/project_places.h"
 #include "tests/core/support/project_fixtures.h"
@@ -95,13 +98,13 @@ private slots:
         Project project = samples::project("stiffness-traverse");
         const auto shortBy = [&](double missing_mm) {
             Project short_ = project;
-            const double needed = short_.part.shaft.ground_from_mm + short_.part.length_mm;
-            short_.part.shaft.steady_rests.clear();
-            short_.part.shaft.segments.assign(10, {needed / 10, 30});
-            short_.part.shaft.segments.back().length_mm -= missing_mm;
+            const double needed = short_.part->shaft.ground_from_mm + short_.part->length_mm;
+            short_.part->shaft.steady_rests.clear();
+            short_.part->shaft.segments.assign(10, {needed / 10, 30});
+            short_.part->shaft.segments.back().length_mm -= missing_mm;
             return holds(validate(short_), IssueCode::shaftTooShort, "/part/shaft/segments");
         };
-        project.part.shaft.ground_from_mm = 0.1;
+        project.part->shaft.ground_from_mm = 0.1;
         QVERIFY(!shortBy(0));
         QVERIFY(!shortBy(0.9e-9));
         QVERIFY(shortBy(1.1e-9));
@@ -111,12 +114,12 @@ private slots:
     /// As the decimals of a file add up.
     void stocksMayMissTheirSumByRoundingAlone() {
         Project project = samples::project("smallest-plunge");
-        const Stage stage = project.cycle.stages.front();
-        project.part.stock_mm = 0.3;
+        const Stage stage = project.cycle->stages.front();
+        project.part->stock_mm = 0.3;
         const auto warns = [&](double second_mm) {
-            project.cycle.stages.assign(2, stage);
-            project.cycle.stages[0].stock_mm = 0.1;
-            project.cycle.stages[1].stock_mm = second_mm;
+            project.cycle->stages.assign(2, stage);
+            project.cycle->stages[0].stock_mm = 0.1;
+            project.cycle->stages[1].stock_mm = second_mm;
             return holds(validate(project), IssueCode::stocksDoNotSumUp, "/cycle/stages");
         };
         QVERIFY(0.1 + 0.2 != 0.3);
@@ -127,23 +130,23 @@ private slots:
 
     void aWheelAsWideAsThePartIsWideEnough() {
         Project project = samples::project("smallest-plunge");
-        project.wheel.width_mm = project.part.length_mm;
+        project.wheel->width_mm = project.part->length_mm;
         QVERIFY(!hasErrors(validate(project)));
-        project.wheel.width_mm = std::nextafter(project.part.length_mm, 0);
+        project.wheel->width_mm = std::nextafter(project.part->length_mm, 0);
         QVERIFY(holds(validate(project), IssueCode::wheelTooNarrow, "/wheel/width_mm"));
     }
 
     /// Stock and runout stand inside a bore on both sides.
     void aWheelMustFitTheBlanksBore() {
         Project project = fixtures::plunge();
-        project.part.surface = Surface::internal;
-        project.part.target_diameter_mm = project.part.diameter_mm;
-        project.part.stock_mm = 0.2;
-        project.part.initial_runout_mm = 0.1;
-        const double bore = project.part.diameter_mm - 0.6;
-        project.wheel.diameter_mm = bore - 1e-6;
+        project.part->surface = Surface::internal;
+        project.part->target_diameter_mm = project.part->diameter_mm;
+        project.part->stock_mm = 0.2;
+        project.part->initial_runout_mm = 0.1;
+        const double bore = project.part->diameter_mm - 0.6;
+        project.wheel->diameter_mm = bore - 1e-6;
         QVERIFY(!holds(validate(project), IssueCode::wheelTooLarge, "/wheel/diameter_mm"));
-        project.wheel.diameter_mm = bore + 1e-6;
+        project.wheel->diameter_mm = bore + 1e-6;
         QVERIFY(holds(validate(project), IssueCode::wheelTooLarge, "/wheel/diameter_mm"));
     }
 

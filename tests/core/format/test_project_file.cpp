@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is written is read again, to the last bit and byte.
+#include "core/project/machine.h"
+#include "core/project/part.h"
 #include "tests/check_line.h"
 #include "tests/core/project/project_places.h"
 #include "tests/registry.h"
@@ -160,8 +162,8 @@ private slots:
         text.replace(at + key.size(), 1, written.toStdString());
         const ReadResult read = readProject(text);
         QVERIFY2(read.project, samples::listed(read.issues).c_str());
-        QCOMPARE(read.project->machine.dwell_exit_s, value);
-        QVERIFY(!std::signbit(read.project->machine.dwell_exit_s));
+        QCOMPARE(read.project->machine->dwell_exit_s, value);
+        QVERIFY(!std::signbit(read.project->machine->dwell_exit_s));
         const std::string out = writeProject(*read.project);
         QVERIFY(out.find(key + again.toStdString() + ",") != std::string::npos);
         const std::string fault = roundTripFault(*read.project);
@@ -172,13 +174,13 @@ private slots:
         for (const char* written : {"36", "36.0", "3.6e1", "360e-1"}) {
             json file = samples::sample("smallest-traverse");
             file["part"]["radii_per_section"] = json::parse(written);
-            QCOMPARE(readProject(file.dump()).project.value().part.radii_per_section, 36);
+            QCOMPARE(readProject(file.dump()).project.value().part->radii_per_section, 36);
         }
     }
 
     void minusZeroInMemoryIsWrittenAsZero() {
         Project project = samples::project("smallest-traverse");
-        project.machine.dwell_exit_s = -0.0;
+        project.machine->dwell_exit_s = -0.0;
         project.runs = {{"", "", "", {samples::text("smallest-plunge")}, {R"({"x": -0.0})"}}};
         QCOMPARE(roundTripFault(project), std::string());
     }

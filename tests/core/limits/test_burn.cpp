@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/limits/burn.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 
 #include "core/limits/burn_table.h"
 #include "core/limits/ierfc.h"
@@ -29,9 +33,9 @@ namespace {
 /// The steel of the vectors' page: 40Х at 200 °C, μ 0.4, on the full-law case.
 Project hotSteel() {
     Project p = fixtures::plunge();
-    p.material.conductivity_w_mk = 42.7;
-    p.material.diffusivity_mm2_s = 10.818;
-    p.material.friction = 0.4;
+    p.material->conductivity_w_mk = 42.7;
+    p.material->diffusivity_mm2_s = 10.818;
+    p.material->friction = 0.4;
     return p;
 }
 
@@ -165,7 +169,7 @@ private slots:
     void fluxIsThePowerOnTheContact() {
         QVERIFY(holds("q·b·L = P_z·V_k", [] {
             const Project p = anyCutting();
-            const double a = decades(-5, -1), Vk = p.machine.wheel_speed_m_s * 1000;
+            const double a = decades(-5, -1), Vk = p.machine->wheel_speed_m_s * 1000;
             const Heating heat = BurnModel(p).heating(a);
             RC_ASSERT(close(heat.flux_mw_mm2 * heat.length_mm,
                             forceLaw(p).tangential(1, std::sqrt(a)) * Vk, 1e-14));
@@ -196,8 +200,8 @@ private slots:
         Project p = hotSteel();
         double last = 0;
         for (const double n : {20.0, 180.0, 1000.0, 6000.0, 600e3}) {
-            p.machine.work_speed_rpm = n;
-            const double Vd = std::numbers::pi * p.part.diameter_mm * n / 60;
+            p.machine->work_speed_rpm = n;
+            const double Vd = std::numbers::pi * p.part->diameter_mm * n / 60;
             const Heating heat = BurnModel(p).heating(0.02);
             const double band = riseUnderBand(heat.flux_mw_mm2, heat.length_mm, Vd, 42.7, 10.818);
             const double share = band / BurnModel(p).rise(0, 0.02);
@@ -243,11 +247,11 @@ private slots:
     // One term at a time: sharp wheel w³ = U/(c·k_t), frictional heat alone w = U/(c·μk_r).
     void rootOfOneTermIsItsPower() {
         Project p = hotSteel();
-        p.wheel.dullness = 0;
+        p.wheel->dullness = 0;
         const BurnModel sharp(p);
         QVERIFY(close(sharp.burnFreeDepth(800), sharp.burnFreeDepth(100) * 16, 1e-13)); // 8^(4/3)
         p = hotSteel();
-        p.material.shear_strain = 1e-12;
+        p.material->shear_strain = 1e-12;
         const BurnModel rubbing(p);
         QVERIFY(close(rubbing.burnFreeDepth(200), rubbing.burnFreeDepth(100) * 16, 1e-9)); // 2⁴
     }
@@ -306,11 +310,11 @@ private slots:
             const double U = between(100, 2000), stock = decades(-3, -0.5);
             const double small = BurnModel(p).limitDepth(U, stock);
             const double c = between(0.2, 5);
-            p.part.diameter_mm *= c;
-            p.wheel.diameter_mm *= c;
-            p.machine.wheel_speed_m_s *= c;
-            p.material.diffusivity_mm2_s *= c * c;
-            p.material.conductivity_w_mk *= c * c;
+            p.part->diameter_mm *= c;
+            p.wheel->diameter_mm *= c;
+            p.machine->wheel_speed_m_s *= c;
+            p.material->diffusivity_mm2_s *= c * c;
+            p.material->conductivity_w_mk *= c * c;
             RC_ASSERT(close(BurnModel(p).limitDepth(U, c * stock), c * small, 1e-11));
         }));
     }
@@ -318,7 +322,7 @@ private slots:
     void halfTheHeatBurnsAtTwiceTheRise() {
         Project p = hotSteel();
         const double all = BurnModel(p).burnFreeDepth(350);
-        p.material.heat_share = 0.5;
+        p.material->heat_share = 0.5;
         QVERIFY(close(BurnModel(p).burnFreeDepth(175), all, 1e-13));
     }
 
@@ -344,7 +348,7 @@ private slots:
         int wide = 0;
         for (const double dullness : {0.1, 0.2, 0.4}) {
             for (const double deepest : {0.2, 0.5, 1.0}) {
-                p.wheel.dullness = dullness;
+                p.wheel->dullness = dullness;
                 const BurnModel model(p);
                 const BurnTable table(model, 700, deepest);
                 const bool close = fixtures::close(table.limit(1e-4),

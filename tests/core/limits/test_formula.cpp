@@ -2,6 +2,7 @@
 // What a formula sheet says must be what the engine computed: every equation is read back, worked
 // out from its numbers and held against its result, units included.
 #include "core/limits/formula.h"
+#include "core/project/wheel.h"
 
 #include "core/form/accuracy.h"
 #include "core/limits/burn.h"
@@ -74,7 +75,7 @@ std::vector<FormulaSheet> everySheet(const Case& c) {
 
 Case anyCase() {
     Case c{anyCutting(), decades(-5, -1), between(1, 100), decades(-4, -0.5), between(200, 1500)};
-    Wheel& wheel = c.project.wheel;
+    Wheel& wheel = *c.project.wheel;
     wheel.grain_surface_energy_j_m2 = decades(0, 4);
     wheel.grain_modulus_gpa = between(50, 900);
     wheel.bond_surface_energy_j_m2 = decades(0, 4);
@@ -181,10 +182,10 @@ private slots:
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArray list = file.readAll();
         Case c{fixtures::plunge(), 0.005, 40, 0.1, 700};
-        c.project.wheel.grain_surface_energy_j_m2 = 18;
-        c.project.wheel.grain_modulus_gpa = 390;
-        c.project.wheel.bond_surface_energy_j_m2 = 4;
-        c.project.wheel.bond_modulus_gpa = 65;
+        c.project.wheel->grain_surface_energy_j_m2 = 18;
+        c.project.wheel->grain_modulus_gpa = 390;
+        c.project.wheel->bond_surface_energy_j_m2 = 4;
+        c.project.wheel->bond_modulus_gpa = 65;
         for (const FormulaSheet& sheet : everySheet(c)) {
             QVERIFY(*sheet.name);
             const QByteArray key(sheet.source);

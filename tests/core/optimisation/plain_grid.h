@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/optimisation/variants.h"
+#include "core/project/cycle.h"
+#include "core/project/part.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +24,7 @@ struct PlainCycle {
 class PlainGrid {
 public:
     explicit PlainGrid(const Project& project) : p(project), asked(*project.optimisation) {
-        const Machine& own = p.machine;
+        const Machine& own = *p.machine;
         const bool traverse = p.operation == Operation::traverse;
         for (const double speed : listed(asked.work_speed_rpm, own.work_speed_rpm)) {
             for (const double entry :
@@ -55,7 +57,7 @@ private:
             }
             if (!before) {
                 feeding = static_cast<std::size_t>(asked.stages[i]);
-                addStage({}, p.part.stock_mm);
+                addStage({}, p.part->stock_mm);
             }
         }
     }

@@ -2,6 +2,11 @@
 #pragma once
 
 #include "core/optimisation/optimise.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
 #include "tests/core/optimisation/plain_grid.h"
 #include "tests/core/optimisation/search_cases.h"
 #include "tests/core/support/project_samples.h"
@@ -30,7 +35,7 @@ struct PlainSearch {
     explicit PlainSearch(Project project) {
         const PlainGrid grid(project);
         for (const PlainCycle& each : grid.cycles) {
-            project.cycle = each.cycle;
+            *project.cycle = each.cycle;
             setMachine(project, each.machine);
             const SimulationResult result = simulateUnchecked(project);
             visits += result.visits;
@@ -85,16 +90,16 @@ inline bool noSlower(const SearchSummary& a, const SearchSummary& b) {
 /// One stage whose drive allows the feed given, or a little more, out of 0.3, 0.6 and 1.2 mm/min.
 inline Project driven(double feed_mm_min) {
     Project p = fixtures::plunge();
-    p.material.burn_rise_k.reset();
-    p.part.lower_deviation_um = -200;
-    p.part.upper_deviation_um = 200;
-    p.part.tolerance = {};
-    p.machine.limits = {};
+    p.material->burn_rise_k.reset();
+    p.part->lower_deviation_um = -200;
+    p.part->upper_deviation_um = 200;
+    p.part->tolerance = {};
+    p.machine->limits = {};
     p.optimisation = Optimisation{};
     p.optimisation->stages = {1};
     p.optimisation->radial_feed_mm_min = std::vector<double>{0.3, 0.6, 1.2};
-    p.cycle.stages = {fixtures::plungeStage(feed_mm_min, p.part.stock_mm)};
-    p.machine.wheel_drive_kw = simulateUnchecked(p).peakPower_w / 1000 * 1.001;
+    p.cycle->stages = {fixtures::plungeStage(feed_mm_min, p.part->stock_mm)};
+    p.machine->wheel_drive_kw = simulateUnchecked(p).peakPower_w / 1000 * 1.001;
     return p;
 }
 

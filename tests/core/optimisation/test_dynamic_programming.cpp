@@ -2,6 +2,12 @@
 // Dynamic programming for plunge cycles against the full search: what it finds holds and is never
 // quicker than the proven best, and how often it is wrong, as it says of itself.
 #include "core/optimisation/optimise.h"
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
@@ -33,9 +39,9 @@ std::vector<Project> plungeCases(int count) {
         search_cases::Dice dice(seed);
         const int levels = dice.integer(2, 5);
         const double scale = dice.uniform(0.5, 2);
-        p.gauge.commands = 5;
+        p.gauge->commands = 5;
         p.optimisation->stages = {static_cast<double>(levels)};
-        p.optimisation->stock_step_mm = p.part.stock_mm / levels;
+        p.optimisation->stock_step_mm = p.part->stock_mm / levels;
         p.optimisation->last_stock_mm.reset();
         p.optimisation->radial_feed_mm_min =
             std::vector<double>{0.1 * scale, 0.2 * scale, 0.4 * scale, 0.8 * scale, 1.6 * scale};
@@ -48,9 +54,9 @@ std::vector<Project> plungeCases(int count) {
 Project example(int stages, std::vector<double> feeds) {
     const auto file = samples::sourcePath("resources/examples/plunge-shaft-two-stage.sparkout");
     Project p = readProject(samples::readText(file)).project.value();
-    p.part.radii_per_section = 12;
+    p.part->radii_per_section = 12;
     p.optimisation->stages = {static_cast<double>(stages)};
-    p.optimisation->stock_step_mm = p.part.stock_mm / stages;
+    p.optimisation->stock_step_mm = p.part->stock_mm / stages;
     p.optimisation->radial_feed_mm_min = std::move(feeds);
     return p;
 }
@@ -58,9 +64,9 @@ Project example(int stages, std::vector<double> feeds) {
 /// The same on a soft shaft with a field of 4 µm.
 Project softShaft() {
     Project p = example(3, {0.2, 0.6, 1.6});
-    p.machine.compliance_mm_per_n = std::vector<double>{3e-4, 3e-4, 3e-4, 3e-4};
-    p.part.lower_deviation_um = 8;
-    p.part.upper_deviation_um = 12;
+    p.machine->compliance_mm_per_n = std::vector<double>{3e-4, 3e-4, 3e-4, 3e-4};
+    p.part->lower_deviation_um = 8;
+    p.part->upper_deviation_um = 12;
     return p;
 }
 
@@ -112,7 +118,7 @@ private slots:
                 if (found.best) {
                     QVERIFY(exact.best && found.best->time_us >= exact.best->time_us);
                     Project alone = p;
-                    alone.cycle = found.cycle;
+                    *alone.cycle = found.cycle;
                     const SimulationResult result = simulateUnchecked(alone);
                     QVERIFY(holds(result));
                     QVERIFY(std::llround(result.time_s * 1e6) == found.best->time_us);
@@ -166,14 +172,14 @@ private slots:
         int found = 0;
         for (const Project& p : plungeCases(60)) {
             Project dull = p;
-            dull.wheel.dullness = p.wheel.dullness * 1.5;
+            dull.wheel->dullness = p.wheel->dullness * 1.5;
             for (const SearchMethod method : heuristics) {
                 SearchOptions options;
                 options.method = method;
                 options.scenarios = {dull};
                 const SearchSummary summary = optimise(p, options);
                 for (Project part : {p, dull}) {
-                    part.cycle = summary.cycle;
+                    *part.cycle = summary.cycle;
                     QVERIFY(!summary.best || holds(simulateUnchecked(part)));
                 }
                 found += summary.best ? 1 : 0;

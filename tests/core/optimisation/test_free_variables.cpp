@@ -5,7 +5,12 @@
 #include "core/optimisation/limit.h"
 #include "core/optimisation/refine.h"
 #include "core/optimisation/robust.h"
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/optimisation.h"
 #include "core/project/validate.h"
+#include "core/project/wheel.h"
 
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
@@ -151,7 +156,7 @@ private slots:
                 Project alone = withBest(p, pruned);
                 QVERIFY(holds(simulateUnchecked(alone)));
                 sparks += pruned.cycle.stages.back().spark_out != SparkOut() ? 1 : 0;
-                slower += pruned.machine.work_speed_rpm < p.machine.work_speed_rpm ? 1 : 0;
+                slower += pruned.machine.work_speed_rpm < p.machine->work_speed_rpm ? 1 : 0;
             }
         }
         QVERIFY2(found > static_cast<int>(cases()) / 5, QByteArray::number(found));
@@ -171,8 +176,8 @@ private slots:
                 Project more = few;
                 std::vector<double> values = levelValues((*few.optimisation).*levels);
                 if (values.empty()) {
-                    values = {levels == &Optimisation::work_speed_rpm ? few.machine.work_speed_rpm
-                              : levels == &Optimisation::dwell_exit_s ? few.machine.dwell_exit_s
+                    values = {levels == &Optimisation::work_speed_rpm ? few.machine->work_speed_rpm
+                              : levels == &Optimisation::dwell_exit_s ? few.machine->dwell_exit_s
                                                                       : 0};
                 }
                 values.push_back(levels == &Optimisation::work_speed_rpm ? 330
@@ -253,7 +258,7 @@ private slots:
         for (unsigned seed = 0; seed < searches(60); ++seed) {
             const Project p = freeCase(seed);
             Project dull = p;
-            dull.wheel.dullness = p.wheel.dullness * 1.5;
+            dull.wheel->dullness = p.wheel->dullness * 1.5;
             SearchOptions options;
             options.scenarios = {dull};
             const SearchSummary pruned = optimise(p, options);
@@ -282,9 +287,9 @@ private slots:
                 options.mostRuns = 60;
                 options.scenarios = summary.added;
                 Project best = withBest(p, summary.search);
-                const RefineSummary off = refine(best, best.cycle, options);
+                const RefineSummary off = refine(best, *best.cycle, options);
                 refined += off.isQuicker ? 1 : 0;
-                best.cycle = off.cycle;
+                *best.cycle = off.cycle;
                 QVERIFY(holds(simulateUnchecked(best)));
                 QVERIFY(off.time_us <= summary.search.best->time_us);
                 QVERIFY(off.cycle.stages.back().spark_out
@@ -306,8 +311,8 @@ private slots:
     // steps of stock, does not come as far as from the fourth.
     void endsOnOneStepAreNotOneWhereTheNextStageIsBounded() {
         Project p = driven(1.2);
-        p.machine.wheel_drive_kw.reset();
-        p.gauge.commands = 5;
+        p.machine->wheel_drive_kw.reset();
+        p.gauge->commands = 5;
         p.optimisation->stages = {3};
         p.optimisation->radial_feed_mm_min = std::vector<double>{0.3, 0.9, 7.2};
         p.optimisation->stage_radial_feed_mm_min = {{7.2, 7.2}, {0.9, 0.9}, {0.3, 0.3}};
@@ -328,7 +333,7 @@ private slots:
         const SearchSummary best = search(p);
         QVERIFY(best.best.has_value());
         Project other = withBest(p, best);
-        other.machine.work_speed_rpm = best.machine.work_speed_rpm == 180 ? 240 : 180;
+        other.machine->work_speed_rpm = best.machine.work_speed_rpm == 180 ? 240 : 180;
         const SimulationResult result = simulateUnchecked(other);
         QVERIFY(!holds(result) || std::llround(result.time_s * 1e6) >= best.best->time_us);
         const bool binds = !holds(result) && std::llround(result.time_s * 1e6) < best.best->time_us;

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What three radii tell of a last stage is true of the whole part.
 #include "core/optimisation/last_stage_outlook.h"
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/simulation/plunge.h"
 #include "core/simulation/traverse.h"
 
@@ -22,19 +27,20 @@ namespace {
 Project followable(unsigned seed) {
     for (unsigned salt = 0;; ++salt) {
         Project p = smallCase(seed + 1000 * salt);
-        if (p.operation == Operation::traverse && p.gauge.control == Control::gauge
-            && !p.machine.wheel_contact) {
+        if (p.operation == Operation::traverse && p.gauge->control == Control::gauge
+            && !p.machine->wheel_contact) {
             search_cases::Dice dice(seed);
-            p.machine.dwell_entry_s = dice.integer(0, 2) / 3.0; // whole revolutions at 180 a minute
-            p.machine.dwell_exit_s = dice.integer(0, 2) / 3.0;
-            p.machine.overrun_entry_mm = dice.uniform(0.51, 0.8) * p.wheel.width_mm;
-            p.machine.overrun_exit_mm = dice.uniform(0.51, 0.8) * p.wheel.width_mm;
-            p.machine.plunge_feed_mm_min = dice.uniform(0.3, 3);
-            p.cycle.stages.assign(2, {});
-            for (Stage& stage : p.cycle.stages) {
+            p.machine->dwell_entry_s =
+                dice.integer(0, 2) / 3.0; // whole revolutions at 180 a minute
+            p.machine->dwell_exit_s = dice.integer(0, 2) / 3.0;
+            p.machine->overrun_entry_mm = dice.uniform(0.51, 0.8) * p.wheel->width_mm;
+            p.machine->overrun_exit_mm = dice.uniform(0.51, 0.8) * p.wheel->width_mm;
+            p.machine->plunge_feed_mm_min = dice.uniform(0.3, 3);
+            p.cycle->stages.assign(2, {});
+            for (Stage& stage : p.cycle->stages) {
                 stage.radial_feed_mm = dice.uniform(0.002, 0.012);
                 stage.axial_feed_mm_min = dice.uniform(500, 2000);
-                stage.stock_mm = p.part.stock_mm / 2;
+                stage.stock_mm = p.part->stock_mm / 2;
             }
             return p;
         }
@@ -49,7 +55,7 @@ struct CycleRun {
     [[nodiscard]] StepFeed feed() const {
         const std::size_t stage = control.stage();
         return {control.nextInfeed(steps->run().fed_mm), stage,
-                *project.cycle.stages[stage].axial_feed_mm_min};
+                *project.cycle->stages[stage].axial_feed_mm_min};
     }
     void step() {
         QVERIFY(steps->step(feed()));
@@ -85,7 +91,7 @@ private slots:
         for (unsigned seed = 0; seed < 100; ++seed) {
             const Project p = followable(seed);
             CycleRun whole(p);
-            const auto K = static_cast<std::size_t>(p.part.radii_per_section);
+            const auto K = static_cast<std::size_t>(p.part->radii_per_section);
             const FollowedRadii::Lanes lanes{seed % K, K + seed % K, 2 * K + K - 1};
             const RadiusFollower* follower = whole.steps->follower();
             QVERIFY(follower);
@@ -158,7 +164,7 @@ private slots:
 
     void nothingIsToldWhereRadiiDependOnEachOther() {
         Project p = followable(1);
-        p.machine.wheel_contact = WheelContact{std::vector<std::vector<double>>{{50, 20}}};
+        p.machine->wheel_contact = WheelContact{std::vector<std::vector<double>>{{50, 20}}};
         QVERIFY(!CycleRun(p).steps->follower());
         const Project plunge = fixtures::plunge();
         QVERIFY(!plungeSteps(plunge, nullptr, {})->follower());

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The search for the quickest cycle: the pruned search and the full one against plain runs.
 #include "core/optimisation/optimise.h"
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
 #include "core/project/validate.h"
+#include "core/project/wheel.h"
 
 #include "core/format/project_file.h"
 #include "tests/check_line.h"
@@ -32,7 +38,7 @@ std::int64_t timeOf(const SearchSummary& summary) {
 
 /// Whether the second implementation, which shares no code with the engine, can run a project.
 bool isForReference(const Project& p) {
-    return !p.sections_coupled && !p.machine.wheel_contact;
+    return !p.sections_coupled && !p.machine->wheel_contact;
 }
 
 /// The second implementation's word on the best cycle: its time, and that it holds the diameters
@@ -40,14 +46,14 @@ bool isForReference(const Project& p) {
 bool holdsInReference(const Project& p, const SearchSummary& summary) {
     const Project best = withBest(p, summary);
     const reference::Result result = reference::simulate(nlohmann::json::parse(writeProject(best)));
-    const std::optional<double> runout_um = best.part.tolerance.radial_runout_um;
+    const std::optional<double> runout_um = best.part->tolerance.radial_runout_um;
     constexpr double um = 1e-6; // the agreement with the engine
     bool holds = result.status == "completed"
                  && fixtures::close(result.time_min * 60,
                                     static_cast<double>(summary.best->time_us) * 1e-6, 1e-6);
     for (const reference::Place& place : result.places) {
-        holds &= place.diameter_deviation_min_um >= best.part.lower_deviation_um - um
-                 && place.diameter_deviation_max_um <= best.part.upper_deviation_um + um
+        holds &= place.diameter_deviation_min_um >= best.part->lower_deviation_um - um
+                 && place.diameter_deviation_max_um <= best.part->upper_deviation_um + um
                  && (!runout_um || place.radial_runout_um <= *runout_um + um);
     }
     return holds;
@@ -74,7 +80,7 @@ private slots:
                     QVERIFY(stage.stock_mm > 1e-6);
                     sum += stage.stock_mm;
                 }
-                QVERIFY(fixtures::within(sum, p.part.stock_mm, 1e-12));
+                QVERIFY(fixtures::within(sum, p.part->stock_mm, 1e-12));
                 const double last_mm = grid.cycle(cycle).stages.back().stock_mm;
                 const auto& bounds = p.optimisation->last_stock_mm;
                 QVERIFY(cycle.size() == 1 || !bounds
@@ -93,11 +99,11 @@ private slots:
             }
             ++seen[p.operation == Operation::traverse ? "traverse" : "plunge"];
             seen["coupled"] += p.sections_coupled ? 1 : 0;
-            seen["contact"] += p.machine.wheel_contact ? 1 : 0;
-            seen["free gauge"] += p.gauge.position_mm ? 1 : 0;
-            seen["bore"] += p.part.surface == Surface::internal ? 1 : 0;
-            seen["roundness"] += p.part.tolerance.roundness_um ? 1 : 0;
-            seen["position"] += p.gauge.control == Control::position ? 1 : 0;
+            seen["contact"] += p.machine->wheel_contact ? 1 : 0;
+            seen["free gauge"] += p.gauge->position_mm ? 1 : 0;
+            seen["bore"] += p.part->surface == Surface::internal ? 1 : 0;
+            seen["roundness"] += p.part->tolerance.roundness_um ? 1 : 0;
+            seen["position"] += p.gauge->control == Control::position ? 1 : 0;
             seen["three stages"] += p.optimisation->stages.size() == 3 ? 1 : 0;
         }
         QCOMPARE(seen.size(), std::size_t{9});
@@ -171,7 +177,7 @@ private slots:
             if (!best.best) {
                 continue;
             }
-            p.cycle = best.cycle;
+            *p.cycle = best.cycle;
             const SimulationResult alone = simulateUnchecked(p);
             QVERIFY(holds(alone));
             QVERIFY(std::llround(alone.time_s * 1e6) == best.best->time_us);
@@ -268,8 +274,8 @@ private slots:
         for (unsigned seed = 0; seed < searches(150); ++seed) {
             const Project p = smallCase(seed);
             Project dull = p, more = p;
-            dull.wheel.dullness = p.wheel.dullness * 1.5;
-            more.part.stock_mm = p.part.stock_mm + 0.003;
+            dull.wheel->dullness = p.wheel->dullness * 1.5;
+            more.part->stock_mm = p.part->stock_mm + 0.003;
             SearchOptions options;
             options.scenarios = {dull, more};
             options.method = SearchMethod::full;
@@ -280,7 +286,7 @@ private slots:
             found += full.best ? 1 : 0;
             if (full.best) {
                 for (Project part : {p, dull, more}) {
-                    part.cycle = full.cycle;
+                    *part.cycle = full.cycle;
                     QVERIFY(holds(simulateUnchecked(part)));
                 }
             }

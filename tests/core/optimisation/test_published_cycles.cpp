@@ -4,6 +4,9 @@
 // the table prints feeds and stocks, not lengths, wheel or compliance, so what is held here is what
 // the program finds for ordinary ones, beside the gains that the table states.
 #include "core/optimisation/optimise.h"
+#include "core/project/cycle.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
 
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
@@ -24,11 +27,11 @@ Project example(const std::string& name) {
 
 /// The time of the cycle if it holds every requirement.
 double time_s(Project p, std::vector<Stage> stages) {
-    p.part.stock_mm = 0;
+    p.part->stock_mm = 0;
     for (const Stage& stage : stages) {
-        p.part.stock_mm = asWritten(p.part.stock_mm + stage.stock_mm);
+        p.part->stock_mm = asWritten(p.part->stock_mm + stage.stock_mm);
     }
-    p.cycle.stages = std::move(stages);
+    p.cycle->stages = std::move(stages);
     const SimulationResult result = simulateUnchecked(p);
     return holds(result) ? result.time_s : std::numeric_limits<double>::quiet_NaN();
 }
@@ -107,15 +110,15 @@ private slots:
         QFETCH(double, axial2);
         QFETCH(double, last);
         const Project p = example(name.toStdString());
-        const Cycle published{{strokeStage(radial1, axial1, asWritten(p.part.stock_mm - last)),
+        const Cycle published{{strokeStage(radial1, axial1, asWritten(p.part->stock_mm - last)),
                                strokeStage(radial2, axial2, last)}};
         QVERIFY(isOf(Grid(p), published, p.optimisation->stock_step_mm)
-                && isOf(Grid(p), p.cycle, p.optimisation->stock_step_mm));
+                && isOf(Grid(p), *p.cycle, p.optimisation->stock_step_mm));
         const SearchSummary best = search(p);
         QVERIFY(best.status == SearchStatus::proved);
         const double best_s = static_cast<double>(best.best->time_us) * 1e-6;
         QVERIFY(best_s < time_s(p, published.stages));
-        QVERIFY(time_s(p, published.stages) < time_s(p, p.cycle.stages));
+        QVERIFY(time_s(p, published.stages) < time_s(p, p.cycle->stages));
     }
 };
 

@@ -2,6 +2,11 @@
 // Off the grid: what is found holds, can be set, lies between the levels and is never slower than
 // the best of the grid.
 #include "core/optimisation/refine.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 
 #include "core/quality/ranges.h"
 #include "tests/core/optimisation/search_checks.h"
@@ -40,9 +45,9 @@ bool canBeSet(const Project& p, const Stage& stage, Feed feed) {
     if (value < *least * (1 - 1e-9) || value > *most * (1 + 1e-9)) {
         return false;
     }
-    if (feed == &Stage::radial_feed_mm && p.machine.limits.radial_feed_mm) {
-        return isMultiple(value - p.machine.limits.radial_feed_mm->front(),
-                          p.machine.limits.radial_feed_mm->back());
+    if (feed == &Stage::radial_feed_mm && p.machine->limits.radial_feed_mm) {
+        return isMultiple(value - p.machine->limits.radial_feed_mm->front(),
+                          p.machine->limits.radial_feed_mm->back());
     }
     return isMultiple(value, std::pow(10.0, std::floor(std::log10(value)) - 2));
 }
@@ -72,7 +77,7 @@ bool isOfTheGridsKind(const Project& p, const Cycle& cycle) {
     const auto& bounds = p.optimisation->last_stock_mm;
     const bool within = !bounds || cycle.stages.size() == 1
                         || (last > bounds->front() - 1e-9 && last < bounds->back() + 1e-9);
-    return within && last > 0 && std::abs(sum - p.part.stock_mm) < 1e-9;
+    return within && last > 0 && std::abs(sum - p.part->stock_mm) < 1e-9;
 }
 
 } // namespace
@@ -98,7 +103,7 @@ private slots:
             QVERIFY(refined.isQuicker == (refined.time_us < grid.best->time_us));
             QVERIFY(refined.time_us <= grid.best->time_us);
             Project alone = p;
-            alone.cycle = refined.cycle;
+            *alone.cycle = refined.cycle;
             const SimulationResult result = simulateUnchecked(alone);
             QVERIFY(holds(result));
             QVERIFY(std::llround(result.time_s * 1e6) == refined.time_us);
@@ -120,7 +125,7 @@ private slots:
         const RefineSummary refined = refine(p, grid.cycle);
         std::int64_t least_us = grid.best->time_us;
         for (int thousandths = 600; thousandths < 1000; ++thousandths) {
-            p.cycle.stages = {fixtures::plungeStage(thousandths * 1e-3, p.part.stock_mm)};
+            p.cycle->stages = {fixtures::plungeStage(thousandths * 1e-3, p.part->stock_mm)};
             const SimulationResult result = simulateUnchecked(p);
             if (holds(result)) {
                 least_us = std::min<std::int64_t>(least_us, std::llround(result.time_s * 1e6));
@@ -152,10 +157,10 @@ private slots:
 
     void theMachinesStepsAndRangesAreKept() {
         Project p = driven(0.87);
-        p.machine.limits.plunge_feed_mm_min = std::vector<double>{0.35, 0.83, 0.05};
+        p.machine->limits.plunge_feed_mm_min = std::vector<double>{0.35, 0.83, 0.05};
         const RefineSummary refined = refine(p, optimise(p).cycle);
         QVERIFY(refined.isQuicker);
-        p.cycle = refined.cycle;
+        *p.cycle = refined.cycle;
         for (const MachineRange& check : checkMachineRanges(p)) {
             QVERIFY(check.value >= check.low && check.value <= check.high && check.onStep);
         }
@@ -177,7 +182,7 @@ private slots:
         for (unsigned seed = 0; seed < 40; ++seed) {
             const Project p = smallCase(seed);
             Project dull = p;
-            dull.wheel.dullness = p.wheel.dullness * 1.5;
+            dull.wheel->dullness = p.wheel->dullness * 1.5;
             RobustOptions robust;
             robust.search.scenarios = {dull};
             const RobustSummary grid = optimiseRobustly(p, phases, robust);
@@ -193,9 +198,9 @@ private slots:
             QVERIFY(refined.time_us <= grid.search.best->time_us);
             quicker += refined.isQuicker ? 1 : 0;
             Project best = p;
-            best.cycle = refined.cycle;
+            *best.cycle = refined.cycle;
             std::vector<Project> parts = stockPhases(best, 8);
-            dull.cycle = refined.cycle;
+            *dull.cycle = refined.cycle;
             parts.push_back(dull);
             for (const Project& part : parts) {
                 QVERIFY(holds(simulateUnchecked(part)));

@@ -2,6 +2,9 @@
 // What a robust answer states of the phases it was not tried on, and what a stop leaves unsaid.
 #include "core/optimisation/binding.h"
 #include "core/optimisation/robust.h"
+#include "core/project/machine.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
@@ -48,13 +51,13 @@ double coverage(const std::function<double(int)>& share, const std::function<dou
 /// A part whose cycle takes long to run: sections that deflect each other.
 Project slow() {
     Project p = fixtures::plunge();
-    p.part.radii_per_section = 360;
+    p.part->radii_per_section = 360;
     fixtures::putOnSlenderShaft(p);
     p.sections = 40;
     p.sections_coupled = true;
-    p.part.lower_deviation_um = -400;
-    p.part.upper_deviation_um = 400;
-    p.part.tolerance = {};
+    p.part->lower_deviation_um = -400;
+    p.part->upper_deviation_um = 400;
+    p.part->tolerance = {};
     return p;
 }
 
@@ -112,7 +115,7 @@ private slots:
 
     void whatBindsIsNotKnownWhereItWasStopped() {
         Project p = fixtures::plunge();
-        p.machine.wheel_drive_kw = 1e3;
+        p.machine->wheel_drive_kw = 1e3;
         p.optimisation = Optimisation{};
         p.optimisation->stages = {1};
         p.optimisation->radial_feed_mm_min = std::vector<double>{0.2, 0.4};

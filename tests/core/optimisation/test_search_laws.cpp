@@ -7,6 +7,13 @@
 #include "core/optimisation/limit.h"
 #include "core/optimisation/refine.h"
 #include "core/optimisation/robust.h"
+#include "core/project/batch.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/simulation/stage_control.h"
 
 #include "tests/check_line.h"
@@ -38,8 +45,8 @@ Project withVariants(Project p, unsigned seed) {
 std::vector<Project> changingParts(const Project& best, int draw) {
     std::vector<Project> parts = stockPhases(best, 2, 0.618 * draw - std::floor(0.618 * draw));
     for (Project& part : parts) {
-        part.wheel.dullness *= 1 + 0.1 * (draw % 4);
-        part.part.initial_runout_mm += 0.001 * (draw % 3);
+        part.wheel->dullness *= 1 + 0.1 * (draw % 4);
+        part.part->initial_runout_mm += 0.001 * (draw % 3);
     }
     return parts;
 }
@@ -69,7 +76,7 @@ private slots:
             std::vector<ConstraintKind> broken; // by all quicker cycles of the grid
             const Grid grid(p);
             for (GridCycle cycle; grid.next(cycle);) {
-                p.cycle = grid.cycle(cycle);
+                *p.cycle = grid.cycle(cycle);
                 const SimulationResult result = simulateUnchecked(p);
                 for (const ConstraintResult& each : evaluateConstraints(result)) {
                     if (!each.holds && std::llround(result.time_s * 1e6) < best.best->time_us) {
@@ -93,7 +100,7 @@ private slots:
         QVERIFY(best.best && best.best->cycle[0].setting == 1);
         QVERIFY(bindingRequirements(p, *best.best)
                 == std::vector<ConstraintKind>{ConstraintKind::wheelPower});
-        p.machine.wheel_drive_kw.reset();
+        p.machine->wheel_drive_kw.reset();
         const SearchSummary free = search(p, SearchMethod::pruned);
         QVERIFY(free.best && free.best->cycle[0].setting == 2);
         QVERIFY(bindingRequirements(p, *free.best)->empty());
@@ -106,7 +113,7 @@ private slots:
         QVERIFY(refined.isQuicker);
         QVERIFY(bindingRequirements(p, refined.cycle, refined.time_us)
                 == std::vector<ConstraintKind>{ConstraintKind::wheelPower});
-        p.machine.wheel_drive_kw.reset();
+        p.machine->wheel_drive_kw.reset();
         QVERIFY(bindingRequirements(p, refined.cycle, refined.time_us)->empty());
     }
 
@@ -114,12 +121,12 @@ private slots:
         for (unsigned seed = 0; seed < 60; ++seed) {
             const Project tight = smallCase(seed);
             Project loose = tight;
-            loose.part.tolerance.radial_runout_um = *tight.part.tolerance.radial_runout_um * 2;
-            if (tight.material.burn_rise_k) {
-                loose.material.burn_rise_k = *tight.material.burn_rise_k * 1.3;
+            loose.part->tolerance.radial_runout_um = *tight.part->tolerance.radial_runout_um * 2;
+            if (tight.material->burn_rise_k) {
+                loose.material->burn_rise_k = *tight.material->burn_rise_k * 1.3;
             }
-            if (tight.machine.wheel_drive_kw) {
-                loose.machine.wheel_drive_kw = *tight.machine.wheel_drive_kw * 1.5;
+            if (tight.machine->wheel_drive_kw) {
+                loose.machine->wheel_drive_kw = *tight.machine->wheel_drive_kw * 1.5;
             }
             QVERIFY(
                 noSlower(search(loose, SearchMethod::pruned), search(tight, SearchMethod::pruned)));
@@ -135,8 +142,8 @@ private slots:
             if (p.operation != Operation::traverse) {
                 continue;
             }
-            const double most = p.wheel.width_mm * p.machine.work_speed_rpm;
-            p.machine.limits.axial_feed_mm_min.reset();
+            const double most = p.wheel->width_mm * p.machine->work_speed_rpm;
+            p.machine->limits.axial_feed_mm_min.reset();
             p.optimisation->axial_feed_mm_min = std::vector<double>{1.2 * most, most, 0.4 * most};
             const SearchSummary full = search(p, SearchMethod::full);
             QVERIFY(same(search(p, SearchMethod::pruned), full));
@@ -172,8 +179,8 @@ private slots:
             QVERIFY(limit_s > 0);
             QVERIFY(!best.best || gapToLimit(best.best->time_s, limit_s) >= 0);
             Project free = p;
-            free.material.burn_rise_k.reset();
-            free.machine.wheel_drive_kw.reset();
+            free.material->burn_rise_k.reset();
+            free.machine->wheel_drive_kw.reset();
             burning += steplessLimit_s(free) < limit_s * 0.99 ? 1 : 0;
             QVERIFY(steplessLimit_s(free) <= limit_s * (1 + 1e-9));
         }
@@ -187,16 +194,16 @@ private slots:
         for (unsigned seed = 0; seed < searches(60); ++seed) {
             Project p = smallCase(seed);
             const double speeds[] = {97, 113, 131, 149, 167, 181};
-            p.machine.work_speed_rpm = speeds[seed % std::size(speeds)];
+            p.machine->work_speed_rpm = speeds[seed % std::size(speeds)];
             const bool free = seed % 2 == 0;
             if (free) { // nothing but the infeed bounds the cycle
-                p.material.burn_rise_k.reset();
-                p.machine.wheel_drive_kw.reset();
-                p.part.tolerance = {};
-                p.part.upper_deviation_um = 500;
-                p.part.lower_deviation_um = -500;
-                p.part.target_diameter_mm = p.part.diameter_mm;
-                if (auto* zones = std::get_if<ZoneCompliance>(&p.machine.compliance_mm_per_n)) {
+                p.material->burn_rise_k.reset();
+                p.machine->wheel_drive_kw.reset();
+                p.part->tolerance = {};
+                p.part->upper_deviation_um = 500;
+                p.part->lower_deviation_um = -500;
+                p.part->target_diameter_mm = p.part->diameter_mm;
+                if (auto* zones = std::get_if<ZoneCompliance>(&p.machine->compliance_mm_per_n)) {
                     *zones = {1e-12, 1e-12, 1e-12};
                 }
                 p.optimisation->stages = {1};
@@ -213,7 +220,7 @@ private slots:
             if (seed % 6 == 1) {
                 const RefineSummary refined = refine(withBest(p, best), best.cycle);
                 Project off = withBest(p, best);
-                off.cycle = refined.cycle;
+                *off.cycle = refined.cycle;
                 QVERIFY(refined.time_s == simulateUnchecked(off).time_s);
                 QVERIFY(gapToLimit(refined.time_s, limit_s) >= 0);
                 quicker += refined.isQuicker ? 1 : 0;
@@ -228,12 +235,12 @@ private slots:
     // allows, N/(b·k_t·V_k), so T = Π·b·k_t·V_k/(N·n).
     void theLimitOfADriveIsItsClosedForm() {
         Project p = fixtures::plunge();
-        p.wheel.dullness = 0;
-        p.material.burn_rise_k.reset();
-        p.machine.wheel_drive_kw = 2;
-        p.machine.limits.plunge_feed_mm_min = std::vector<double>{0.01, 100, 0.01};
+        p.wheel->dullness = 0;
+        p.material->burn_rise_k.reset();
+        p.machine->wheel_drive_kw = 2;
+        p.machine->limits.plunge_feed_mm_min = std::vector<double>{0.01, 100, 0.01};
         const double Vk = 35, Vd = std::numbers::pi * 30 * 180 / 60 / 1000; // m/s
-        const double kt = p.material.shear_strain * 2000 * Vd / Vk;         // N/mm²
+        const double kt = p.material->shear_strain * 2000 * Vd / Vk;        // N/mm²
         const double a = 2000 / (40 * kt * Vk);                             // W/(mm·N/mm²·m/s)
         QVERIFY(fixtures::close(steplessLimit_s(p), 0.2 / a / 3, 1e-6));
     }
@@ -241,16 +248,16 @@ private slots:
     // The drawing's slack is the verdict's, also where a cycle is given up behind its last step.
     void aDiameterWithinTheSlackOfItsFieldIsNotCutOff() {
         Project p = fixtures::plunge();
-        p.material.burn_rise_k.reset();
-        p.part.target_diameter_mm = 30;
-        p.part.upper_deviation_um = 100;
-        p.part.lower_deviation_um = -100;
+        p.material->burn_rise_k.reset();
+        p.part->target_diameter_mm = 30;
+        p.part->upper_deviation_um = 100;
+        p.part->lower_deviation_um = -100;
         p.optimisation = Optimisation{};
         p.optimisation->stages = {1};
         p.optimisation->radial_feed_mm_min = std::vector<double>{0.9};
         const double most_mm = simulateUnchecked(p).sections.at(0).diameterDeviationMax_mm;
         for (const double beyond_mm : {-0.5e-9, 0.5e-9, 5e-9}) {
-            p.part.upper_deviation_um = (most_mm - beyond_mm) * 1000;
+            p.part->upper_deviation_um = (most_mm - beyond_mm) * 1000;
             const bool found = search(p).best.has_value();
             QCOMPARE(found, search(p, SearchMethod::full).best.has_value());
             QCOMPARE(found, beyond_mm < 1e-9);
@@ -274,14 +281,14 @@ private slots:
     /// One infeed of each stage that has one, evenly.
     void thePhasesOfTheStockCoverOneInfeedEach() {
         Project p = fixtures::plunge();
-        p.cycle.stages = {fixtures::plungeStage(1.8, 0.15), fixtures::plungeStage(0.36, 0.05),
-                          fixtures::sparkStage(fixtures::count(3))};
+        p.cycle->stages = {fixtures::plungeStage(1.8, 0.15), fixtures::plungeStage(0.36, 0.05),
+                           fixtures::sparkStage(fixtures::count(3))};
         const std::vector<Project> phases = stockPhases(p, 8, 0.25);
         QCOMPARE(phases.size(), std::size_t{16});
         for (std::size_t i = 0; i < 16; ++i) {
             const double infeed = i < 8 ? 0.01 : 0.002;
             const double expected = 0.2 + infeed * (double(i % 8) + 0.25) / 8;
-            QVERIFY(fixtures::within(phases[i].part.stock_mm, expected, 1e-15));
+            QVERIFY(fixtures::within(phases[i].part->stock_mm, expected, 1e-15));
         }
     }
 
@@ -292,7 +299,7 @@ private slots:
         std::size_t drawn = 0;
         for (int round = 0; round < 5; ++round) {
             for (const Project& each : freshStockPhases(p, round)) {
-                met.insert(each.part.stock_mm);
+                met.insert(each.part->stock_mm);
                 ++drawn;
             }
         }
@@ -392,8 +399,9 @@ private slots:
             int failed = 0;
             for (int i = 0; i < 500; ++i) {
                 const int stage = dice.integer(0, static_cast<int>(infeeds.size()) - 1);
-                part.part.stock_mm =
-                    p.part.stock_mm + infeeds[static_cast<std::size_t>(stage)] * dice.uniform(0, 1);
+                part.part->stock_mm =
+                    p.part->stock_mm
+                    + infeeds[static_cast<std::size_t>(stage)] * dice.uniform(0, 1);
                 failed += holds(simulateUnchecked(part)) ? 0 : 1;
             }
             QVERIFY2(failed <= 10, QByteArray::number(seed) + ": " + QByteArray::number(failed));
@@ -436,7 +444,7 @@ private slots:
             QVERIFY(robust.holdsInSample);
             QVERIFY(robust.search.best->time_s >= robust.nominalTime_s);
             Project best = p;
-            best.cycle = robust.search.cycle;
+            *best.cycle = robust.search.cycle;
             for (const Project& scenario : stockPhases(best)) {
                 QVERIFY(holds(simulateUnchecked(scenario)));
             }

@@ -2,6 +2,8 @@
 // What comes before and after a search: it is short, and a stop ends it.
 #include "core/optimisation/limit.h"
 #include "core/optimisation/refine.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
 #include "tests/core/optimisation/search_cases.h"
 #include "tests/registry.h"
 
@@ -144,7 +146,7 @@ private slots:
 
     void aRefinementIsStopped() {
         Project p = fixtures::traverse();
-        p.part.radii_per_section = 360;
+        p.part->radii_per_section = 360;
         Optimisation grid;
         grid.stages = {2};
         grid.radial_feed_mm = std::vector<double>{0.002, 0.004};
@@ -156,7 +158,7 @@ private slots:
         RefineSummary refined;
         const qint64 took_ms = stoppedAfter(200ms, [&](const std::stop_token& stop) {
             options.stop = stop;
-            refined = refine(p, p.cycle, options);
+            refined = refine(p, *p.cycle, options);
         });
         qInfo("%lld ms", took_ms);
         QVERIFY2(took_ms < busy * most_ms, QByteArray::number(took_ms));

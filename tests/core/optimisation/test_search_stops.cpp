@@ -9,6 +9,9 @@
 #include "core/process/compliance.h"
 #include "core/process/coupled_sections.h"
 #include "core/process/system_compliance.h"
+#include "core/project/machine.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/optimisation/search_cases.h"
 #include "tests/registry.h"
@@ -35,13 +38,13 @@ constexpr double most_ms = 100, busy = 4; // times as long on a machine that doe
 /// A slender shaft of sections that deflect each other, all of them at every radius.
 Project coupled(int sections, int radii) {
     Project p = fixtures::plunge();
-    p.part.radii_per_section = radii;
+    p.part->radii_per_section = radii;
     fixtures::putOnSlenderShaft(p);
     p.sections = sections;
     p.sections_coupled = true;
     Optimisation grid;
     grid.stages = {1, 2, 3};
-    grid.stock_step_mm = p.part.stock_mm / 20;
+    grid.stock_step_mm = p.part->stock_mm / 20;
     grid.radial_feed_mm_min = SteppedLevels{0.1, 2, 0.1};
     p.optimisation = grid;
     return p;
@@ -77,14 +80,14 @@ double stoppedAfter_ms(const char* what, std::chrono::milliseconds delay,
 /// A shaft of a thousand segments on a thousand rests.
 Project restedShaft() {
     Project p = fixtures::plunge();
-    p.part.length_mm = 400;
-    p.machine.compliance_mm_per_n = std::monostate{};
-    p.machine.stiffness_n_um = Stiffness{40, 20, 50};
+    p.part->length_mm = 400;
+    p.machine->compliance_mm_per_n = std::monostate{};
+    p.machine->stiffness_n_um = Stiffness{40, 20, 50};
     for (int i = 0; i < 1000; ++i) {
-        p.part.shaft.segments.push_back({1.0, 20.0 + i % 7});
-        p.part.shaft.steady_rests.push_back({0.5 + i, 1.0 + i % 5});
+        p.part->shaft.segments.push_back({1.0, 20.0 + i % 7});
+        p.part->shaft.steady_rests.push_back({0.5 + i, 1.0 + i % 5});
     }
-    p.part.shaft.ground_from_mm = 300;
+    p.part->shaft.ground_from_mm = 300;
     return p;
 }
 
@@ -190,7 +193,8 @@ private slots:
             places.push_back(point.position_mm);
         }
         CoupledSections sections(influenceRows(p, places, places),
-                                 std::vector<double>(count, p.part.length_mm / count), forceLaw(p));
+                                 std::vector<double>(count, p.part->length_mm / count),
+                                 forceLaw(p));
         std::vector<double> lag, root(count, 0.0);
         for (std::size_t j = 0; j < count; ++j) {
             lag.push_back(0.02 * static_cast<double>(j % 7));
@@ -210,7 +214,7 @@ private slots:
         int within = 0;
         for (unsigned seed = 0; seed < 4; ++seed) {
             Project p = search_cases::smallCase(seed);
-            p.part.radii_per_section = 360; // a portion takes longer than the stop
+            p.part->radii_per_section = 360; // a portion takes longer than the stop
             SearchOptions options;
             options.method = SearchMethod::full;
             const SearchSummary whole = optimise(p, options);
@@ -261,7 +265,7 @@ private slots:
                     grid.axial_feed_mm_min = evenly(200, 4000, feeds);
                     grid.work_speed_rpm = evenly(60, 400, 250);
                     grid.unfed_steps = std::vector<double>{0, 2};
-                    grid.stock_step_mm = p.part.stock_mm / 9999;
+                    grid.stock_step_mm = p.part->stock_mm / 9999;
                     grid.non_increasing = nonIncreasing;
                     if (bounded) {
                         grid.stage_stock_mm = std::vector(4, std::vector<double>{1e-4, 1});

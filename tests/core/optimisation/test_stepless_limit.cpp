@@ -2,6 +2,12 @@
 // The stepless limit against its closed forms, and against the integral on a grid so fine that a
 // cell taken from its wrong end would show: it is a bound only while it is not beyond that.
 #include "core/optimisation/limit.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 
 #include "core/limits/burn.h"
 #include "core/quality/power.h"
@@ -23,13 +29,13 @@ namespace {
 /// Nothing limits a cut but the infeed: 1.8 mm/min at 180 rev/min, 10 µm a revolution.
 Project freePlunge() {
     Project p = fixtures::plunge();
-    p.material.burn_rise_k.reset();
-    p.machine.wheel_drive_kw.reset();
-    p.machine.limits.plunge_feed_mm_min = std::vector<double>{0.02, 1.8, 0.01};
-    p.part.upper_deviation_um = 60;
-    p.part.lower_deviation_um = -100;
-    p.part.target_diameter_mm = 30;
-    p.cycle.stages = {fixtures::plungeStage(1.8, 0.2)};
+    p.material->burn_rise_k.reset();
+    p.machine->wheel_drive_kw.reset();
+    p.machine->limits.plunge_feed_mm_min = std::vector<double>{0.02, 1.8, 0.01};
+    p.part->upper_deviation_um = 60;
+    p.part->lower_deviation_um = -100;
+    p.part->target_diameter_mm = 30;
+    p.cycle->stages = {fixtures::plungeStage(1.8, 0.2)};
     return p;
 }
 
@@ -51,7 +57,7 @@ constexpr double revolution_s = 60.0 / 180;
 template <class Depth>
 double integral_s(const Project& p, double from_mm, const Depth& depth) {
     constexpr int cells = 20000;
-    const double cell = (p.part.stock_mm - from_mm) / cells;
+    const double cell = (p.part->stock_mm - from_mm) / cells;
     double sum = 0;
     for (int i = 0; i < cells; ++i) {
         sum += cell / depth(from_mm + (i + 0.5) * cell) * revolution_s;
@@ -77,7 +83,7 @@ private slots:
         QFETCH(double, stock_mm);
         QFETCH(int, steps);
         Project p = freePlunge();
-        p.part.stock_mm = p.cycle.stages[0].stock_mm = stock_mm;
+        p.part->stock_mm = p.cycle->stages[0].stock_mm = stock_mm;
         QVERIFY(close(steplessLimit_s(p), steps * revolution_s, 2e-9));
     }
 
@@ -87,8 +93,8 @@ private slots:
         const Project shaft = sparkingOut(freePlunge(), 5);
         QVERIFY(close(steplessLimit_s(shaft), (17 + 1) * revolution_s, 2e-9));
         Project bore = shaft;
-        bore.part.surface = Surface::internal;
-        bore.wheel.diameter_mm = 20;
+        bore.part->surface = Surface::internal;
+        bore.wheel->diameter_mm = 20;
         QVERIFY(close(steplessLimit_s(bore), (15 + 1) * revolution_s, 2e-9));
         Project gauged = shaft;
         gauged.optimisation->unfed_steps = std::vector<double>{0};
@@ -97,17 +103,17 @@ private slots:
 
     void aDoubleStrokeTakesItsDwellsAndItsTravelTwice() {
         Project p = fixtures::traverse();
-        p.material.burn_rise_k.reset();
-        p.machine.dwell_entry_s = 1; // three revolutions, twice
-        p.machine.dwell_exit_s = 7.0 / 3;
-        p.machine.limits.radial_feed_mm = std::vector<double>{0.001, 0.01, 0.001};
-        p.machine.limits.axial_feed_mm_min = std::vector<double>{100, 2000, 100};
-        p.part.stock_mm = 0.15;
-        p.part.initial_runout_mm = 0;
-        const double turn_s = 60 / p.machine.work_speed_rpm;
+        p.material->burn_rise_k.reset();
+        p.machine->dwell_entry_s = 1; // three revolutions, twice
+        p.machine->dwell_exit_s = 7.0 / 3;
+        p.machine->limits.radial_feed_mm = std::vector<double>{0.001, 0.01, 0.001};
+        p.machine->limits.axial_feed_mm_min = std::vector<double>{100, 2000, 100};
+        p.part->stock_mm = 0.15;
+        p.part->initial_runout_mm = 0;
+        const double turn_s = 60 / p.machine->work_speed_rpm;
         const double entry = std::round(1 / turn_s), exit = std::round(7.0 / 3 / turn_s);
-        const double travel = p.part.length_mm - p.wheel.width_mm + p.machine.overrun_entry_mm
-                              + p.machine.overrun_exit_mm;
+        const double travel = p.part->length_mm - p.wheel->width_mm + p.machine->overrun_entry_mm
+                              + p.machine->overrun_exit_mm;
         const double step_s = (2 * entry + exit) * turn_s + 2 * travel / 2000 * 60;
         QVERIFY(entry != exit);
         QVERIFY(close(steplessLimit_s(p), 15 * step_s, 2e-9));
@@ -117,7 +123,7 @@ private slots:
     void roughnessDoesNotSlowTheWholeCycle() {
         Project p = freePlunge();
         const double before = steplessLimit_s(p);
-        p.part.tolerance.roughness_ra_um = 0.05;
+        p.part->tolerance.roughness_ra_um = 0.05;
         QCOMPARE(steplessLimit_s(p), before);
     }
 
@@ -131,12 +137,12 @@ private slots:
     void theRateOfBurnIsItsIntegral() {
         QFETCH(bool, sparks);
         Project p = sparkingOut(freePlunge(), sparks ? 3 : 0);
-        p.machine.limits.plunge_feed_mm_min = std::vector<double>{0.02, 50, 0.01};
-        p.material.burn_rise_k = 300;
+        p.machine->limits.plunge_feed_mm_min = std::vector<double>{0.02, 50, 0.01};
+        p.material->burn_rise_k = 300;
         const BurnModel burn(p);
         const double left = sparks ? 0.03 : 0;
         const double bound = integral_s(p, left, [&](double stock_mm) {
-            return std::min(burn.limitDepth(300, stock_mm), p.part.stock_mm);
+            return std::min(burn.limitDepth(300, stock_mm), p.part->stock_mm);
         });
         QVERIFY(bound > 2 * revolution_s); // else the steps alone would decide
         const double limit_s = steplessLimit_s(p);
@@ -148,25 +154,25 @@ private slots:
     // it: the best axial feed stands within the range, and between the limit's own cells.
     void theRateOfADriveIsNearTheBestAxialFeed() {
         Project p = fixtures::traverse();
-        p.material.burn_rise_k.reset();
-        p.wheel.dullness = 0.2;
-        p.machine.dwell_entry_s = p.machine.dwell_exit_s = 0;
-        p.machine.limits.radial_feed_mm = std::vector<double>{0.001, 5, 0.001};
-        p.machine.limits.axial_feed_mm_min = std::vector<double>{1, 5000, 1};
-        p.part.initial_runout_mm = 0;
-        const double travel = p.part.length_mm - p.wheel.width_mm + p.machine.overrun_entry_mm
-                              + p.machine.overrun_exit_mm;
+        p.material->burn_rise_k.reset();
+        p.wheel->dullness = 0.2;
+        p.machine->dwell_entry_s = p.machine->dwell_exit_s = 0;
+        p.machine->limits.radial_feed_mm = std::vector<double>{0.001, 5, 0.001};
+        p.machine->limits.axial_feed_mm_min = std::vector<double>{1, 5000, 1};
+        p.part->initial_runout_mm = 0;
+        const double travel = p.part->length_mm - p.wheel->width_mm + p.machine->overrun_entry_mm
+                              + p.machine->overrun_exit_mm;
         const PowerModel power(p);
         for (const double drive_kw : {0.6, 0.65, 0.7, 0.75, 0.8}) {
-            p.machine.wheel_drive_kw = drive_kw;
+            p.machine->wheel_drive_kw = drive_kw;
             double best_mm_s = 0;
             for (double feed = 5; feed <= 5000; feed *= 1.0002) {
-                const double width = std::min(feed / p.machine.work_speed_rpm, p.wheel.width_mm);
+                const double width = std::min(feed / p.machine->work_speed_rpm, p.wheel->width_mm);
                 const double depth =
-                    std::min(power.wheelLimitDepth(width, drive_kw * 1e6), p.part.stock_mm);
+                    std::min(power.wheelLimitDepth(width, drive_kw * 1e6), p.part->stock_mm);
                 best_mm_s = std::max(best_mm_s, depth / (travel / feed * 60));
             }
-            const double bound = p.part.stock_mm / best_mm_s;
+            const double bound = p.part->stock_mm / best_mm_s;
             const double limit_s = steplessLimit_s(p);
             QVERIFY2(limit_s <= bound * (1 + 1e-3), QByteArray::number(limit_s / bound));
             QVERIFY2(limit_s >= 0.9 * bound, QByteArray::number(limit_s / bound));

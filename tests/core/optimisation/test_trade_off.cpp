@@ -26,7 +26,7 @@ struct Point {
 std::vector<Point> plainFront(Project project) {
     std::map<std::int64_t, double> best;
     for (const PlainCycle& each : PlainGrid(project).cycles) {
-        project.cycle = each.cycle;
+        *project.cycle = each.cycle;
         setMachine(project, each.machine);
         const SimulationResult result = simulateUnchecked(project);
         if (!holds(result)) {

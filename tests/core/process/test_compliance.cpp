@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The compliance of shafts whose numbers are published or have a closed form.
 #include "core/process/compliance.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 
 #include "core/process/system_compliance.h"
 #include "tests/check_line.h"
@@ -36,11 +39,11 @@ private slots:
 
     void alongTheShaftTheTermsAreThoseOfEachPlace() {
         Project project = fixtures::traverse();
-        project.machine.compliance_mm_per_n = std::monostate();
-        project.machine.stiffness_n_um = Stiffness{60, 40, 50};
-        project.part.shaft.segments = {{40, 25}, {120, 30}, {40, 20}};
-        project.part.shaft.ground_from_mm = 50;
-        project.part.shaft.steady_rests = {{100, 30}};
+        project.machine->compliance_mm_per_n = std::monostate();
+        project.machine->stiffness_n_um = Stiffness{60, 40, 50};
+        project.part->shaft.segments = {{40, 25}, {120, 30}, {40, 20}};
+        project.part->shaft.ground_from_mm = 50;
+        project.part->shaft.steady_rests = {{100, 30}};
         const std::vector<CompliantPlace> along = complianceAlong(project, 41);
         QCOMPARE(along.size(), 41u);
         QCOMPARE(along.front().position_mm, -50.0);
@@ -57,7 +60,7 @@ private slots:
         QCOMPARE(along.front().parts.bending, 0.0);
         QCOMPARE(along.front().parts.tailstock, 0.0);
         QVERIFY(std::abs(along.back().parts.headstock) < 1e-20);
-        project.machine.compliance_mm_per_n = ZoneCompliance{1e-4, 1e-4, 1e-4};
+        project.machine->compliance_mm_per_n = ZoneCompliance{1e-4, 1e-4, 1e-4};
         QVERIFY(complianceAlong(project, 41).empty());
     }
 
@@ -66,18 +69,18 @@ private slots:
     void aProjectsCompliancesAreThoseOfTheGroundPlaceOnItsShaft() {
         Project project = fixtures::plunge();
         project.sections = 3;
-        project.machine.compliance_mm_per_n = std::monostate();
-        project.machine.stiffness_n_um = Stiffness{60, 40, 50};
-        project.part.shaft.segments = {{40, 25}, {120, 30}, {40, 20}};
-        project.part.shaft.ground_from_mm = 110;
+        project.machine->compliance_mm_per_n = std::monostate();
+        project.machine->stiffness_n_um = Stiffness{60, 40, 50};
+        project.part->shaft.segments = {{40, 25}, {120, 30}, {40, 20}};
+        project.part->shaft.ground_from_mm = 110;
         ShaftModel model;
         model.segments = {{40, 25}, {120, 30}, {40, 20}};
-        model.youngsModulus_n_mm2 = project.part.shaft.youngs_modulus_gpa * 1000;
+        model.youngsModulus_n_mm2 = project.part->shaft.youngs_modulus_gpa * 1000;
         model.headstock_n_mm = 60e3;
         model.tailstock_n_mm = 40e3;
         model.wheelHead_n_mm = 50e3;
         const Compliance shaft(model);
-        const double L = project.part.length_mm;
+        const double L = project.part->length_mm;
         const std::vector<CompliantPoint> sections = compliantPoints(project);
         for (std::size_t j = 0; j < 3; ++j) {
             const double x = L * (double(j) + 0.5) / 3;
@@ -85,9 +88,9 @@ private slots:
             QVERIFY(close(sections[j].gamma_mm_n, shaft.mean(110 + x, 110, 110 + L), 1e-12));
         }
         project.operation = Operation::traverse;
-        project.wheel.width_mm = 12;
-        project.machine.overrun_entry_mm = 2;
-        project.machine.overrun_exit_mm = 5;
+        project.wheel->width_mm = 12;
+        project.machine->overrun_entry_mm = 2;
+        project.machine->overrun_exit_mm = 5;
         const std::vector<CompliantPoint> zones = compliantPoints(project);
         const double middles[] = {5, 10 + (L - 17) / 2, L - 3.5};
         for (std::size_t zone = 0; zone < 3; ++zone) {

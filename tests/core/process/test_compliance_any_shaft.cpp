@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The compliance of shafts drawn at random: its laws, and a second way to each number.
 #include "core/process/system_compliance.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
 #include "tests/core/process/shafts.h"
 #include "tests/core/support/dense.h"
 #include "tests/core/support/project_fixtures.h"
@@ -171,14 +173,14 @@ private slots:
     // busy machine); a stop ends it at once.
     void aThousandSegmentsAndRestsTakeHalfASecond() {
         Project p = fixtures::plunge();
-        p.part.length_mm = 400;
-        p.machine.compliance_mm_per_n = std::monostate{};
-        p.machine.stiffness_n_um = Stiffness{40, 20, 50};
+        p.part->length_mm = 400;
+        p.machine->compliance_mm_per_n = std::monostate{};
+        p.machine->stiffness_n_um = Stiffness{40, 20, 50};
         for (int i = 0; i < 1000; ++i) {
-            p.part.shaft.segments.push_back({1.0, 20.0 + i % 7});
-            p.part.shaft.steady_rests.push_back({0.5 + i, 1.0 + i % 5});
+            p.part->shaft.segments.push_back({1.0, 20.0 + i % 7});
+            p.part->shaft.steady_rests.push_back({0.5 + i, 1.0 + i % 5});
         }
-        p.part.shaft.ground_from_mm = 300;
+        p.part->shaft.ground_from_mm = 300;
         p.sections = 20;
         std::clock_t start = std::clock();
         const auto took_ms = [&start] { // processor time: the machine may be busy

@@ -2,7 +2,13 @@
 // Random projects with coupled sections [MODEL-6]: every balance is solved. SPARKOUT_QUICK=1: 200
 // (sanitizers). SPARKOUT_LONG=1: 100,000.
 #include "core/process/compliance.h"
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
 #include "core/project/validate.h"
+#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 
 #include "tests/core/support/project_fixtures.h"
@@ -48,7 +54,7 @@ private:
 };
 
 void drawShaft(Draw& draw, Project& p) {
-    Part& part = p.part;
+    Part& part = *p.part;
     Shaft& shaft = part.shaft;
     double length = 0;
     for (int segments = draw.chance(0.4) ? 1 : draw.whole(2, 5); segments > 0; --segments) {
@@ -72,23 +78,23 @@ void drawShaft(Draw& draw, Project& p) {
 /// One to three stages, with or without a spark-out.
 void drawCycle(Draw& draw, Project& p) {
     const int stages = draw.whole(1, 3);
-    double left = p.part.stock_mm;
+    double left = p.part->stock_mm;
     double revolutions = p.sections > 25 ? 12 : 40; // about
     for (int z = 1; z <= stages; ++z) {
         const double stock = z == stages ? left : left * draw.uniform(0.3, 0.9);
         const double made = draw.uniform(1, revolutions / 2);
-        p.cycle.stages.push_back(plungeStage(stock / made * p.machine.work_speed_rpm, stock));
+        p.cycle->stages.push_back(plungeStage(stock / made * p.machine->work_speed_rpm, stock));
         left -= stock;
         revolutions -= made;
     }
     const bool sparksOut = draw.chance(0.3);
     if (sparksOut) {
-        p.cycle.stages.push_back(sparkStage(fixtures::count(draw.whole(1, 10))));
+        p.cycle->stages.push_back(sparkStage(fixtures::count(draw.whole(1, 10))));
     }
     if (sparksOut || draw.chance(0.3)) {
-        p.gauge.control = Control::position;
+        p.gauge->control = Control::position;
     } else if (draw.chance(0.2)) {
-        p.gauge.position_mm = p.part.length_mm * draw.uniform(0, 1);
+        p.gauge->position_mm = p.part->length_mm * draw.uniform(0, 1);
     }
 }
 
@@ -107,21 +113,21 @@ Project randomProject(std::uint64_t seed) {
     Project p = fixtures::plunge();
     p.sections_coupled = true;
     p.sections = drawSections(draw);
-    p.part.diameter_mm = draw.logUniform(8, 120);
-    p.part.radii_per_section = p.sections > 40 ? 4 : 2 * draw.whole(2, 4);
-    p.part.initial_runout_mm = draw.chance(0.2) ? 0 : draw.logUniform(1e-4, 0.1);
-    p.part.stock_mm = p.part.initial_runout_mm * draw.uniform(0, 1) + draw.logUniform(5e-3, 0.3);
+    p.part->diameter_mm = draw.logUniform(8, 120);
+    p.part->radii_per_section = p.sections > 40 ? 4 : 2 * draw.whole(2, 4);
+    p.part->initial_runout_mm = draw.chance(0.2) ? 0 : draw.logUniform(1e-4, 0.1);
+    p.part->stock_mm = p.part->initial_runout_mm * draw.uniform(0, 1) + draw.logUniform(5e-3, 0.3);
     drawShaft(draw, p);
-    p.material.flow_stress_mpa = draw.logUniform(200, 4000);
-    p.wheel.diameter_mm = p.part.surface == Surface::internal
-                              ? p.part.diameter_mm * draw.uniform(0.4, 0.95)
-                              : draw.logUniform(200, 900);
-    p.wheel.width_mm = p.part.length_mm;
-    p.wheel.dullness = draw.chance(0.15) ? 0 : draw.logUniform(1e-4, 0.5);
-    p.machine.wheel_speed_m_s = draw.uniform(20, 60);
-    p.machine.work_speed_rpm = draw.logUniform(20, 600);
-    p.machine.compliance_mm_per_n = std::monostate{};
-    p.machine.stiffness_n_um =
+    p.material->flow_stress_mpa = draw.logUniform(200, 4000);
+    p.wheel->diameter_mm = p.part->surface == Surface::internal
+                               ? p.part->diameter_mm * draw.uniform(0.4, 0.95)
+                               : draw.logUniform(200, 900);
+    p.wheel->width_mm = p.part->length_mm;
+    p.wheel->dullness = draw.chance(0.15) ? 0 : draw.logUniform(1e-4, 0.5);
+    p.machine->wheel_speed_m_s = draw.uniform(20, 60);
+    p.machine->work_speed_rpm = draw.logUniform(20, 600);
+    p.machine->compliance_mm_per_n = std::monostate{};
+    p.machine->stiffness_n_um =
         Stiffness{draw.logUniform(2, 500), draw.logUniform(2, 500), draw.logUniform(2, 500)};
     if (draw.chance(0.15)) {
         NumberRows rows = std::vector<std::vector<double>>{};
@@ -129,7 +135,7 @@ Project randomProject(std::uint64_t seed) {
         for (int i = draw.whole(1, 4); i > 0; --i) {
             rows->push_back({force += draw.logUniform(1, 300), draw.logUniform(5, 500)});
         }
-        p.machine.wheel_contact = WheelContact{rows};
+        p.machine->wheel_contact = WheelContact{rows};
     }
     drawCycle(draw, p);
     return p;
@@ -142,22 +148,22 @@ Project randomProject(std::uint64_t seed) {
 double worstFault(const Project& p) {
     const Traced run(p);
     ShaftModel model;
-    for (const ShaftSegment& segment : p.part.shaft.segments) {
+    for (const ShaftSegment& segment : p.part->shaft.segments) {
         model.segments.push_back({segment.length_mm, segment.diameter_mm});
     }
-    for (const SteadyRest& rest : p.part.shaft.steady_rests) {
+    for (const SteadyRest& rest : p.part->shaft.steady_rests) {
         model.rests.push_back({rest.position_mm, rest.stiffness_n_um * 1e3});
     }
-    model.youngsModulus_n_mm2 = p.part.shaft.youngs_modulus_gpa * 1e3;
-    model.mounting = p.part.shaft.mounting;
-    model.headstock_n_mm = p.machine.stiffness_n_um->headstock * 1e3;
-    model.tailstock_n_mm = p.machine.stiffness_n_um->tailstock * 1e3;
-    model.wheelHead_n_mm = p.machine.stiffness_n_um->wheel_head * 1e3;
+    model.youngsModulus_n_mm2 = p.part->shaft.youngs_modulus_gpa * 1e3;
+    model.mounting = p.part->shaft.mounting;
+    model.headstock_n_mm = p.machine->stiffness_n_um->headstock * 1e3;
+    model.tailstock_n_mm = p.machine->stiffness_n_um->tailstock * 1e3;
+    model.wheelHead_n_mm = p.machine->stiffness_n_um->wheel_head * 1e3;
     const Compliance system(model);
     const auto sections = static_cast<std::size_t>(p.sections);
     const auto middle = [&](std::size_t j) {
-        return p.part.shaft.ground_from_mm
-               + p.part.length_mm * (double(j) + 0.5) / double(sections);
+        return p.part->shaft.ground_from_mm
+               + p.part->length_mm * (double(j) + 0.5) / double(sections);
     };
     std::vector<double> G;
     for (std::size_t j = 0; j < sections * sections; ++j) {
@@ -165,10 +171,10 @@ double worstFault(const Project& p) {
     }
     const fixtures::Law law(p);
     const std::vector<double> blank = fixtures::blankDepths(p);
-    const double slice = p.part.length_mm / double(sections);
+    const double slice = p.part->length_mm / double(sections);
     double worst = 0;
     for (std::size_t m = 0; m < std::size_t(run.result.cycleCount); ++m) {
-        for (int k = 0; k < p.part.radii_per_section; ++k) {
+        for (int k = 0; k < p.part->radii_per_section; ++k) {
             std::vector<const Visit*> visits;
             for (std::size_t j = 0; j < sections; ++j) {
                 visits.push_back(&run.visit(run.trajectory.passes[m * sections + j], k));
@@ -223,9 +229,9 @@ private slots:
         const int projects = samples::sized(200, 20, 2000);
         for (int seed = 0; seed < projects; ++seed) {
             Project p = randomProject(static_cast<std::uint64_t>(seed));
-            p.machine.wheel_contact.reset();
-            p.gauge.position_mm.reset();
-            if (p.part.surface == Surface::external) {
+            p.machine->wheel_contact.reset();
+            p.gauge->position_mm.reset();
+            if (p.part->surface == Surface::external) {
                 const double fault = worstFault(p);
                 QVERIFY2(fault < 1e-12,
                          qPrintable(QStringLiteral("%1: %2 mm").arg(seed).arg(fault)));
@@ -243,14 +249,14 @@ private slots:
     void manySectionsOnAUniformShaftAreSolved() {
         QFETCH(int, sections);
         Project p = fixtures::plunge();
-        p.part.shaft.segments = {{300, 16}};
-        p.part.shaft.ground_from_mm = 90;
-        p.part.length_mm = p.wheel.width_mm = 60;
-        p.part.initial_runout_mm = 0.04;
-        p.machine.work_speed_rpm = 150;
-        p.machine.compliance_mm_per_n = std::monostate{};
-        p.machine.stiffness_n_um = Stiffness{40, 20, 50};
-        p.cycle.stages = {plungeStage(0.5, p.part.stock_mm)};
+        p.part->shaft.segments = {{300, 16}};
+        p.part->shaft.ground_from_mm = 90;
+        p.part->length_mm = p.wheel->width_mm = 60;
+        p.part->initial_runout_mm = 0.04;
+        p.machine->work_speed_rpm = 150;
+        p.machine->compliance_mm_per_n = std::monostate{};
+        p.machine->stiffness_n_um = Stiffness{40, 20, 50};
+        p.cycle->stages = {plungeStage(0.5, p.part->stock_mm)};
         p.sections = sections;
         p.sections_coupled = true;
         QVERIFY(!hasErrors(validate(p)));

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/process/force.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
@@ -22,8 +26,8 @@ constexpr double roundings = 10 * fixtures::epsilon;
 
 Project bore() {
     Project project = fixtures::plunge();
-    project.part.surface = Surface::internal;
-    project.wheel.diameter_mm = 20;
+    project.part->surface = Surface::internal;
+    project.wheel->diameter_mm = 20;
     return project;
 }
 
@@ -51,7 +55,7 @@ private slots:
         const Project p = internal ? bore() : fixtures::plunge();
         const double sigma = 2000, eta = 0.02, d = 30, n = 180, B = 40, pi = std::numbers::pi;
         const double Vk = 35 * 60 * 1000, Sax = 1800;
-        const double D = p.wheel.diameter_mm;
+        const double D = p.wheel->diameter_mm;
         const double De = internal ? D * d / (d - D) : D * d / (D + d);
         const double K1 = 1.9 * sigma * pi * d * Sax / Vk;
         const double K2 = eta * (Sax / n) * sigma / 3 * std::sqrt(De);
@@ -68,7 +72,7 @@ private slots:
     // MODEL-2: P_z = b·(ε_i·σ_i·V_d/V_k·a + μ·η·σ_i·√(D_e·a)/3)
     void tangentialForceIsShearAndFrictionOfItsOwn() {
         Project p = fixtures::plunge();
-        p.material.friction = 0.4;
+        p.material->friction = 0.4;
         const double a = 0.005, b = 40, De = 30.0 * 600 / 630;
         const double expected = b
                                 * (2.8 * 2000 * std::numbers::pi * 30 * 180 / (35 * 60e3) * a
@@ -78,7 +82,7 @@ private slots:
 
     void sharpWheelHasNoFriction() {
         Project p = fixtures::plunge();
-        p.wheel.dullness = 0;
+        p.wheel->dullness = 0;
         const ForceLaw law = forceLaw(p);
         QCOMPARE(law.kr, 0.0);
         QVERIFY(close(law.normal(40, std::sqrt(0.01)), 2 * law.normal(40, std::sqrt(0.005)),
@@ -94,19 +98,19 @@ private slots:
             double ks, kr, kt, mu; ///< factors when the input doubles
         };
         const Case cases[] = {
-            {"flow stress", [](Project& p) -> double& { return p.material.flow_stress_mpa; }, 2, 2,
+            {"flow stress", [](Project& p) -> double& { return p.material->flow_stress_mpa; }, 2, 2,
              2, 1},
-            {"dullness", [](Project& p) -> double& { return p.wheel.dullness; }, 1, 2, 1, 1},
-            {"work speed", [](Project& p) -> double& { return p.machine.work_speed_rpm; }, 2, 1, 2,
+            {"dullness", [](Project& p) -> double& { return p.wheel->dullness; }, 1, 2, 1, 1},
+            {"work speed", [](Project& p) -> double& { return p.machine->work_speed_rpm; }, 2, 1, 2,
              1},
-            {"wheel speed", [](Project& p) -> double& { return p.machine.wheel_speed_m_s; }, 0.5, 1,
-             0.5, 1},
-            {"shear factor", [](Project& p) -> double& { return p.material.shear_factor; }, 2, 1, 1,
-             1},
-            {"shear strain", [](Project& p) -> double& { return p.material.shear_strain; }, 1, 1, 2,
-             1},
-            {"friction", [](Project& p) -> double& { return p.material.friction; }, 1, 1, 1, 2},
-            {"wheel width", [](Project& p) -> double& { return p.wheel.width_mm; }, 1, 1, 1, 1}};
+            {"wheel speed", [](Project& p) -> double& { return p.machine->wheel_speed_m_s; }, 0.5,
+             1, 0.5, 1},
+            {"shear factor", [](Project& p) -> double& { return p.material->shear_factor; }, 2, 1,
+             1, 1},
+            {"shear strain", [](Project& p) -> double& { return p.material->shear_strain; }, 1, 1,
+             2, 1},
+            {"friction", [](Project& p) -> double& { return p.material->friction; }, 1, 1, 1, 2},
+            {"wheel width", [](Project& p) -> double& { return p.wheel->width_mm; }, 1, 1, 1, 1}};
         const ForceLaw law = forceLaw(fixtures::plunge());
         for (const Case& c : cases) {
             Project p = fixtures::plunge();

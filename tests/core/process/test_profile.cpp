@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/process/profile.h"
+#include "core/project/part.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"

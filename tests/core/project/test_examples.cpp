@@ -2,7 +2,12 @@
 // The shipped example projects: well formed, in the writer's own form, and what their notes say.
 #include "core/batch/batch_summary.h"
 #include "core/format/project_file.h"
+#include "core/project/batch.h"
+#include "core/project/cycle.h"
 #include "core/project/given_factors.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/quality/constraints.h"
 #include "core/quality/result_names.h"
 #include "core/quality/run_summary.h"
@@ -190,8 +195,8 @@ private slots:
     void sharpAndDullWheelDifferInDullnessAndTextsOnly() {
         Project sharp = project("wheel-sharp");
         const Project dull = project("wheel-dull");
-        QVERIFY(sharp.wheel.dullness < dull.wheel.dullness);
-        sharp.wheel.dullness = dull.wheel.dullness;
+        QVERIFY(sharp.wheel->dullness < dull.wheel->dullness);
+        sharp.wheel->dullness = dull.wheel->dullness;
         sharp.title = dull.title;
         sharp.notes = dull.notes;
         QVERIFY(sameProject(sharp, dull));
@@ -233,7 +238,7 @@ private slots:
             QStringList above;
             for (const SectionResult& zone : run.sections) {
                 const double um =
-                    zone.diameterDeviationMin_mm * 1000 - run.project.part.lower_deviation_um;
+                    zone.diameterDeviationMin_mm * 1000 - run.project.part->lower_deviation_um;
                 above += QString::number(um, 'f', 1);
             }
             const QString notes = QString::fromStdString(run.project.notes);
@@ -271,7 +276,7 @@ private slots:
             std::vector<Row> rows;
             for (const CharacteristicSummary& of : summarise(runBatch(project)).characteristics) {
                 if (std::string(of.characteristic.name) == "diameter") {
-                    const double from = project.part.lower_deviation_um;
+                    const double from = project.part->lower_deviation_um;
                     rows.push_back(
                         {of.least.value - from, of.most.value - from, of.moments.mean - from});
                 }
@@ -318,10 +323,10 @@ private slots:
               Row{0.004, 0.130, 2500, 0.002, 0.020, 900}}}};
         for (const auto& [name, rows] : table) {
             const Project shaft = project(name.c_str());
-            QCOMPARE(shaft.machine.name, std::string("3210 CNC"));
-            QCOMPARE(shaft.machine.geometric_runout_um, 1.0);
-            QVERIFY(dwellRevolutions(shaft.machine.dwell_exit_s, 180) == 1
-                    && dwellRevolutions(shaft.machine.dwell_entry_s, 180) == 1);
+            QCOMPARE(shaft.machine->name, std::string("3210 CNC"));
+            QCOMPARE(shaft.machine->geometric_runout_um, 1.0);
+            QVERIFY(dwellRevolutions(shaft.machine->dwell_exit_s, 180) == 1
+                    && dwellRevolutions(shaft.machine->dwell_entry_s, 180) == 1);
             QVERIFY(shaft.batch);
             QCOMPARE(shaft.runs.size(), rows.size());
             for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -330,7 +335,7 @@ private slots:
                 QVERIFY(inputs.project && inputs.issues.empty());
                 Row printed{};
                 for (std::size_t z = 0; z < 2; ++z) {
-                    const Stage& stage = inputs.project->cycle.stages.at(z);
+                    const Stage& stage = inputs.project->cycle->stages.at(z);
                     printed[3 * z] = stage.radial_feed_mm.value();
                     printed[3 * z + 1] = stage.stock_mm;
                     printed[3 * z + 2] = stage.axial_feed_mm_min.value();
@@ -360,7 +365,7 @@ private slots:
             QVERIFY(sections[j].diameterDeviationMin_mm > sections[j - 1].diameterDeviationMin_mm);
         }
         Project faster = project("plunge-shaft-two-stage");
-        faster.cycle.stages[1].radial_feed_mm_min = 0.3;
+        faster.cycle->stages[1].radial_feed_mm_min = 0.3;
         QVERIFY(spread(simulateUnchecked(faster)) > spread(result("plunge-shaft-two-stage")));
     }
 
@@ -369,14 +374,14 @@ private slots:
         QVERIFY(!holdsDrawing(bare));
         QVERIFY(bare.sections[1].compliance_mm_per_n > 3 * bare.sections[0].compliance_mm_per_n);
         Project rested = project("slender-shaft");
-        rested.part.shaft.steady_rests = {{185, 30}};
+        rested.part->shaft.steady_rests = {{185, 30}};
         QVERIFY(holdsDrawing(simulateUnchecked(rested)));
     }
 
     void sparkOutBeatsFeedToTheEndAndHasItsLimit() {
         const SimulationResult& sparked = result("spark-out-until-size");
         Project other = project("spark-out-until-size");
-        auto& stages = other.cycle.stages;
+        auto& stages = other.cycle->stages;
         stages[1].stock_mm -= 0.012;
         stages[2].stock_mm += 0.012;
         QCOMPARE(simulateUnchecked(other).status, RunStatus::cannotReachSize);
@@ -391,8 +396,8 @@ private slots:
     void aSlowSecondFeedMakesTheDullWheelsCycleTheShorterOne() {
         Project sharp = project("wheel-sharp");
         Project dull = project("wheel-dull");
-        sharp.cycle.stages[1].radial_feed_mm_min = 0.1;
-        dull.cycle.stages[1].radial_feed_mm_min = 0.1;
+        sharp.cycle->stages[1].radial_feed_mm_min = 0.1;
+        dull.cycle->stages[1].radial_feed_mm_min = 0.1;
         const SimulationResult ofSharp = simulateUnchecked(sharp);
         const SimulationResult ofDull = simulateUnchecked(dull);
         QCOMPARE(ofSharp.status, RunStatus::completed);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/wheel.h"
 #include "core/project/wheel_marking.h"
 
 #include "tests/core/support/project_fixtures.h"

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/quality/shop_numbers.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/random_project.h"
@@ -26,17 +30,17 @@ inline Project random(int seed) {
 }
 
 inline double workSpeed(const Project& p) { // [mm/s]
-    return std::numbers::pi * p.part.diameter_mm * p.machine.work_speed_rpm / 60;
+    return std::numbers::pi * p.part->diameter_mm * p.machine->work_speed_rpm / 60;
 }
 
 /// Two rigid plunge stages of whole revolutions, one section, 4 radii, a round blank: from the
 /// second revolution on every radius is cut exactly the feed of a revolution deep.
 inline Project rigidPlunge() {
     Project p = fixtures::plunge();
-    p.gauge.control = Control::position;
-    p.machine.compliance_mm_per_n = std::vector<double>{1e-15};
-    p.part.stock_mm = 0.12;
-    p.cycle.stages = {fixtures::plungeStage(0.9, 0.1), fixtures::plungeStage(0.18, 0.02)};
+    p.gauge->control = Control::position;
+    p.machine->compliance_mm_per_n = std::vector<double>{1e-15};
+    p.part->stock_mm = 0.12;
+    p.cycle->stages = {fixtures::plungeStage(0.9, 0.1), fixtures::plungeStage(0.18, 0.02)};
     return p;
 }
 

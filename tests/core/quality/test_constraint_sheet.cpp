@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a requirement says of itself, and the depths of cut that the requirements allow.
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/quality/constraint_sheet.h"
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/depth_limits.h"
@@ -23,24 +27,24 @@ using fixtures::Traced;
 namespace {
 
 Project asking(Project p) {
-    p.material.burn_rise_k = 500;
-    p.part.tolerance = {4, 6, 5, 8, 0.8};
-    p.machine.geometric_runout_um = 1;
-    p.machine.wheel_drive_kw = 5;
-    p.machine.work_drive_kw = 0.5;
-    p.wheel.grain_surface_energy_j_m2 = 18000;
-    p.wheel.grain_modulus_gpa = 390;
-    p.wheel.bond_surface_energy_j_m2 = 4000;
-    p.wheel.bond_modulus_gpa = 65;
+    p.material->burn_rise_k = 500;
+    p.part->tolerance = {4, 6, 5, 8, 0.8};
+    p.machine->geometric_runout_um = 1;
+    p.machine->wheel_drive_kw = 5;
+    p.machine->work_drive_kw = 0.5;
+    p.wheel->grain_surface_energy_j_m2 = 18000;
+    p.wheel->grain_modulus_gpa = 390;
+    p.wheel->bond_surface_energy_j_m2 = 4000;
+    p.wheel->bond_modulus_gpa = 65;
     return p;
 }
 
 Project plunge() {
     Project p = fixtures::plunge();
-    p.part.radii_per_section = 12;
-    p.part.initial_runout_mm = 0.03;
+    p.part->radii_per_section = 12;
+    p.part->initial_runout_mm = 0.03;
     p.sections = 2;
-    p.machine.compliance_mm_per_n = std::vector<double>{4e-5, 7e-5};
+    p.machine->compliance_mm_per_n = std::vector<double>{4e-5, 7e-5};
     return asking(p);
 }
 
@@ -102,7 +106,7 @@ private slots:
                 for (int k = 0; k < run.trajectory.radii; ++k) {
                     const Visit& visit = run.visit(pass, k);
                     const double stock =
-                        std::max(0.0, visit.radius_mm - makeBlank(project.part).targetRadius_mm);
+                        std::max(0.0, visit.radius_mm - makeBlank(*project.part).targetRadius_mm);
                     const auto limits = depthLimits(project, pass.effectiveWidth_mm, stock);
                     QCOMPARE(limits.size(), std::size_t(5));
                     const auto limit = std::ranges::find(limits, kind, &DepthLimit::kind);
@@ -143,8 +147,8 @@ private slots:
             }
         }
         QVERIFY(depthOf(ConstraintKind::burn) > 0);
-        p.wheel.dullness = 1; // too dull for these grains at any depth
-        p.wheel.grain_surface_energy_j_m2 = 1e-3;
+        p.wheel->dullness = 1; // too dull for these grains at any depth
+        p.wheel->grain_surface_energy_j_m2 = 1e-3;
         const auto dull = depthLimits(p, 40, 0);
         QCOMPARE(
             std::ranges::find(dull, ConstraintKind::selfSharpening, &DepthLimit::kind)->depth_mm,

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/quality/constraints.h"
 
 #include "tests/core/support/project_fixtures.h"
@@ -26,10 +31,10 @@ constexpr double um = 1e-13;
 SimulationResult result() {
     SimulationResult r;
     r.project = fixtures::plunge();
-    r.project.gauge.control = Control::position; // no gauge commands to count
-    r.project.part.upper_deviation_um = 0;
-    r.project.part.lower_deviation_um = -16;
-    r.project.part.tolerance.radial_runout_um = 6;
+    r.project.gauge->control = Control::position; // no gauge commands to count
+    r.project.part->upper_deviation_um = 0;
+    r.project.part->lower_deviation_um = -16;
+    r.project.part->tolerance.radial_runout_um = 6;
     SectionResult section;
     section.diameterDeviationMin_mm = -0.010;
     section.diameterDeviationMax_mm = -0.004;
@@ -147,7 +152,7 @@ private slots:
     // A tolerance that is not given is not required, so it is not listed.
     void toleranceThatIsNotGivenIsNotListed() {
         SimulationResult r = result();
-        r.project.part.tolerance.radial_runout_um.reset();
+        r.project.part->tolerance.radial_runout_um.reset();
         const auto all = evaluateConstraints(r);
         QCOMPARE(all.size(), std::size_t(4));
         for (const ConstraintResult& c : all) {
@@ -195,21 +200,21 @@ private slots:
     // the surface is known of the whole of it.
     void stripsThatStayUncutFailAndLeaveTheSizeUnknown() {
         Project p = fixtures::traverse();
-        p.part.tolerance.roughness_ra_um = 50;
-        p.part.tolerance.cylindricity_um = 500;
-        p.part.lower_deviation_um = -900;
-        p.part.upper_deviation_um = 900;
-        const double most = p.wheel.width_mm * p.machine.work_speed_rpm;
-        const double others = *p.cycle.stages.back().axial_feed_mm_min;
-        QVERIFY(others < most && p.cycle.stages.size() > 1);
-        for (std::size_t stage = 0; stage < p.cycle.stages.size(); ++stage) {
+        p.part->tolerance.roughness_ra_um = 50;
+        p.part->tolerance.cylindricity_um = 500;
+        p.part->lower_deviation_um = -900;
+        p.part->upper_deviation_um = 900;
+        const double most = p.wheel->width_mm * p.machine->work_speed_rpm;
+        const double others = *p.cycle->stages.back().axial_feed_mm_min;
+        QVERIFY(others < most && p.cycle->stages.size() > 1);
+        for (std::size_t stage = 0; stage < p.cycle->stages.size(); ++stage) {
             Project q = p;
             for (const double share : {0.5, 1.0, 1.0001, 3.0}) {
-                q.cycle.stages[stage].axial_feed_mm_min = share * most;
+                q.cycle->stages[stage].axial_feed_mm_min = share * most;
                 const bool strips = share > 1;
                 const auto all = evaluateConstraints(simulateUnchecked(q));
                 QCOMPARE(std::ranges::count(all, ConstraintKind::overlap, &ConstraintResult::kind),
-                         static_cast<std::ptrdiff_t>(q.cycle.stages.size()));
+                         static_cast<std::ptrdiff_t>(q.cycle->stages.size()));
                 for (const ConstraintResult& each : all) {
                     const bool ofTheSurface =
                         requirementOf(each.kind).scope == ConstraintScope::section
@@ -236,9 +241,9 @@ private slots:
     // One whole way from the cycle: the machine's own runout counts against the tolerance.
     void machinesRunoutCountsAgainstTheTolerance() {
         Project p = fixtures::plunge();
-        p.part.tolerance.radial_runout_um = 3;
+        p.part->tolerance.radial_runout_um = 3;
         const auto alone = evaluateConstraints(simulateUnchecked(p));
-        p.machine.geometric_runout_um = 2;
+        p.machine->geometric_runout_um = 2;
         const auto together = evaluateConstraints(simulateUnchecked(p));
         const double difference = find(together, ConstraintKind::radialRunout, 0).value
                                   - find(alone, ConstraintKind::radialRunout, 0).value;
@@ -247,9 +252,9 @@ private slots:
 
     void machinesRunoutCountsAgainstTheTotalRunout() {
         Project p = fixtures::plunge();
-        p.part.tolerance.total_runout_um = 3;
+        p.part->tolerance.total_runout_um = 3;
         const auto alone = evaluateConstraints(simulateUnchecked(p));
-        p.machine.geometric_runout_um = 2;
+        p.machine->geometric_runout_um = 2;
         const auto together = evaluateConstraints(simulateUnchecked(p));
         const double difference = find(together, ConstraintKind::totalRunout, -1).value
                                   - find(alone, ConstraintKind::totalRunout, -1).value;
@@ -258,7 +263,7 @@ private slots:
 
     void roundnessIsThatOfItsOwnSection() {
         SimulationResult r = result();
-        r.project.part.tolerance.roundness_um = 20;
+        r.project.part->tolerance.roundness_um = 20;
         for (std::size_t j = 0; j < 2;
              ++j) { // three lobes, which no shift of the centre takes away
             for (int k = 0; k < 36; ++k) {
@@ -275,10 +280,10 @@ private slots:
 
     void asManyStagesAsCommandsHold() {
         SimulationResult r = result();
-        r.project.gauge.control = Control::gauge;
-        r.project.cycle.stages.assign(3, fixtures::plungeStage(0.5, 0.1));
+        r.project.gauge->control = Control::gauge;
+        r.project.cycle->stages.assign(3, fixtures::plungeStage(0.5, 0.1));
         for (const int commands : {2, 3, 4}) {
-            r.project.gauge.commands = commands;
+            r.project.gauge->commands = commands;
             const auto all = evaluateConstraints(r);
             QCOMPARE(find(all, ConstraintKind::gaugeCommands, -1).holds, commands >= 3);
         }
@@ -300,8 +305,8 @@ private slots:
         QFETCH(double, limit);
         QFETCH(bool, isLeast);
         SimulationResult r = result();
-        r.project.machine.limits.work_speed_rpm = {50, 500, 5};
-        r.project.machine.work_speed_rpm = speed;
+        r.project.machine->limits.work_speed_rpm = {50, 500, 5};
+        r.project.machine->work_speed_rpm = speed;
         const ConstraintResult found =
             find(evaluateConstraints(r), ConstraintKind::rangeWorkSpeed, -1);
         QCOMPARE(found.limit, limit);
@@ -313,14 +318,14 @@ private slots:
     void theDrivesPowersAreInTheRatioOfTheirSpeeds() {
         SimulationResult r = result();
         r.peakPower_w = 2400;
-        r.project.machine.wheel_drive_kw = 3;
-        r.project.machine.work_drive_kw = 0.05;
+        r.project.machine->wheel_drive_kw = 3;
+        r.project.machine->work_drive_kw = 0.05;
         const auto all = evaluateConstraints(r);
-        const double Vd =
-            M_PI * r.project.part.diameter_mm * r.project.machine.work_speed_rpm / 60 / 1000; // m/s
+        const double Vd = M_PI * r.project.part->diameter_mm * r.project.machine->work_speed_rpm
+                          / 60 / 1000; // m/s
         QVERIFY(within(find(all, ConstraintKind::wheelPower, -1).value, 2.4, 1e-12));
         QVERIFY(within(find(all, ConstraintKind::workPower, -1).value,
-                       2.4 * Vd / r.project.machine.wheel_speed_m_s, 1e-12));
+                       2.4 * Vd / r.project.machine->wheel_speed_m_s, 1e-12));
         for (const ConstraintKind kind : {ConstraintKind::wheelPower, ConstraintKind::workPower}) {
             QVERIFY(!find(all, kind, -1).isLeast);
         }

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Roughness, self-sharpening and power: what limits the depth of cut beside burn [MODEL-8].
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/quality/depth_limits.h"
 #include "core/quality/power.h"
 #include "core/quality/roughness.h"
@@ -40,25 +44,25 @@ void giveStrengths(Wheel& wheel) {
 
 Project anyWheel() {
     Project p = anyCutting();
-    p.wheel.grain_surface_energy_j_m2 = decades(0, 5);
-    p.wheel.grain_modulus_gpa = between(50, 900);
-    p.wheel.bond_surface_energy_j_m2 = decades(0, 5);
-    p.wheel.bond_modulus_gpa = between(10, 300);
+    p.wheel->grain_surface_energy_j_m2 = decades(0, 5);
+    p.wheel->grain_modulus_gpa = between(50, 900);
+    p.wheel->bond_surface_energy_j_m2 = decades(0, 5);
+    p.wheel->bond_modulus_gpa = between(10, 300);
     return p;
 }
 
 /// Isakov's formula as it is printed, in mm and min, for external grinding.
 double isakov(const Project& p, double a) {
-    const double d = p.part.diameter_mm, D = p.wheel.diameter_mm, n = p.machine.work_speed_rpm;
-    const double Vk = p.machine.wheel_speed_m_s * 60e3, eta = p.wheel.dullness;
-    const double Ns = 0.5 * (62 - 100 * p.wheel.grain_share);
-    const double phi = p.wheel.grain_tip_angle_deg * std::numbers::pi / 180;
+    const double d = p.part->diameter_mm, D = p.wheel->diameter_mm, n = p.machine->work_speed_rpm;
+    const double Vk = p.machine->wheel_speed_m_s * 60e3, eta = p.wheel->dullness;
+    const double Ns = 0.5 * (62 - 100 * p.wheel->grain_share);
+    const double phi = p.wheel->grain_tip_angle_deg * std::numbers::pi / 180;
     const double pi2 = std::numbers::pi * std::numbers::pi;
     const double opened =
         std::sqrt(eta + pi2 / Vk * std::sqrt(d * (d + D) * n * (a * n) / D)) - std::sqrt(eta);
-    return p.wheel.roughness_factor * 0.2
-           * std::pow(p.wheel.grain_mm / std::tan(phi)
-                          * std::sqrt(p.wheel.dressing_chipping_mm / (4 * Ns)) * opened,
+    return p.wheel->roughness_factor * 0.2
+           * std::pow(p.wheel->grain_mm / std::tan(phi)
+                          * std::sqrt(p.wheel->dressing_chipping_mm / (4 * Ns)) * opened,
                       2.0 / 3);
 }
 
@@ -74,9 +78,9 @@ private slots:
 
     void theWidthOfADwellIsThatOfItsOwnZone() {
         Project p = fixtures::traverse();
-        p.machine.overrun_entry_mm = 12;
-        p.machine.overrun_exit_mm = 4;
-        const double B = p.wheel.width_mm;
+        p.machine->overrun_entry_mm = 12;
+        p.machine->overrun_exit_mm = 4;
+        const double B = p.wheel->width_mm;
         Place place;
         place.stage = 1;
         place.zone = Zone::rz1;
@@ -87,7 +91,7 @@ private slots:
         place.zone = Zone::rz2;
         place.step = Step::e2;
         QCOMPARE(effectiveWidth(p, place), B - 4);
-        const double stroke = 1800 / p.machine.work_speed_rpm;
+        const double stroke = 1800 / p.machine->work_speed_rpm;
         for (const auto& [zone, step] :
              {std::pair{Zone::rz1, Step::e3}, std::pair{Zone::nz, Step::e2},
               std::pair{Zone::rz2, Step::e1}, std::pair{Zone::rz2, Step::e3}}) {
@@ -102,9 +106,9 @@ private slots:
     void roughnessIsIsakovsFormula() {
         QVERIFY(holds("printed form", [] {
             Project p = anyCutting();
-            p.part.surface = Surface::external;
-            p.wheel.diameter_mm = between(100, 900);
-            p.wheel.dullness = between(0, 0.02); // the printed difference loses digits beyond
+            p.part->surface = Surface::external;
+            p.wheel->diameter_mm = between(100, 900);
+            p.wheel->dullness = between(0, 0.02); // the printed difference loses digits beyond
             const double a = decades(-4, -1);
             RC_ASSERT(close(RoughnessModel(p).roughness(a), isakov(p, a), 1e-9));
         }));
@@ -127,10 +131,10 @@ private slots:
             RC_ASSERT(model.roughness(0) == 0);
         }));
         Project p = fixtures::plunge();
-        p.wheel.dullness = 0;
+        p.wheel->dullness = 0;
         const RoughnessModel sharp(p);
         QVERIFY(close(sharp.roughness(0.0064), 2 * sharp.roughness(0.0001), 1e-14));
-        p.wheel.dullness = 1;
+        p.wheel->dullness = 1;
         const RoughnessModel dull(p);
         QVERIFY(close(dull.roughness(64e-9), 4 * dull.roughness(1e-9), 1e-4));
     }
@@ -151,13 +155,13 @@ private slots:
             Project p = anyCutting();
             const double a = decades(-5, -2), c = between(0.2, 5);
             const double Ra = RoughnessModel(p).roughness(a);
-            p.part.diameter_mm *= c;
-            p.wheel.diameter_mm *= c;
-            p.machine.wheel_speed_m_s *= c;
-            p.wheel.grain_mm *= c;
-            p.wheel.dressing_chipping_mm *= c;
+            p.part->diameter_mm *= c;
+            p.wheel->diameter_mm *= c;
+            p.machine->wheel_speed_m_s *= c;
+            p.wheel->grain_mm *= c;
+            p.wheel->dressing_chipping_mm *= c;
             RC_ASSERT(close(RoughnessModel(p).roughness(c * a), c * Ra, 1e-13));
-            p.wheel.roughness_factor *= 3;
+            p.wheel->roughness_factor *= 3;
             RC_ASSERT(close(RoughnessModel(p).roughness(c * a), 3 * c * Ra, 1e-13));
         }));
     }
@@ -165,16 +169,16 @@ private slots:
     void coarserGrainAndFasterWorkAreRougher() {
         Project p = fixtures::plunge();
         const double Ra = RoughnessModel(p).roughness(0.002);
-        p.wheel.grain_mm *= 1.1;
+        p.wheel->grain_mm *= 1.1;
         QVERIFY(RoughnessModel(p).roughness(0.002) > Ra);
         p = fixtures::plunge();
-        p.machine.work_speed_rpm *= 1.1;
+        p.machine->work_speed_rpm *= 1.1;
         QVERIFY(RoughnessModel(p).roughness(0.002) > Ra);
         p = fixtures::plunge();
-        p.machine.wheel_speed_m_s *= 1.1;
+        p.machine->wheel_speed_m_s *= 1.1;
         QVERIFY(RoughnessModel(p).roughness(0.002) < Ra);
         p = fixtures::plunge();
-        p.wheel.dullness *= 1.1;
+        p.wheel->dullness *= 1.1;
         QVERIFY(RoughnessModel(p).roughness(0.002) < Ra);
     }
 
@@ -182,12 +186,12 @@ private slots:
 
     void selfSharpeningIsOffUntilEveryStrengthIsGiven() {
         Project p = fixtures::plunge();
-        giveStrengths(p.wheel);
+        giveStrengths(*p.wheel);
         QVERIFY(selfSharpening(p));
         for (auto strength : {&Wheel::grain_surface_energy_j_m2, &Wheel::grain_modulus_gpa,
                               &Wheel::bond_surface_energy_j_m2, &Wheel::bond_modulus_gpa}) {
             Project without = p;
-            (without.wheel.*strength).reset();
+            ((*without.wheel).*strength).reset();
             QVERIFY(!selfSharpening(without));
             QVERIFY(!selfSharpeningSheet(without));
         }
@@ -197,10 +201,10 @@ private slots:
     // shared/vectors: f_b = f_g gives 0.63212·f_g
     void equalStrengthsGiveTheVectorsShare() {
         Project p = fixtures::plunge();
-        giveStrengths(p.wheel);
+        giveStrengths(*p.wheel);
         const SelfSharpening unequal = *selfSharpening(p);
         const double factor = unequal.grainForce_n / unequal.bondForce_n;
-        *p.wheel.bond_modulus_gpa *= factor * factor;
+        *p.wheel->bond_modulus_gpa *= factor * factor;
         const SelfSharpening s = *selfSharpening(p);
         QVERIFY(close(s.bondForce_n, s.grainForce_n, 1e-14));
         QVERIFY(within(s.criticalForce_n / s.grainForce_n, 0.63212, 0.5e-5));
@@ -214,10 +218,10 @@ private slots:
             RC_ASSERT(s.criticalForce_n <= std::min(s.grainForce_n, s.bondForce_n));
             RC_ASSERT(s.criticalForce_n >= 0.63 * std::min(s.grainForce_n, s.bondForce_n));
             const double ratio = s.bondForce_n / s.grainForce_n;
-            *p.wheel.bond_modulus_gpa *= std::pow(1e-6 / ratio, 2);
+            *p.wheel->bond_modulus_gpa *= std::pow(1e-6 / ratio, 2);
             const SelfSharpening weak = *selfSharpening(p);
             RC_ASSERT(close(weak.criticalForce_n, weak.bondForce_n, 1e-6));
-            *p.wheel.bond_modulus_gpa *= std::pow(40e6, 2);
+            *p.wheel->bond_modulus_gpa *= std::pow(40e6, 2);
             const SelfSharpening strong = *selfSharpening(p);
             RC_ASSERT(close(strong.criticalForce_n, strong.grainForce_n, 1e-15));
         }));
@@ -228,9 +232,11 @@ private slots:
     void exponentIsThePrintedOneButForTheBondsCrack() {
         QVERIFY(holds("001 eq. 23", [] {
             Project p = anyWheel();
-            const double dg = p.wheel.grain_mm, Wg = p.wheel.grain_share, Wb = p.wheel.bond_share;
-            const double gammaE_b = *p.wheel.bond_surface_energy_j_m2 * *p.wheel.bond_modulus_gpa;
-            const double gammaE_g = *p.wheel.grain_surface_energy_j_m2 * *p.wheel.grain_modulus_gpa;
+            const double dg = p.wheel->grain_mm, Wg = p.wheel->grain_share,
+                         Wb = p.wheel->bond_share;
+            const double gammaE_b = *p.wheel->bond_surface_energy_j_m2 * *p.wheel->bond_modulus_gpa;
+            const double gammaE_g =
+                *p.wheel->grain_surface_energy_j_m2 * *p.wheel->grain_modulus_gpa;
             const double exponent = std::sqrt(gammaE_b / gammaE_g) * Wb
                                     / (3 * std::pow(Wg, 2.0 / 3) * (1 - std::pow(Wg, 1.0 / 3)));
             const SelfSharpening s = *selfSharpening(p);
@@ -242,14 +248,14 @@ private slots:
 
     void givenGrainsAndBridgeStandForTheLattices() {
         Project p = fixtures::plunge();
-        giveStrengths(p.wheel);
+        giveStrengths(*p.wheel);
         const SelfSharpening lattice = *selfSharpening(p);
-        p.wheel.grains_per_mm2 = lattice.grains_mm2;
-        p.wheel.bond_bridge_mm = lattice.bridge_mm;
+        p.wheel->grains_per_mm2 = lattice.grains_mm2;
+        p.wheel->bond_bridge_mm = lattice.bridge_mm;
         QVERIFY(close(selfSharpening(p)->allowed, lattice.allowed, 1e-15));
-        *p.wheel.grains_per_mm2 *= 2;
+        *p.wheel->grains_per_mm2 *= 2;
         QVERIFY(close(selfSharpening(p)->allowed, 2 * lattice.allowed, 1e-14));
-        *p.wheel.bond_bridge_mm *= 4; // S_b·√(1/D_b) = π/4·D_b^(3/2)
+        *p.wheel->bond_bridge_mm *= 4; // S_b·√(1/D_b) = π/4·D_b^(3/2)
         QVERIFY(close(selfSharpening(p)->bondForce_n, lattice.bondForce_n * 8, 1e-14));
     }
 
@@ -259,12 +265,12 @@ private slots:
         QVERIFY(holds("thinner bridge", [] {
             Project p = anyWheel();
             const SelfSharpening lattice = *selfSharpening(p);
-            p.wheel.bond_bridge_mm = lattice.bridge_mm;
+            p.wheel->bond_bridge_mm = lattice.bridge_mm;
             const SelfSharpening same = *selfSharpening(p);
             RC_ASSERT(close(same.bridgeArea_mm2, lattice.bridgeArea_mm2, 1e-15));
             RC_ASSERT(close(same.allowed, lattice.allowed, 1e-13));
             const double share = between(0.05, 0.95);
-            p.wheel.bond_bridge_mm = share * lattice.bridge_mm;
+            p.wheel->bond_bridge_mm = share * lattice.bridge_mm;
             const SelfSharpening thin = *selfSharpening(p);
             RC_ASSERT(close(thin.bondForce_n, lattice.bondForce_n * std::pow(share, 1.5), 1e-12));
             // a bond far stronger than the grain breaks the grain, whatever the bridge
@@ -288,7 +294,7 @@ private slots:
             RC_ASSERT(close(s.load(*a), 1, 1e-12));
             RC_ASSERT(s.load(*a * 1.01) > 1 && s.load(*a * 0.99) < 1);
             const double De =
-                equivalentDiameter(p.part.diameter_mm, p.wheel.diameter_mm, p.part.surface);
+                equivalentDiameter(p.part->diameter_mm, p.wheel->diameter_mm, p.part->surface);
             RC_ASSERT(close(s.allowedForce(b, *a),
                             0.25 * s.criticalForce_n * s.grains_mm2 * b * std::sqrt(*a * De),
                             1e-14));
@@ -298,19 +304,19 @@ private slots:
     // Friction of the flats alone bears on the wheel as much as it may: shallower does not help.
     void wheelTooDullIsNotMetAtAnyDepth() {
         Project p = fixtures::plunge();
-        giveStrengths(p.wheel);
-        p.wheel.dullness = 0;
+        giveStrengths(*p.wheel);
+        p.wheel->dullness = 0;
         const SelfSharpening sharp = *selfSharpening(p);
         QVERIFY(sharp.limitDepth());
         const double critical = sharp.allowed / (Law(fixtures::plunge()).kr / 0.02);
-        p.wheel.dullness = critical * 1.001;
+        p.wheel->dullness = critical * 1.001;
         const SelfSharpening dull = *selfSharpening(p);
         QVERIFY(!dull.limitDepth());
         for (const double a : {1e-12, 1e-6, 0.01}) {
             QVERIFY(dull.load(a) > 1);
             QVERIFY(Law(p).force(10, a) > dull.allowedForce(10, a));
         }
-        p.wheel.dullness = critical * 0.999;
+        p.wheel->dullness = critical * 0.999;
         QVERIFY(selfSharpening(p)->limitDepth());
         QVERIFY(*selfSharpening(p)->limitDepth() < 1e-3 * *sharp.limitDepth());
     }
@@ -318,7 +324,7 @@ private slots:
     // MODEL-8: uncalibrated the limit comes out a tenth of real grinding forces.
     void handbookStrengthsNeedCalibration() {
         Project p = fixtures::plunge();
-        giveStrengths(p.wheel);
+        giveStrengths(*p.wheel);
         const SelfSharpening s = *selfSharpening(p);
         const double real = Law(p).force(40, 0.005), allowed = s.allowedForce(40, 0.005);
         QVERIFY(allowed < 0.3 * real && allowed > 0.03 * real);
@@ -329,7 +335,7 @@ private slots:
     // shared/vectors: 1, 5, 10 µm take 117, 55.5, 40.9 J/mm³ with μ 0.4.
     void specificEnergyIsTheVectors() {
         Project p = fixtures::plunge();
-        p.material.friction = 0.4;
+        p.material->friction = 0.4;
         const PowerModel model(p);
         QVERIFY(within(model.specificEnergy(0.001) / 1000, 117, 0.51));
         QVERIFY(within(model.specificEnergy(0.005) / 1000, 55.5, 0.051));
@@ -342,8 +348,9 @@ private slots:
             const PowerModel model(p);
             const double b = between(1, 100), a = decades(-6, -1);
             const double Pz = forceLaw(p).tangential(b, std::sqrt(a));
-            const double Vd = std::numbers::pi * p.part.diameter_mm * p.machine.work_speed_rpm / 60;
-            RC_ASSERT(close(model.wheelPower(b, a), Pz * p.machine.wheel_speed_m_s * 1000, 1e-14));
+            const double Vd =
+                std::numbers::pi * p.part->diameter_mm * p.machine->work_speed_rpm / 60;
+            RC_ASSERT(close(model.wheelPower(b, a), Pz * p.machine->wheel_speed_m_s * 1000, 1e-14));
             RC_ASSERT(close(model.workPower(b, a), Pz * Vd, 1e-14));
             RC_ASSERT(model.wheelPower(b, a * 1.001) > model.wheelPower(b, a));
             RC_ASSERT(model.wheelPower(b, 0) == 0);
@@ -367,14 +374,14 @@ private slots:
     // Sharp: energy of shear alone, ε_i·σ_i, at every depth. Dull: it falls with the depth to that.
     void specificEnergyFallsToTheShearEnergy() {
         Project p = fixtures::plunge();
-        p.wheel.dullness = 0;
+        p.wheel->dullness = 0;
         QVERIFY(close(PowerModel(p).specificEnergy(0.001), 2.8 * 2000, 1e-14));
         QVERIFY(close(PowerModel(p).specificEnergy(0.1), 2.8 * 2000, 1e-14));
         QVERIFY(holds("energy", [] {
             const Project q = anyCutting();
             const PowerModel model(q);
             const double a = decades(-6, -1);
-            const double shear = q.material.shear_strain * q.material.flow_stress_mpa;
+            const double shear = q.material->shear_strain * q.material->flow_stress_mpa;
             RC_ASSERT(model.specificEnergy(a) >= shear * (1 - 1e-14));
             RC_ASSERT(model.specificEnergy(2 * a) <= model.specificEnergy(a) * (1 + 1e-14));
         }));

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/quality/diameter_shares.h"
 
 #include "core/project/validate.h"
@@ -38,7 +41,7 @@ private slots:
             const SimulationResult result = simulateUnchecked(project);
             for (std::size_t i = 0; i < result.sections.size(); ++i) {
                 const SectionResult& section = result.sections[i];
-                const double scale = std::max(1.0, project.part.diameter_mm / 30);
+                const double scale = std::max(1.0, project.part->diameter_mm / 30);
                 const DiameterShares low = diameterShares(result, i, DiameterEnd::smallest);
                 const DiameterShares high = diameterShares(result, i, DiameterEnd::largest);
                 QVERIFY(std::abs(low.deviation_um() - section.diameterDeviationMin_mm * 1e3)
@@ -55,10 +58,10 @@ private slots:
 
     void sectionsOfOneComplianceAreWhereTheGaugeReadsTheirMean() {
         Project project = fixtures::plunge();
-        project.gauge.rule = GaugeRule::mean;
+        project.gauge->rule = GaugeRule::mean;
         project.sections = 3;
-        project.machine.compliance_mm_per_n = std::vector<double>{2e-5, 2e-5, 2e-5};
-        project.gauge.section = 1;
+        project.machine->compliance_mm_per_n = std::vector<double>{2e-5, 2e-5, 2e-5};
+        project.gauge->section = 1;
         const SimulationResult result = simulateUnchecked(project);
         QCOMPARE(result.status, RunStatus::completed);
         for (std::size_t i = 0; i < result.sections.size(); ++i) {
@@ -71,8 +74,8 @@ private slots:
     void aMoreCompliantSectionStaysLarger() {
         Project project = fixtures::plunge();
         project.sections = 2;
-        project.machine.compliance_mm_per_n = std::vector<double>{2e-5, 4e-5};
-        project.gauge.section = 0;
+        project.machine->compliance_mm_per_n = std::vector<double>{2e-5, 4e-5};
+        project.gauge->section = 0;
         const SimulationResult result = simulateUnchecked(project);
         const DiameterShares shares = diameterShares(result, 1, DiameterEnd::largest);
         QCOMPARE(shares.complianceRatio, 2.0);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cuts of a run against the limits of its feed, as the view "Constraints" draws them.
 #include "core/process/profile.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/limit_series.h"
 #include "core/simulation/simulate.h"
@@ -32,19 +36,19 @@ struct Drawn {
 };
 
 Project limited(Project project) {
-    project.material.burn_rise_k = 500;
-    project.machine.wheel_drive_kw = 3;
+    project.material->burn_rise_k = 500;
+    project.machine->wheel_drive_kw = 3;
     return project;
 }
 
 Project plungeOfThree() {
     Project p = fixtures::plunge();
-    p.part.radii_per_section = 24;
-    p.part.initial_runout_mm = 0.03;
+    p.part->radii_per_section = 24;
+    p.part->initial_runout_mm = 0.03;
     p.sections = 3;
-    p.machine.compliance_mm_per_n = std::vector<double>{4e-5, 2e-5, 7e-5};
-    p.cycle.stages = {fixtures::plungeStage(1.2, 0.15), fixtures::plungeStage(0.3, 0.05),
-                      fixtures::sparkStage(fixtures::count(7))};
+    p.machine->compliance_mm_per_n = std::vector<double>{4e-5, 2e-5, 7e-5};
+    p.cycle->stages = {fixtures::plungeStage(1.2, 0.15), fixtures::plungeStage(0.3, 0.05),
+                       fixtures::sparkStage(fixtures::count(7))};
     return p;
 }
 
@@ -96,7 +100,7 @@ private slots:
     void aPassIsItsWorstRadius() {
         const Project project = limited(plungeOfThree());
         const Drawn drawn(project);
-        const double target = targetRadius(project.part);
+        const double target = targetRadius(*project.part);
         const LimitGroup& group = drawn.series.groups.front();
         const LimitedCut& cut = group.cuts[group.cuts.size() / 2];
         const auto pass = std::ranges::find_if(drawn.trajectory.passes, [&](const Pass& p) {
@@ -113,7 +117,7 @@ private slots:
 
     void theWorstCutIsTheVisitNearestToBurning() {
         for (Project project : {fixtures::traverse(), plungeOfThree()}) {
-            project.material.burn_rise_k = 500;
+            project.material->burn_rise_k = 500;
             const Drawn drawn(project);
             const auto worst = std::ranges::max_element(
                 drawn.series.groups, {}, [](const LimitGroup& g) { return g.worst.usage; });
@@ -132,7 +136,7 @@ private slots:
 
     void theWorstCutIsTheOneWithThePeakOfPower() {
         for (Project project : {fixtures::traverse(), plungeOfThree()}) {
-            project.machine.wheel_drive_kw = 3;
+            project.machine->wheel_drive_kw = 3;
             const Drawn drawn(project);
             const LimitedCut* worst = &drawn.series.groups.front().worst;
             for (const LimitGroup& group : drawn.series.groups) {
@@ -198,9 +202,9 @@ private slots:
 
     void aWiderCutInAStageLowersThePowerThere() {
         Project project = fixtures::traverse();
-        project.machine.wheel_drive_kw = 3;
-        project.cycle.stages[0].axial_feed_mm_min = 2000;
-        project.cycle.stages[1].axial_feed_mm_min = 1000;
+        project.machine->wheel_drive_kw = 3;
+        project.cycle->stages[0].axial_feed_mm_min = 2000;
+        project.cycle->stages[1].axial_feed_mm_min = 1000;
         const Drawn drawn(project);
         const auto nz = std::ranges::find(drawn.series.groups, Zone::nz, &LimitGroup::zone);
         QVERIFY(nz->stages.size() >= 2);
@@ -233,9 +237,9 @@ private slots:
 
     void withoutLimitsTheDeepestCutStands() {
         Project project = plungeOfThree();
-        project.material.burn_rise_k.reset();
-        project.machine.wheel_drive_kw.reset();
-        project.machine.work_drive_kw.reset();
+        project.material->burn_rise_k.reset();
+        project.machine->wheel_drive_kw.reset();
+        project.machine->work_drive_kw.reset();
         const Drawn drawn(project);
         for (const LimitGroup& group : drawn.series.groups) {
             QVERIFY(steplessLimit(drawn.series, group).empty());
@@ -248,7 +252,7 @@ private slots:
 
     void manyCutsAreThinnedToTheirWorst() {
         Project project = limited(plungeOfThree());
-        for (Stage& stage : project.cycle.stages) {
+        for (Stage& stage : project.cycle->stages) {
             if (stage.radial_feed_mm_min) {
                 *stage.radial_feed_mm_min /= 20;
             }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
 #include "core/quality/ranges.h"
 
 #include "core/quality/constraints.h"
@@ -37,10 +40,10 @@ std::vector<ConstraintResult> heldOf(const Project& project, ConstraintKind kind
 
 /// The ranges of the project file's page.
 void limit(Project& project) {
-    project.machine.limits.radial_feed_mm = {0.0005, 0.02, 0.0005};
-    project.machine.limits.axial_feed_mm_min = {50, 5000, 50};
-    project.machine.limits.plunge_feed_mm_min = {0.02, 5, 0.01};
-    project.machine.limits.work_speed_rpm = {50, 500, 5};
+    project.machine->limits.radial_feed_mm = {0.0005, 0.02, 0.0005};
+    project.machine->limits.axial_feed_mm_min = {50, 5000, 50};
+    project.machine->limits.plunge_feed_mm_min = {0.02, 5, 0.01};
+    project.machine->limits.work_speed_rpm = {50, 500, 5};
 }
 
 } // namespace
@@ -53,7 +56,7 @@ private slots:
         QVERIFY(checkMachineRanges(fixtures::traverse()).empty());
         QVERIFY(checkMachineRanges(fixtures::plunge()).empty());
         Project p = fixtures::traverse();
-        p.machine.limits.work_speed_rpm = {50, 500, 5};
+        p.machine->limits.work_speed_rpm = {50, 500, 5};
         QCOMPARE(checkMachineRanges(p).size(), std::size_t(1));
     }
 
@@ -67,7 +70,8 @@ private slots:
         QCOMPARE(radial[1].value, 0.001);
         QCOMPARE(ofKind(p, ConstraintKind::rangeAxialFeed).size(), std::size_t(2));
         QCOMPARE(ofKind(p, ConstraintKind::rangePlungeFeed).size(), std::size_t(1));
-        QCOMPARE(ofKind(p, ConstraintKind::rangePlungeFeed)[0].value, p.machine.plunge_feed_mm_min);
+        QCOMPARE(ofKind(p, ConstraintKind::rangePlungeFeed)[0].value,
+                 p.machine->plunge_feed_mm_min);
         QCOMPARE(ofKind(p, ConstraintKind::rangePlungeFeed)[0].stage, 0);
         QCOMPARE(ofKind(p, ConstraintKind::rangeWorkSpeed).size(), std::size_t(1));
         for (const MachineRange& check : checkMachineRanges(p)) {
@@ -81,7 +85,7 @@ private slots:
     void plungeCycleIsHeldAgainstThePlungeFeedsAlone() {
         Project p = fixtures::plunge();
         limit(p);
-        p.cycle.stages = {fixtures::plungeStage(0.9, 0.15), fixtures::plungeStage(6, 0.05)};
+        p.cycle->stages = {fixtures::plungeStage(0.9, 0.15), fixtures::plungeStage(6, 0.05)};
         QVERIFY(ofKind(p, ConstraintKind::rangeRadialFeed).empty());
         QVERIFY(ofKind(p, ConstraintKind::rangeAxialFeed).empty());
         const auto feeds = heldOf(p, ConstraintKind::rangePlungeFeed);
@@ -93,8 +97,8 @@ private slots:
     void aRetractionIsAsFastAsItsFeed() {
         Project p = fixtures::plunge();
         limit(p);
-        p.cycle.stages = {fixtures::plungeStage(0.9, 0.2), fixtures::plungeStage(-1.5, 0),
-                          fixtures::plungeStage(-6, 0)};
+        p.cycle->stages = {fixtures::plungeStage(0.9, 0.2), fixtures::plungeStage(-1.5, 0),
+                           fixtures::plungeStage(-6, 0)};
         const auto feeds = heldOf(p, ConstraintKind::rangePlungeFeed);
         QCOMPARE(feeds.size(), std::size_t(3));
         QVERIFY(feeds[1].value == 1.5 && feeds[1].holds);
@@ -104,7 +108,7 @@ private slots:
     void sparkOutStageSetsNoInfeed() {
         Project p = fixtures::traverse();
         limit(p);
-        p.cycle.stages.push_back(fixtures::sparkStage(fixtures::count(3), 0, 300));
+        p.cycle->stages.push_back(fixtures::sparkStage(fixtures::count(3), 0, 300));
         QCOMPARE(ofKind(p, ConstraintKind::rangeRadialFeed).size(), std::size_t(2));
         QCOMPARE(ofKind(p, ConstraintKind::rangeAxialFeed).size(), std::size_t(3));
     }
@@ -126,7 +130,7 @@ private slots:
         QFETCH(bool, holds);
         Project p = fixtures::traverse();
         limit(p);
-        p.machine.work_speed_rpm = speed;
+        p.machine->work_speed_rpm = speed;
         const ConstraintResult check = heldOf(p, ConstraintKind::rangeWorkSpeed).front();
         QCOMPARE(check.margin, margin);
         QCOMPARE(check.relativeMargin, margin / 450);
@@ -150,39 +154,39 @@ private slots:
         QFETCH(bool, onStep);
         Project p = fixtures::traverse();
         limit(p);
-        p.cycle.stages[0].radial_feed_mm = feed;
+        p.cycle->stages[0].radial_feed_mm = feed;
         const MachineRange check = ofKind(p, ConstraintKind::rangeRadialFeed).front();
         QVERIFY(within(check.nearest, nearest, 1e-15));
         QCOMPARE(check.onStep, onStep);
     }
     void highestThatNoStepMeetsCannotBeSet() {
         Project p = fixtures::traverse();
-        p.machine.limits.work_speed_rpm = {50, 502, 5};
-        p.machine.work_speed_rpm = 502;
+        p.machine->limits.work_speed_rpm = {50, 502, 5};
+        p.machine->work_speed_rpm = 502;
         const MachineRange check = ofKind(p, ConstraintKind::rangeWorkSpeed).front();
         QVERIFY(heldOf(p, ConstraintKind::rangeWorkSpeed).front().holds && !check.onStep);
         QCOMPARE(check.nearest, 500.0);
-        p.machine.limits.work_speed_rpm = {50, 503, 5}; // nearer to the step beyond
-        p.machine.work_speed_rpm = 503;
+        p.machine->limits.work_speed_rpm = {50, 503, 5}; // nearer to the step beyond
+        p.machine->work_speed_rpm = 503;
         QCOMPARE(ofKind(p, ConstraintKind::rangeWorkSpeed).front().nearest, 500.0);
     }
     void rangeWithoutAStepCanBeSetAnywhere() {
         Project p = fixtures::traverse();
-        p.machine.limits.work_speed_rpm = {50, 500, 0};
-        p.machine.work_speed_rpm = 123.456;
+        p.machine->limits.work_speed_rpm = {50, 500, 0};
+        p.machine->work_speed_rpm = 123.456;
         QVERIFY(ofKind(p, ConstraintKind::rangeWorkSpeed).front().onStep);
     }
 
     void stagesNeedAsManyCommands() {
         Project p = fixtures::traverse();
-        p.gauge.commands = 2;
+        p.gauge->commands = 2;
         const auto found = [&p] { return heldOf(p, ConstraintKind::gaugeCommands); };
         QVERIFY(found().front().holds);
         QCOMPARE(found().front().margin, 0.0);
-        p.cycle.stages.push_back(p.cycle.stages.back());
+        p.cycle->stages.push_back(p.cycle->stages.back());
         QVERIFY(!found().front().holds);
         QCOMPARE(found().front().margin, -1.0);
-        p.gauge.control = Control::position;
+        p.gauge->control = Control::position;
         QVERIFY(!checkGaugeCommands(p) && found().empty());
     }
 };

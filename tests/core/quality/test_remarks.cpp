@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What only a run shows to be amiss in the inputs.
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
 #include "core/quality/remarks.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
@@ -43,7 +45,7 @@ private slots:
     void aCountedSparkOutThatLeavesItsStockIsNamedWithStageAndStock() {
         QFETCH(bool, internal);
         Project project = example(internal ? "internal-plunge.sparkout" : "wheel-sharp.sparkout");
-        auto& stages = project.cycle.stages;
+        auto& stages = project.cycle->stages;
         QCOMPARE(stages.back().spark_out.mode, SparkOut::Mode::count);
         QVERIFY(
             remarksOn(simulateUnchecked(project)).empty()); // the deflection gives back what it has
@@ -64,7 +66,7 @@ private slots:
 
     void withoutStockNothingIsLeft() {
         Project project = example("wheel-sharp.sparkout");
-        auto& stages = project.cycle.stages;
+        auto& stages = project.cycle->stages;
         stages[0].stock_mm += stages.back().stock_mm;
         stages.back().stock_mm = 0;
         QVERIFY(remarksOn(simulateUnchecked(project)).empty());
@@ -72,10 +74,10 @@ private slots:
 
     void untilSizeEndsAtSizeOrSaysSoItself() {
         Project project = example("wheel-sharp.sparkout");
-        project.cycle.stages.back().spark_out = {SparkOut::Mode::untilSize, 0};
+        project.cycle->stages.back().spark_out = {SparkOut::Mode::untilSize, 0};
         QVERIFY(remarksOn(simulateUnchecked(project)).empty());
-        project.cycle.stages[0].stock_mm -= 0.04;
-        project.cycle.stages.back().stock_mm += 0.04;
+        project.cycle->stages[0].stock_mm -= 0.04;
+        project.cycle->stages.back().stock_mm += 0.04;
         const SimulationResult result = simulateUnchecked(project);
         QCOMPARE(result.status, RunStatus::cannotReachSize);
         QVERIFY(remarksOn(result).empty());
@@ -84,7 +86,7 @@ private slots:
     // A first stage that feeds far beyond the stock of the second leaves it nothing.
     void aStageWhoseStockIsGoneBeforeItBeginsIsNamed() {
         Project project = example("shaft-30h6-factory.sparkout");
-        auto& stages = project.cycle.stages;
+        auto& stages = project.cycle->stages;
         stages[0].radial_feed_mm = 0.04;
         stages[0].stock_mm += 0.035;
         stages[1].stock_mm -= 0.035;
@@ -100,8 +102,8 @@ private slots:
     // 0.05 s at 180 revolutions a minute are 0.15 revolutions, made as one: 1/3 s.
     void aDwellThatBecomesAnotherIsNamedAsItIsMade() {
         Project project = example("shaft-30h6-factory.sparkout");
-        QVERIFY(project.machine.work_speed_rpm == 180);
-        project.machine.dwell_entry_s = 0.05;
+        QVERIFY(project.machine->work_speed_rpm == 180);
+        project.machine->dwell_entry_s = 0.05;
         const Issues remarks = remarksOn(simulateUnchecked(project));
         QCOMPARE(remarks.size(), 1u);
         QCOMPARE(remarks[0].code, IssueCode::dwellRounded);

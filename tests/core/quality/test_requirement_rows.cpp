@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/quality/requirement.h"
 
 #include "core/project/member.h"
@@ -25,24 +31,24 @@ namespace {
 
 /// With everything required.
 Project demanding(Project project) {
-    project.part.tolerance = {};
+    project.part->tolerance = {};
     for (std::optional<double> Tolerance::*limit :
          {&Tolerance::roundness_um, &Tolerance::radial_runout_um, &Tolerance::cylindricity_um,
           &Tolerance::total_runout_um, &Tolerance::roughness_ra_um}) {
-        project.part.tolerance.*limit = 5;
+        project.part->tolerance.*limit = 5;
     }
-    project.material.burn_rise_k = 500;
-    project.wheel.grain_surface_energy_j_m2 = 20;
-    project.wheel.grain_modulus_gpa = 400;
-    project.wheel.bond_surface_energy_j_m2 = 5;
-    project.wheel.bond_modulus_gpa = 60;
-    project.machine.wheel_drive_kw = 3;
-    project.machine.work_drive_kw = 0.05;
-    project.machine.limits.radial_feed_mm = {0.0005, 0.02, 0.0005};
-    project.machine.limits.axial_feed_mm_min = {50, 5000, 50};
-    project.machine.limits.plunge_feed_mm_min = {0.02, 5, 0.01};
-    project.machine.limits.work_speed_rpm = {50, 500, 5};
-    project.gauge.control = Control::gauge;
+    project.material->burn_rise_k = 500;
+    project.wheel->grain_surface_energy_j_m2 = 20;
+    project.wheel->grain_modulus_gpa = 400;
+    project.wheel->bond_surface_energy_j_m2 = 5;
+    project.wheel->bond_modulus_gpa = 60;
+    project.machine->wheel_drive_kw = 3;
+    project.machine->work_drive_kw = 0.05;
+    project.machine->limits.radial_feed_mm = {0.0005, 0.02, 0.0005};
+    project.machine->limits.axial_feed_mm_min = {50, 5000, 50};
+    project.machine->limits.plunge_feed_mm_min = {0.02, 5, 0.01};
+    project.machine->limits.work_speed_rpm = {50, 500, 5};
+    project.gauge->control = Control::gauge;
     return project;
 }
 

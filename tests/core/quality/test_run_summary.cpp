@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The summary of a kept run: what it holds is the result, it goes through the file unchanged, and
 // what comes out otherwise later is named.
+#include "core/project/part.h"
 #include "core/quality/run_summary.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
@@ -64,7 +65,7 @@ private slots:
                 const std::vector<double>& radii_mm = ran.result.sections[i].radii_mm;
                 QCOMPARE(zone.radii_um.size(), radii_mm.size());
                 for (std::size_t k = 0; k < radii_mm.size(); ++k) {
-                    QCOMPARE(project.part.diameter_mm / 2 + zone.radii_um[k] / 1000, radii_mm[k]);
+                    QCOMPARE(project.part->diameter_mm / 2 + zone.radii_um[k] / 1000, radii_mm[k]);
                 }
             }
             for (const RequirementSummary& requirement : ran.summary.requirements) {

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the shop's numbers tell of volume, energy and time, against closed forms, conservation and
 // the trace.
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "tests/core/quality/shop_cycles.h"
 #include "tests/registry.h"
 
@@ -24,22 +30,22 @@ namespace {
 
 /// The length of surface a pass stands for, from MODEL-5 and 6.
 double lengthOf(const Project& p, const Place& place) {
-    const double rz1 = p.wheel.width_mm - p.machine.overrun_entry_mm;
-    const double rz2 = p.wheel.width_mm - p.machine.overrun_exit_mm;
+    const double rz1 = p.wheel->width_mm - p.machine->overrun_entry_mm;
+    const double rz2 = p.wheel->width_mm - p.machine->overrun_exit_mm;
     switch (place.zone) {
     case Zone::rz1: return rz1;
     case Zone::rz2: return rz2;
-    case Zone::nz: return p.part.length_mm - rz1 - rz2;
+    case Zone::nz: return p.part->length_mm - rz1 - rz2;
     case Zone::section: break;
     }
-    return p.part.length_mm / p.sections;
+    return p.part->length_mm / p.sections;
 }
 
 /// Wheel power of a cut b wide and a deep, MODEL-2 written out [W].
 double power(const Project& p, double b, double a) {
     const fixtures::Law law(p);
-    const double shear = law.ks / p.material.shear_factor * p.material.shear_strain * a;
-    return b * (shear + p.material.friction * law.kr * std::sqrt(a)) * p.machine.wheel_speed_m_s;
+    const double shear = law.ks / p.material->shear_factor * p.material->shear_strain * a;
+    return b * (shear + p.material->friction * law.kr * std::sqrt(a)) * p.machine->wheel_speed_m_s;
 }
 
 double volumeOf(const ShopNumbers& shop) {
@@ -96,8 +102,8 @@ private slots:
     void specificEnergyOfOneDepthIsPowerOverRemovalRate() {
         Project longer = rigidPlunge();
         Project shorter = longer;
-        shorter.cycle.stages[0].stock_mm = 0.05;
-        shorter.part.stock_mm = 0.07;
+        shorter.cycle->stages[0].stock_mm = 0.05;
+        shorter.part->stock_mm = 0.07;
         const ShopColumn a = shopNumbers(simulateUnchecked(longer)).stages[0];
         const ShopColumn b = shopNumbers(simulateUnchecked(shorter)).stages[0];
         QCOMPARE(a.count, b.count + 10);
@@ -112,8 +118,8 @@ private slots:
         int compared = 0;
         for (int seed = 1; seed <= seeds(); ++seed) {
             Project p = random(seed);
-            p.wheel.dullness = 0;
-            const double expected = p.material.shear_strain * p.material.flow_stress_mpa / 1000;
+            p.wheel->dullness = 0;
+            const double expected = p.material->shear_strain * p.material->flow_stress_mpa / 1000;
             const ShopNumbers shop = shopNumbers(simulateUnchecked(p));
             for (const ShopColumn& stage : shop.stages) {
                 if (stage.energy_j_mm3) {
@@ -132,15 +138,15 @@ private slots:
             const Project p = random(seed);
             const SimulationResult r = simulateUnchecked(p);
             const ShopNumbers shop = shopNumbers(r);
-            const Blank blank = makeBlank(p.part);
-            const double side = p.part.surface == Surface::external ? 1 : -1;
+            const Blank blank = makeBlank(*p.part);
+            const double side = p.part->surface == Surface::external ? 1 : -1;
             double expected = 0;
             for (const SectionResult& section : r.sections) {
                 const Place place{.zone = section.zone};
                 const double K = double(section.radii_mm.size());
                 for (std::size_t k = 0; k < section.radii_mm.size(); ++k) {
                     const double initial = blank.firstTouchRadius_mm - side * blank.depth_mm[k];
-                    expected += pi * p.part.diameter_mm * lengthOf(p, place) / K * side
+                    expected += pi * p.part->diameter_mm * lengthOf(p, place) / K * side
                                 * (initial - section.radii_mm[k]);
                 }
             }
@@ -155,7 +161,7 @@ private slots:
     void ringOfARoundBlankDiffersByTheMeanDiameter() {
         Project p = rigidPlunge();
         const SimulationResult r = simulateUnchecked(p);
-        const double first = makeBlank(p.part).firstTouchRadius_mm;
+        const double first = makeBlank(*p.part).firstTouchRadius_mm;
         double exact = 0, mean = 0;
         for (const double R : r.sections[0].radii_mm) {
             exact += pi * (first * first - R * R) * 40 / 4;
@@ -176,13 +182,13 @@ private slots:
                 ShopColumn& sum = sums[std::size_t(pass.place.stage) - 1];
                 const double b = pass.effectiveWidth_mm;
                 const double length = lengthOf(p, pass.place);
-                const double time = length / b * 60 / p.machine.work_speed_rpm;
+                const double time = length / b * 60 / p.machine->work_speed_rpm;
                 sum.grindingTime_s += time;
                 ground[std::size_t(pass.place.stage) - 1] += b * time;
                 for (int k = 0; k < run.trajectory.radii; ++k) {
                     const double a = run.visit(pass, k).actual_mm;
                     const double share = 1.0 / run.trajectory.radii;
-                    sum.removedVolume_mm3 += pi * p.part.diameter_mm * share * a * length;
+                    sum.removedVolume_mm3 += pi * p.part->diameter_mm * share * a * length;
                     sum.energy_j += power(p, b, a) * time * share;
                     sum.depth_mm.value = std::max(sum.depth_mm.value, a);
                 }
@@ -205,10 +211,10 @@ private slots:
     // The J sections share one revolution: cut alike, they give what one section gives.
     void sectionsShareTheRevolution() {
         Project one = fixtures::plunge();
-        one.part.initial_runout_mm = 0.02;
+        one.part->initial_runout_mm = 0.02;
         Project seven = one;
         seven.sections = 7;
-        seven.machine.compliance_mm_per_n = std::vector<double>(7, 2e-5);
+        seven.machine->compliance_mm_per_n = std::vector<double>(7, 2e-5);
         const ShopColumn a = shopNumbers(simulateUnchecked(one)).cycle;
         const ShopColumn b = shopNumbers(simulateUnchecked(seven)).cycle;
         QVERIFY(close(a.removedVolume_mm3, b.removedVolume_mm3, 1e-13));
@@ -221,11 +227,11 @@ private slots:
     // A gauge between the sections is no part of the surface, not even where it is stiffest.
     void freeGaugePositionCountsForNothing() {
         Project p = fixtures::plunge();
-        p.gauge.control = Control::position; // so that the gauge decides nothing
-        p.part.initial_runout_mm = 0.02;
+        p.gauge->control = Control::position; // so that the gauge decides nothing
+        p.part->initial_runout_mm = 0.02;
         const ShopColumn without = shopNumbers(simulateUnchecked(p)).cycle;
-        p.gauge.position_mm = 11;
-        p.gauge.compliance_mm_per_n = 1e-9;
+        p.gauge->position_mm = 11;
+        p.gauge->compliance_mm_per_n = 1e-9;
         const ShopColumn with = shopNumbers(simulateUnchecked(p)).cycle;
         QCOMPARE(with.removedVolume_mm3, without.removedVolume_mm3);
         QCOMPARE(with.energy_j, without.energy_j);
@@ -237,8 +243,8 @@ private slots:
     // Beyond B per revolution b stays B: volume is still conserved and energy keeps to it.
     void tableFasterThanTheWheelIsWideKeepsEnergyToVolume() {
         Project p = fixtures::traverse();
-        p.wheel.dullness = 0;
-        p.cycle.stages[0].axial_feed_mm_min = 1.7 * 50 * 180;
+        p.wheel->dullness = 0;
+        p.cycle->stages[0].axial_feed_mm_min = 1.7 * 50 * 180;
         const ShopNumbers shop = shopNumbers(simulateUnchecked(p));
         QVERIFY(close(*shop.stages[0].energy_j_mm3, 2.8 * 2000 / 1000, 1e-13));
         QVERIFY(shop.stages[0].meanPower_w <= shop.stages[0].power_w.value);
@@ -249,7 +255,7 @@ private slots:
         double last = 0;
         for (const int revolutions : {1, 5, 25}) {
             Project p = fixtures::plunge();
-            p.cycle.stages.push_back(fixtures::sparkStage(fixtures::count(revolutions)));
+            p.cycle->stages.push_back(fixtures::sparkStage(fixtures::count(revolutions)));
             const ShopNumbers shop = shopNumbers(simulateUnchecked(p));
             const double energy = *shop.stages[1].energy_j_mm3;
             QVERIFY(energy > *shop.stages[0].energy_j_mm3);
@@ -262,7 +268,7 @@ private slots:
         double last = 0;
         for (const double dullness : {0.0, 0.02, 0.08}) {
             Project p = fixtures::traverse();
-            p.wheel.dullness = dullness;
+            p.wheel->dullness = dullness;
             const double energy = *shopNumbers(simulateUnchecked(p)).cycle.energy_j_mm3;
             QVERIFY(energy > last);
             last = energy;

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The shop's own numbers: at the largest depth, of the settings, their bands.
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/quality/shop_numbers.h"
 
 #include "tests/core/quality/shop_cycles.h"
@@ -46,11 +50,11 @@ private slots:
                 }
                 QCOMPARE(stage.depth_mm.at.stage, int(z) + 1);
                 QVERIFY(largestAt(run, stage.depth_mm.at) == a);
-                const double speeds = workSpeed(p) / (p.machine.wheel_speed_m_s * 1000);
+                const double speeds = workSpeed(p) / (p.machine->wheel_speed_m_s * 1000);
                 QVERIFY(close(stage.removalRate_mm2_s, a * workSpeed(p), 1e-14));
                 QVERIFY(close(stage.equivalentChip_um, a * speeds * 1000, 1e-14));
-                const double d = p.part.diameter_mm, D = p.wheel.diameter_mm;
-                const bool external = p.part.surface == Surface::external;
+                const double d = p.part->diameter_mm, D = p.wheel->diameter_mm;
+                const bool external = p.part->surface == Surface::external;
                 const double De = external ? d * D / (d + D) : d * D / (d - D);
                 QVERIFY(close(stage.aggressiveness, 1e6 * speeds * std::sqrt(a / De), 1e-14));
                 QVERIFY(shop.cycle.depth_mm.value >= a);
@@ -67,7 +71,7 @@ private slots:
         QVERIFY(close(*shop.stages[1].overlap, 30, 1e-15));
         QVERIFY(close(*shop.cycle.overlap, 5, 1e-15));
         QCOMPARE(shop.stages[0].overlapBand(), BandSide::inside);
-        p.cycle.stages[1].axial_feed_mm_min = 50.01 * 180;
+        p.cycle->stages[1].axial_feed_mm_min = 50.01 * 180;
         const ShopNumbers fast = shopNumbers(simulateUnchecked(p));
         QCOMPARE(fast.stages[1].overlapBand(), BandSide::below);
         QCOMPARE(fast.cycle.overlapBand(), BandSide::below);
@@ -90,9 +94,9 @@ private slots:
         QFETCH(double, rpm);
         QFETCH(double, ratio);
         Project p = fixtures::plunge();
-        p.machine.wheel_speed_m_s = 40;
-        p.machine.work_speed_rpm = 200;
-        p.wheel.diameter_mm = diameter;
+        p.machine->wheel_speed_m_s = 40;
+        p.machine->work_speed_rpm = 200;
+        p.wheel->diameter_mm = diameter;
         const ShopNumbers shop = shopNumbers(simulateUnchecked(p));
         QVERIFY(within(shop.wheelSpeed_rpm, rpm, 0.5));
         QVERIFY(within(shop.rotationRatio, ratio, 0.006));
@@ -140,8 +144,8 @@ private slots:
     // The first stage leaves less than the second asks for: several stages end at one reading.
     void stageThatNeverRanIsAllZero() {
         Project p = fixtures::plunge();
-        p.cycle.stages = {fixtures::plungeStage(0.9, 0.2), fixtures::plungeStage(0.1, 0),
-                          fixtures::sparkStage(fixtures::count(3))};
+        p.cycle->stages = {fixtures::plungeStage(0.9, 0.2), fixtures::plungeStage(0.1, 0),
+                           fixtures::sparkStage(fixtures::count(3))};
         const SimulationResult r = simulateUnchecked(p);
         QCOMPARE(r.countsByStage[1], 0);
         const ShopNumbers shop = shopNumbers(r);

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the sheet of a visit says is what the engine cut, for every radius of every pass.
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/quality/visit_sheet.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/support/formula_reader.h"
@@ -28,20 +32,20 @@ const FormulaTerm* termOf(const FormulaSheet& sheet, const std::string& symbol) 
 
 Project sections(int count) {
     Project p = fixtures::plunge();
-    p.part.radii_per_section = 12;
-    p.part.initial_runout_mm = 0.03;
+    p.part->radii_per_section = 12;
+    p.part->initial_runout_mm = 0.03;
     p.sections = count;
-    p.machine.compliance_mm_per_n = std::vector<double>(static_cast<std::size_t>(count), 3e-5);
-    p.cycle.stages = {fixtures::plungeStage(1.2, 0.15), fixtures::sparkStage(fixtures::count(7))};
+    p.machine->compliance_mm_per_n = std::vector<double>(static_cast<std::size_t>(count), 3e-5);
+    p.cycle->stages = {fixtures::plungeStage(1.2, 0.15), fixtures::sparkStage(fixtures::count(7))};
     return p;
 }
 
 std::vector<Project> samples() {
     Project bore = sections(2);
-    bore.part.surface = Surface::internal;
-    bore.wheel.diameter_mm = 20;
+    bore.part->surface = Surface::internal;
+    bore.wheel->diameter_mm = 20;
     Project soft = sections(2);
-    soft.machine.wheel_contact = WheelContact{{{{0, 20}, {200, 60}}}};
+    soft.machine->wheel_contact = WheelContact{{{{0, 20}, {200, 60}}}};
     return {fixtures::traverse(), sections(3), bore, soft};
 }
 

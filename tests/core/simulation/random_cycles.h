@@ -3,6 +3,12 @@
 
 #include "core/process/force.h"
 #include "core/process/system_compliance.h"
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/random_cutting.h"
@@ -52,11 +58,11 @@ inline void anyBlank(Part& part) {
 }
 
 inline void anyForce(Project& p) {
-    p.material.flow_stress_mpa = between(600, 2800);
-    p.material.friction = between(0.1, 0.6);
-    p.wheel.dullness = oneIn(4) ? 0 : between(0.005, 0.15);
-    p.machine.wheel_speed_m_s = between(20, 50);
-    p.machine.work_speed_rpm = between(60, 350);
+    p.material->flow_stress_mpa = between(600, 2800);
+    p.material->friction = between(0.1, 0.6);
+    p.wheel->dullness = oneIn(4) ? 0 : between(0.005, 0.15);
+    p.machine->wheel_speed_m_s = between(20, 50);
+    p.machine->work_speed_rpm = between(60, 350);
 }
 
 /// One to three stages; `steps` of feed in all, more or less; now and then stocks that do not sum
@@ -66,46 +72,46 @@ inline void anyStages(Project& p) {
     const int steps = pick(3, 40);
     for (int z = 0; z < count; ++z) {
         Stage stage;
-        stage.stock_mm = p.part.stock_mm / count * (oneIn(8) ? between(0.2, 3) : 1);
+        stage.stock_mm = p.part->stock_mm / count * (oneIn(8) ? between(0.2, 3) : 1);
         const double feed = stage.stock_mm * count / steps / (1 + z);
         if (p.operation == Operation::plunge) {
-            stage.radial_feed_mm_min = feed * p.machine.work_speed_rpm;
+            stage.radial_feed_mm_min = feed * p.machine->work_speed_rpm;
         } else {
             stage.radial_feed_mm = feed;
             stage.axial_feed_mm_min =
-                between(0.05, 1.1) * p.wheel.width_mm * p.machine.work_speed_rpm;
+                between(0.05, 1.1) * p.wheel->width_mm * p.machine->work_speed_rpm;
         }
-        p.cycle.stages.push_back(stage);
+        p.cycle->stages.push_back(stage);
     }
     if (oneIn(3)) {
-        Stage last = p.cycle.stages.back();
+        Stage last = p.cycle->stages.back();
         last.spark_out = fixtures::count(pick(1, 12));
-        last.stock_mm = oneIn(2) ? 0 : 0.1 * p.part.stock_mm;
-        p.cycle.stages.push_back(last);
+        last.stock_mm = oneIn(2) ? 0 : 0.1 * p.part->stock_mm;
+        p.cycle->stages.push_back(last);
     }
-    p.gauge.rule = GaugeRule(pick(0, 3));
-    p.gauge.control = oneIn(3) ? Control::position : Control::gauge;
+    p.gauge->rule = GaugeRule(pick(0, 3));
+    p.gauge->control = oneIn(3) ? Control::position : Control::gauge;
 }
 
 inline Project anyPlunge(int leastSections = 1) {
     Project p;
     p.operation = Operation::plunge;
-    p.part.surface = oneIn(3) ? Surface::internal : Surface::external;
-    p.part.diameter_mm = between(25, 130);
-    anyBlank(p.part);
+    p.part->surface = oneIn(3) ? Surface::internal : Surface::external;
+    p.part->diameter_mm = between(25, 130);
+    anyBlank(*p.part);
     anyForce(p);
-    p.wheel.width_mm = between(15, 70);
-    p.wheel.diameter_mm = p.part.surface == Surface::internal
-                              ? between(0.3, 0.9) * p.part.diameter_mm
-                              : between(250, 750);
-    p.part.length_mm = between(0.3, 1) * p.wheel.width_mm;
+    p.wheel->width_mm = between(15, 70);
+    p.wheel->diameter_mm = p.part->surface == Surface::internal
+                               ? between(0.3, 0.9) * p.part->diameter_mm
+                               : between(250, 750);
+    p.part->length_mm = between(0.3, 1) * p.wheel->width_mm;
     p.sections = pick(leastSections, 6);
     std::vector<double> gammas;
     for (int j = 0; j < p.sections; ++j) {
         gammas.push_back(decades(-6, -4));
     }
-    p.machine.compliance_mm_per_n = gammas;
-    p.gauge.section = pick(0, p.sections);
+    p.machine->compliance_mm_per_n = gammas;
+    p.gauge->section = pick(0, p.sections);
     anyStages(p);
     return p;
 }
@@ -113,22 +119,22 @@ inline Project anyPlunge(int leastSections = 1) {
 inline Project anyTraverse() {
     Project p;
     p.operation = Operation::traverse;
-    p.part.diameter_mm = between(12, 130);
-    anyBlank(p.part);
+    p.part->diameter_mm = between(12, 130);
+    anyBlank(*p.part);
     anyForce(p);
-    p.wheel.width_mm = between(15, 70);
-    p.wheel.diameter_mm = between(250, 750);
-    p.machine.overrun_entry_mm = between(0, 0.7) * p.wheel.width_mm;
-    p.machine.overrun_exit_mm = between(0, 0.7) * p.wheel.width_mm;
-    p.part.length_mm = 2 * p.wheel.width_mm - p.machine.overrun_entry_mm - p.machine.overrun_exit_mm
-                       + between(2, 100);
-    p.machine.dwell_entry_s = oneIn(3) ? 0 : between(0.01, 0.6);
-    p.machine.dwell_exit_s = oneIn(3) ? 0 : between(0.01, 0.6);
-    p.machine.compliance_mm_per_n =
+    p.wheel->width_mm = between(15, 70);
+    p.wheel->diameter_mm = between(250, 750);
+    p.machine->overrun_entry_mm = between(0, 0.7) * p.wheel->width_mm;
+    p.machine->overrun_exit_mm = between(0, 0.7) * p.wheel->width_mm;
+    p.part->length_mm = 2 * p.wheel->width_mm - p.machine->overrun_entry_mm
+                        - p.machine->overrun_exit_mm + between(2, 100);
+    p.machine->dwell_entry_s = oneIn(3) ? 0 : between(0.01, 0.6);
+    p.machine->dwell_exit_s = oneIn(3) ? 0 : between(0.01, 0.6);
+    p.machine->compliance_mm_per_n =
         ZoneCompliance{decades(-6, -3.7), decades(-6, -3.7), decades(-6, -3.7)};
     anyStages(p);
-    p.machine.plunge_feed_mm_min = std::max(
-        1e-3, p.machine.work_speed_rpm * *p.cycle.stages[0].radial_feed_mm / between(0.3, 6));
+    p.machine->plunge_feed_mm_min = std::max(
+        1e-3, p.machine->work_speed_rpm * *p.cycle->stages[0].radial_feed_mm / between(0.3, 6));
     return p;
 }
 
@@ -165,11 +171,11 @@ inline double remaining(const Project& p, const std::vector<double>& R) {
     }
     const double mean = std::accumulate(D.begin(), D.end(), 0.0) / double(half);
     const auto [low, high] = std::minmax_element(D.begin(), D.end());
-    const bool internal = p.part.surface == Surface::internal;
-    const double reading = p.gauge.rule == GaugeRule::mean                ? mean
-                           : (p.gauge.rule == GaugeRule::min) != internal ? *low
-                                                                          : *high;
-    const double target = targetRadius(p.part);
+    const bool internal = p.part->surface == Surface::internal;
+    const double reading = p.gauge->rule == GaugeRule::mean                ? mean
+                           : (p.gauge->rule == GaugeRule::min) != internal ? *low
+                                                                           : *high;
+    const double target = targetRadius(*p.part);
     return internal ? target - reading / 2 : reading / 2 - target;
 }
 

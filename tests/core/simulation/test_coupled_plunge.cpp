@@ -2,7 +2,13 @@
 // The plunge cycle with coupled sections [MODEL-6].
 #include "core/process/compliance.h"
 #include "core/process/system_compliance.h"
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
 #include "core/project/validate.h"
+#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 
 #include "tests/check_line.h"
@@ -32,8 +38,8 @@ namespace {
 
 Project slender(int sections, bool coupled = true) {
     Project p = fixtures::plunge();
-    p.part.radii_per_section = 12;
-    p.part.initial_runout_mm = 0.02;
+    p.part->radii_per_section = 12;
+    p.part->initial_runout_mm = 0.02;
     fixtures::putOnSlenderShaft(p);
     p.sections = sections;
     p.sections_coupled = coupled;
@@ -43,19 +49,19 @@ Project slender(int sections, bool coupled = true) {
 /// G of such a project at places along the ground length.
 double influence(const Project& p, double x, double s) {
     ShaftModel model;
-    for (const ShaftSegment& segment : p.part.shaft.segments) {
+    for (const ShaftSegment& segment : p.part->shaft.segments) {
         model.segments.push_back({segment.length_mm, segment.diameter_mm});
     }
-    model.youngsModulus_n_mm2 = p.part.shaft.youngs_modulus_gpa * 1e3;
-    model.headstock_n_mm = p.machine.stiffness_n_um->headstock * 1e3;
-    model.tailstock_n_mm = p.machine.stiffness_n_um->tailstock * 1e3;
-    model.wheelHead_n_mm = p.machine.stiffness_n_um->wheel_head * 1e3;
-    const double from = p.part.shaft.ground_from_mm;
+    model.youngsModulus_n_mm2 = p.part->shaft.youngs_modulus_gpa * 1e3;
+    model.headstock_n_mm = p.machine->stiffness_n_um->headstock * 1e3;
+    model.tailstock_n_mm = p.machine->stiffness_n_um->tailstock * 1e3;
+    model.wheelHead_n_mm = p.machine->stiffness_n_um->wheel_head * 1e3;
+    const double from = p.part->shaft.ground_from_mm;
     return Compliance(model).between(from + x, from + s);
 }
 
 double middle(const Project& p, int j) {
-    return p.part.length_mm * (j + 0.5) / p.sections;
+    return p.part->length_mm * (j + 0.5) / p.sections;
 }
 
 /// The passes of a revolution stand side by side, from the headstock on.
@@ -85,13 +91,13 @@ private slots:
         QFETCH(double, dullness);
         QFETCH(bool, bore);
         Project p = slender(sections);
-        p.wheel.dullness = dullness;
-        p.cycle.stages = {plungeStage(0.9, 0.15), plungeStage(0.2, 0.05),
-                          sparkStage(fixtures::count(20))};
+        p.wheel->dullness = dullness;
+        p.cycle->stages = {plungeStage(0.9, 0.15), plungeStage(0.2, 0.05),
+                           sparkStage(fixtures::count(20))};
         if (bore) {
-            p.part.surface = Surface::internal;
-            p.wheel.diameter_mm = 20;
-            p.part.shaft.quill = Quill{50, 16};
+            p.part->surface = Surface::internal;
+            p.wheel->diameter_mm = 20;
+            p.part->shaft.quill = Quill{50, 16};
         }
         QVERIFY(!hasErrors(validate(p)));
         const Traced run(p);
@@ -106,11 +112,11 @@ private slots:
                              : influence(p, middle(p, j / sections), middle(p, j % sections)));
         }
         const std::vector<double> blank = fixtures::blankDepths(p);
-        const double slice = p.part.length_mm / sections;
+        const double slice = p.part->length_mm / sections;
         const int revolutions = run.result.cycleCount;
         int cutting = 0;
         for (int m = 0; m < revolutions; ++m) {
-            for (int k = 0; k < p.part.radii_per_section; ++k) {
+            for (int k = 0; k < p.part->radii_per_section; ++k) {
                 for (int j = 0; j < sections; ++j) {
                     const Visit& v = visitOf(run, m, j, k);
                     double rest = v.actual_mm;
@@ -124,7 +130,7 @@ private slots:
                     QVERIFY(rest > -1e-12);
                     QVERIFY(v.actual_mm == 0 || rest < 1e-12);
                     QVERIFY(
-                        close(v.normalForce_n, law.force(p.part.length_mm, v.actual_mm), 1e-12));
+                        close(v.normalForce_n, law.force(p.part->length_mm, v.actual_mm), 1e-12));
                     cutting += v.actual_mm > 0;
                 }
             }
@@ -137,7 +143,7 @@ private slots:
         const Project coupled = slender(1);
         Project independent = coupled;
         independent.sections_coupled = false;
-        independent.machine.compliance_mm_per_n = std::vector<double>{influence(coupled, 20, 20)};
+        independent.machine->compliance_mm_per_n = std::vector<double>{influence(coupled, 20, 20)};
         const SimulationResult one = simulateUnchecked(coupled),
                                two = simulateUnchecked(independent);
         QCOMPARE(one.countsByStage, two.countsByStage);
@@ -152,9 +158,9 @@ private slots:
     // the whole width on γ = 1/j_w.
     void rigidShaftOnASoftWheelHeadIsTheIndependentModel() {
         Project coupled = slender(6);
-        coupled.machine.stiffness_n_um = Stiffness{1e6, 1e6, 10};
-        coupled.part.shaft.segments = {{190, 1000}};
-        coupled.part.shaft.youngs_modulus_gpa = 1000;
+        coupled.machine->stiffness_n_um = Stiffness{1e6, 1e6, 10};
+        coupled.part->shaft.segments = {{190, 1000}};
+        coupled.part->shaft.youngs_modulus_gpa = 1000;
         Project independent = coupled;
         independent.sections_coupled = false;
         const SimulationResult one = simulateUnchecked(coupled),
@@ -169,25 +175,26 @@ private slots:
 
     void peakForceAndPowerAreIntegralsOverTheLength() {
         Project p = slender(7);
-        p.cycle.stages = {plungeStage(1.5, 0.17), plungeStage(0.3, 0.03)};
+        p.cycle->stages = {plungeStage(1.5, 0.17), plungeStage(0.3, 0.03)};
         const Traced run(p);
         const fixtures::Law law(p);
         double force = 0, power = 0;
         int at = 0;
-        const double kt = law.ks / p.material.shear_factor * p.material.shear_strain;
+        const double kt = law.ks / p.material->shear_factor * p.material->shear_strain;
         for (int m = 0; m < run.result.cycleCount; ++m) {
             for (int k = 0; k < 12; ++k) {
                 double normal = 0, tangential = 0;
                 for (int j = 0; j < 7; ++j) {
                     const double a = visitOf(run, m, j, k).actual_mm;
                     normal += law.force(40.0 / 7, a);
-                    tangential += 40.0 / 7 * (kt * a + p.material.friction * law.kr * std::sqrt(a));
+                    tangential +=
+                        40.0 / 7 * (kt * a + p.material->friction * law.kr * std::sqrt(a));
                 }
                 if (normal > force) {
                     force = normal;
                     at = m + 1;
                 }
-                power = std::max(power, tangential * p.machine.wheel_speed_m_s);
+                power = std::max(power, tangential * p.machine->wheel_speed_m_s);
             }
         }
         QVERIFY(close(run.result.peakNormalForce_n, force, 1e-12));
@@ -199,10 +206,10 @@ private slots:
     // At a steady feed every section loses what is fed; the shaft's form is its bent form.
     void steadyFormIsTheDeflectionUnderTheForces() {
         Project p = slender(9);
-        p.gauge.control = Control::position;
-        p.part.initial_runout_mm = 0;
-        p.part.stock_mm = 4; // long enough to be steady
-        p.cycle.stages = {plungeStage(0.9, 4)};
+        p.gauge->control = Control::position;
+        p.part->initial_runout_mm = 0;
+        p.part->stock_mm = 4; // long enough to be steady
+        p.cycle->stages = {plungeStage(0.9, 4)};
         const Traced run(p);
         const int last = run.result.cycleCount - 1;
         const double pressure = fixtures::Law(p).force(1, 0.005);
@@ -223,11 +230,11 @@ private slots:
     void modelsAgreeWhenSteadyAndDifferBefore() {
         const auto taper = [](double stock_mm, bool coupled) {
             Project p = slender(8, coupled);
-            p.gauge.control = Control::position;
-            p.wheel.dullness = 0.1;
-            p.part.initial_runout_mm = 0;
-            p.part.stock_mm = stock_mm;
-            p.cycle.stages[0].stock_mm = stock_mm;
+            p.gauge->control = Control::position;
+            p.wheel->dullness = 0.1;
+            p.part->initial_runout_mm = 0;
+            p.part->stock_mm = stock_mm;
+            p.cycle->stages[0].stock_mm = stock_mm;
             const SimulationResult r = simulateUnchecked(p);
             return r.sections.back().diameterDeviationMax_mm
                    - r.sections.front().diameterDeviationMax_mm;
@@ -238,9 +245,9 @@ private slots:
 
     void longSparkOutMakesACylinder() {
         Project p = slender(6);
-        p.gauge.control = Control::position;
-        p.wheel.dullness = 0;
-        p.cycle.stages.push_back(sparkStage(fixtures::count(400)));
+        p.gauge->control = Control::position;
+        p.wheel->dullness = 0;
+        p.cycle->stages.push_back(sparkStage(fixtures::count(400)));
         const SimulationResult r = simulateUnchecked(p);
         const double target = r.sections[0].radii_mm[0];
         for (const SectionResult& section : r.sections) {
@@ -254,8 +261,8 @@ private slots:
     void moreSectionsConverge() {
         const auto force = [](int sections) {
             Project p = slender(sections);
-            p.gauge.control = Control::position;
-            p.part.initial_runout_mm = 0;
+            p.gauge->control = Control::position;
+            p.part->initial_runout_mm = 0;
             return simulateUnchecked(p).peakNormalForce_n;
         };
         const double exact = force(81);
@@ -268,9 +275,9 @@ private slots:
     void freeGaugeOnASectionReadsThatSection() {
         for (int j = 0; j < 5; ++j) {
             Project fixed = slender(5);
-            fixed.gauge.section = j;
+            fixed.gauge->section = j;
             Project free = slender(5);
-            free.gauge.position_mm = middle(free, j);
+            free.gauge->position_mm = middle(free, j);
             const SimulationResult one = simulateUnchecked(fixed), two = simulateUnchecked(free);
             QCOMPARE(one.countsByStage, two.countsByStage);
             QVERIFY(within(one.gaugeReading_mm, two.gaugeReading_mm, 1e-11));
@@ -282,10 +289,10 @@ private slots:
     // The gauge's own γ is how far its place yields under the force on the wheel.
     void gaugesOwnComplianceDecidesWhatItReads() {
         Project p = slender(5);
-        p.gauge.position_mm = 3;
-        p.gauge.control = Control::position; // the same cycle, read differently
+        p.gauge->position_mm = 3;
+        p.gauge->control = Control::position; // the same cycle, read differently
         const auto reading = [&](double gamma) {
-            p.gauge.compliance_mm_per_n = gamma;
+            p.gauge->compliance_mm_per_n = gamma;
             return simulateUnchecked(p).gaugeReading_mm;
         };
         const double rigid = reading(1e-15);
@@ -294,14 +301,14 @@ private slots:
         // Without deflection radius k stands where the wheel head was fed to at (k+1)/K: the
         // smallest diameter is that of the last radius, half a revolution of 5 µm before it the
         // other end.
-        QVERIFY(within(rigid / 2, targetRadius(p.part) + 0.005 / 4, 1e-9));
+        QVERIFY(within(rigid / 2, targetRadius(*p.part) + 0.005 / 4, 1e-9));
     }
 
     void veryDullWheelOnVerySlowWorkKeepsTheDepths() {
         Project p = slender(3);
-        p.wheel.dullness = 1;
-        p.machine.work_speed_rpm = 2;
-        p.cycle.stages = {plungeStage(0.01, 0.2)};
+        p.wheel->dullness = 1;
+        p.machine->work_speed_rpm = 2;
+        p.cycle->stages = {plungeStage(0.01, 0.2)};
         const fixtures::Law law(p);
         QVERIFY(law.kr > 500 * law.ks); // the pass takes its other form of the root
         const Traced run(p);
@@ -321,7 +328,7 @@ private slots:
 
     void traceChangesNothing() {
         Project p = slender(4);
-        p.gauge.position_mm = 11;
+        p.gauge->position_mm = 11;
         QVERIFY(fixtures::sameBits(simulateUnchecked(p), Traced(p).result));
         QVERIFY(fixtures::sameBits(simulateUnchecked(p), simulateUnchecked(p)));
     }
@@ -329,8 +336,8 @@ private slots:
     void plainRunAllocatesNothingPerRevolution() {
         const auto allocationsOf = [](int sparking) {
             Project p = slender(4);
-            p.gauge.position_mm = 10;
-            p.cycle.stages.push_back(sparkStage(fixtures::count(sparking)));
+            p.gauge->position_mm = 10;
+            p.cycle->stages.push_back(sparkStage(fixtures::count(sparking)));
             const long long before = allocations::count;
             const SimulationResult r = simulateUnchecked(p);
             return r.status != RunStatus::completed ? -1 : allocations::count - before;
@@ -340,10 +347,10 @@ private slots:
 
     void sparkOutThatStallsEndsWithTheSizeReached() {
         Project p = slender(4);
-        p.gauge.control = Control::position;
-        p.wheel.dullness = 0;
-        p.part.stock_mm += 0.004;
-        p.cycle.stages.push_back(sparkStage(fixtures::untilSize(), 0.004));
+        p.gauge->control = Control::position;
+        p.wheel->dullness = 0;
+        p.part->stock_mm += 0.004;
+        p.cycle->stages.push_back(sparkStage(fixtures::untilSize(), 0.004));
         const SimulationResult r = simulateUnchecked(p);
         QCOMPARE(r.status, RunStatus::cannotReachSize);
         QVERIFY(within(r.remainingStock_mm, 0.004, 1e-9));
@@ -354,10 +361,10 @@ private slots:
     // uncut until the others are, and the part is finished.
     void sectionsThatTheEvenLoadLiftsNeedTheCoupling() {
         Project p = slender(4, false);
-        p.part.shaft.mounting = Mounting::chuck;
-        p.part.shaft.segments = {{60, 4}, {80, 40}};
-        p.part.shaft.ground_from_mm = 60;
-        p.part.shaft.steady_rests = {{70, 200}};
+        p.part->shaft.mounting = Mounting::chuck;
+        p.part->shaft.segments = {{60, 4}, {80, 40}};
+        p.part->shaft.ground_from_mm = 60;
+        p.part->shaft.steady_rests = {{70, 200}};
         QVERIFY(!hasErrors(validate(p)));
         QVERIFY(compliantPoints(p).front().gamma_mm_n < 0);
         QVERIFY(compliantPoints(p).back().gamma_mm_n > 0);
@@ -403,10 +410,10 @@ private slots:
     // times.
     void twentySectionsAreFast() {
         Project p = slender(20);
-        p.part.radii_per_section = 36;
-        p.gauge.control = Control::position;
-        p.part.stock_mm = 0.2;
-        p.cycle.stages = {plungeStage(0.18, 0.2), sparkStage(fixtures::count(80))};
+        p.part->radii_per_section = 36;
+        p.gauge->control = Control::position;
+        p.part->stock_mm = 0.2;
+        p.cycle->stages = {plungeStage(0.18, 0.2), sparkStage(fixtures::count(80))};
         double best = 1e9; // of the processor, ms: other programs run too
         int revolutions = 0;
         for (int i = 0; i < 5; ++i) {

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The laws of MODEL-2…7 and 11 on whole cycles: what each radius, section and stage does by itself,
 // when stages end, and how results add up; held against 10,000 random cycles each.
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "tests/check_line.h"
 #include "tests/core/simulation/random_cycles.h"
 #include "tests/registry.h"
@@ -42,8 +47,8 @@ private slots:
         QVERIFY(holds("sections independent", [] {
             const Project p = anyPlunge(2);
             Project changed = p;
-            auto& gammas = std::get<std::vector<double>>(changed.machine.compliance_mm_per_n);
-            const int other = (*p.gauge.section + pick(1, p.sections)) % p.sections;
+            auto& gammas = std::get<std::vector<double>>(changed.machine->compliance_mm_per_n);
+            const int other = (*p.gauge->section + pick(1, p.sections)) % p.sections;
             gammas[std::size_t(other)] = decades(-6, -4);
             const SimulationResult a = simulateUnchecked(p);
             const SimulationResult b = simulateUnchecked(changed);
@@ -62,8 +67,8 @@ private slots:
         QVERIFY(holds("zones independent", [] {
             const Project p = anyTraverse();
             Project changed = p;
-            std::get<ZoneCompliance>(changed.machine.compliance_mm_per_n).rz1 = decades(-6, -3.7);
-            changed.machine.dwell_entry_s = between(0, 1);
+            std::get<ZoneCompliance>(changed.machine->compliance_mm_per_n).rz1 = decades(-6, -3.7);
+            changed.machine->dwell_entry_s = between(0, 1);
             const SimulationResult a = simulateUnchecked(p);
             const SimulationResult b = simulateUnchecked(changed);
             RC_ASSERT(a.countsByStage == b.countsByStage);
@@ -78,11 +83,11 @@ private slots:
         QVERIFY(holds("dwell", [] {
             const Project p = anyTraverse();
             Project longer = p;
-            longer.machine.dwell_entry_s += between(0, 1);
-            longer.machine.dwell_exit_s += between(0, 1);
+            longer.machine->dwell_entry_s += between(0, 1);
+            longer.machine->dwell_exit_s += between(0, 1);
             const SimulationResult a = simulateUnchecked(p);
             const SimulationResult b = simulateUnchecked(longer);
-            const double passes = double(b.visits) / double(p.part.radii_per_section);
+            const double passes = double(b.visits) / double(p.part->radii_per_section);
             const double off = rounding(0.5, passes) + radiusRounding_mm;
             RC_ASSERT(a.countsByStage == b.countsByStage);
             RC_ASSERT(b.time_s >= a.time_s);
@@ -98,7 +103,7 @@ private slots:
     void softerSectionKeepsMoreStock() {
         QVERIFY(holds("softer", [] {
             const Traced run(anyPlunge());
-            const double side = run.result.project.part.surface == Surface::external ? 1 : -1;
+            const double side = run.result.project.part->surface == Surface::external ? 1 : -1;
             const double off =
                 rounding(programmed(run), double(run.trajectory.passes.size())) + radiusRounding_mm;
             for (const SectionResult& soft : run.result.sections) {
@@ -118,25 +123,25 @@ private slots:
     void boreIsGroundAsItsMirroredShaft() {
         QVERIFY(holds("mirror", [] {
             Project shaft = anyPlunge();
-            shaft.part.surface = Surface::external;
-            shaft.part.diameter_mm = between(25, 130);
-            shaft.part.profile = ProfileForm::measured;
-            shaft.part.radii_um.emplace();
-            for (int k = 0; k < shaft.part.radii_per_section; ++k) {
-                shaft.part.radii_um->push_back(pick(-40, 1));
+            shaft.part->surface = Surface::external;
+            shaft.part->diameter_mm = between(25, 130);
+            shaft.part->profile = ProfileForm::measured;
+            shaft.part->radii_um.emplace();
+            for (int k = 0; k < shaft.part->radii_per_section; ++k) {
+                shaft.part->radii_um->push_back(pick(-40, 1));
             }
-            const double d = shaft.part.diameter_mm;
+            const double d = shaft.part->diameter_mm;
             const double De = d * between(0.2, 0.8);
-            shaft.wheel.diameter_mm = d * De / (d - De);
+            shaft.wheel->diameter_mm = d * De / (d - De);
             Project bore = shaft;
-            bore.part.surface = Surface::internal;
-            bore.wheel.diameter_mm = d * De / (d + De);
-            for (double& deviation : *bore.part.radii_um) {
+            bore.part->surface = Surface::internal;
+            bore.wheel->diameter_mm = d * De / (d + De);
+            for (double& deviation : *bore.part->radii_um) {
                 deviation = -deviation;
             }
             const SimulationResult a = simulateUnchecked(shaft);
             const SimulationResult b = simulateUnchecked(bore);
-            const double target = targetRadius(shaft.part);
+            const double target = targetRadius(*shaft.part);
             RC_ASSERT(a.countsByStage == b.countsByStage);
             RC_ASSERT(within(a.remainingStock_mm, b.remainingStock_mm, balance_mm));
             for (std::size_t j = 0; j < a.sections.size(); ++j) {
@@ -156,17 +161,17 @@ private slots:
     void positionControlEndsExactlyAtTheTotalInfeed() {
         QVERIFY(holds("position control", [] {
             Project p = anyCycle();
-            p.gauge.control = Control::position;
+            p.gauge->control = Control::position;
             double sum = 0;
-            for (Stage& stage : p.cycle.stages) {
+            for (Stage& stage : p.cycle->stages) {
                 if (stage.spark_out.mode != SparkOut::Mode::none) {
                     stage.stock_mm = 0;
                 }
                 sum += stage.stock_mm;
             }
-            p.part.stock_mm = sum;
+            p.part->stock_mm = sum;
             const Traced run(p);
-            const Blank blank = makeBlank(p.part);
+            const Blank blank = makeBlank(*p.part);
             RC_ASSERT(run.result.status == RunStatus::completed);
             const double off = rounding(blank.totalInfeed_mm, double(run.trajectory.passes.size()));
             const double left = blank.totalInfeed_mm - programmed(run);
@@ -181,14 +186,14 @@ private slots:
     void everyStageRunsUntilItsThresholdAndNotOneStepLonger() {
         QVERIFY(holds("stages", [] {
             Project p = anyCycle();
-            p.gauge.control = Control::gauge;
+            p.gauge->control = Control::gauge;
             const Traced run(p);
-            const int gauged = p.operation == Operation::traverse ? 1 : *p.gauge.section;
-            const std::size_t stages = p.cycle.stages.size();
+            const int gauged = p.operation == Operation::traverse ? 1 : *p.gauge->section;
+            const std::size_t stages = p.cycle->stages.size();
             std::vector<double> later(stages + 1), readings;
             std::vector<int> stageOf, counts(stages);
             for (std::size_t z = stages; z-- > 0;) {
-                later[z] = z + 1 == stages ? 0 : later[z + 1] + p.cycle.stages[z + 1].stock_mm;
+                later[z] = z + 1 == stages ? 0 : later[z + 1] + p.cycle->stages[z + 1].stock_mm;
             }
             for (const Pass& pass : run.passesOf(gauged)) {
                 const std::size_t step = std::size_t(pass.place.cycleCount);
@@ -209,13 +214,13 @@ private slots:
                 ++counts[z];
                 RC_ASSERT(next >= z);
                 for (std::size_t ended = z; ended < next; ++ended) {
-                    const SparkOut& spark = p.cycle.stages[ended].spark_out;
+                    const SparkOut& spark = p.cycle->stages[ended].spark_out;
                     const bool ends = spark.mode == SparkOut::Mode::count
                                           ? counts[ended] == spark.count
                                           : readings[step] <= later[ended] + threshold_mm + off;
                     RC_ASSERT(ends);
                 }
-                if (next < stages && p.cycle.stages[next].spark_out.mode == SparkOut::Mode::none) {
+                if (next < stages && p.cycle->stages[next].spark_out.mode == SparkOut::Mode::none) {
                     RC_ASSERT(readings[step] > later[next] + threshold_mm - off);
                 }
             }
@@ -230,10 +235,10 @@ private slots:
     void overshootIsLessThanWhatTheLastStepCut() {
         QVERIFY(holds("overshoot", [] {
             Project p = anyCycle();
-            p.gauge.control = Control::gauge;
-            p.cycle.stages.back().spark_out = {};
+            p.gauge->control = Control::gauge;
+            p.cycle->stages.back().spark_out = {};
             const Traced run(p);
-            const int gauged = p.operation == Operation::traverse ? 1 : *p.gauge.section;
+            const int gauged = p.operation == Operation::traverse ? 1 : *p.gauge->section;
             std::vector<double> cut(std::size_t(run.trajectory.radii));
             for (const Pass& pass : run.passesOf(gauged)) {
                 if (pass.place.cycleCount == run.result.cycleCount) {
@@ -264,13 +269,14 @@ private slots:
             RC_ASSERT(r.visits == static_cast<long long>(run.trajectory.visits.size()));
             RC_ASSERT(run.trajectory.visits.size()
                       == run.trajectory.passes.size() * std::size_t(run.trajectory.radii));
-            const int gauged = p.operation == Operation::traverse ? 1 : *p.gauge.section;
+            const int gauged = p.operation == Operation::traverse ? 1 : *p.gauge->section;
             RC_ASSERT(within(r.remainingStock_mm,
                              remaining(p, r.sections[std::size_t(gauged)].radii_mm),
                              4 * radiusRounding_mm));
-            const double side = p.part.surface == Surface::external ? 1 : -1;
+            const double side = p.part->surface == Surface::external ? 1 : -1;
             RC_ASSERT(within(r.gaugeReading_mm / 2,
-                             targetRadius(p.part) + side * r.remainingStock_mm, radiusRounding_mm));
+                             targetRadius(*p.part) + side * r.remainingStock_mm,
+                             radiusRounding_mm));
             double last = 0;
             for (const Visit& visit : run.trajectory.visits) {
                 last = std::max(last, visit.time_s);
@@ -283,7 +289,7 @@ private slots:
     void sectionsAreMeasuredAsTheDrawingSays() {
         QVERIFY(holds("measures", [] {
             Project p = anyCycle();
-            p.machine.geometric_runout_um = oneIn(2) ? 0 : between(0, 5);
+            p.machine->geometric_runout_um = oneIn(2) ? 0 : between(0, 5);
             for (const SectionResult& s : simulateUnchecked(p).sections) {
                 const std::size_t K = s.radii_mm.size();
                 double low = 1e9, high = 0;
@@ -294,10 +300,10 @@ private slots:
                 }
                 const auto [least, most] =
                     std::minmax_element(s.radii_mm.begin(), s.radii_mm.end());
-                RC_ASSERT(s.diameterDeviationMin_mm == low - p.part.diameter_mm);
-                RC_ASSERT(s.diameterDeviationMax_mm == high - p.part.diameter_mm);
+                RC_ASSERT(s.diameterDeviationMin_mm == low - p.part->diameter_mm);
+                RC_ASSERT(s.diameterDeviationMax_mm == high - p.part->diameter_mm);
                 RC_ASSERT(within(s.radialRunout_mm,
-                                 *most - *least + p.machine.geometric_runout_um / 1000,
+                                 *most - *least + p.machine->geometric_runout_um / 1000,
                                  4 * fixtures::epsilon));
             }
         }));

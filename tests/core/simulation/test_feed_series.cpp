@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/process/system_compliance.h"
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
 #include "core/project/validate.h"
 #include "core/simulation/feed_curves.h"
 #include "core/simulation/simulate.h"
@@ -36,7 +39,7 @@ using fixtures::traverseProject;
 
 Project plungeProject(int sections) {
     Project p = fixtures::plungeProject(sections);
-    auto& gammas = std::get<std::vector<double>>(p.machine.compliance_mm_per_n);
+    auto& gammas = std::get<std::vector<double>>(p.machine->compliance_mm_per_n);
     for (int j = 0; j < sections; ++j) {
         gammas[static_cast<std::size_t>(j)] += 1e-6 * j;
     }
@@ -181,7 +184,7 @@ private slots:
         // A pass seen alone is the pass seen in the row: the feed since the radius' last visit.
         QCOMPARE(some[2].programmed_um.mean, all[11].programmed_um.mean);
         QVERIFY(
-            std::abs(some[2].programmed_um.mean - 500 / traverseProject().machine.work_speed_rpm)
+            std::abs(some[2].programmed_um.mean - 500 / traverseProject().machine->work_speed_rpm)
             < 1e-9);
     }
 
@@ -202,12 +205,12 @@ private slots:
 
     void theGaugeStandsAtTheSectionNearestToItsFreePosition() {
         Project project = plungeProject(4); // sections of 10 mm, middles at 5, 15, 25, 35
-        project.gauge.position_mm = 17;
-        project.gauge.compliance_mm_per_n = 2e-5;
+        project.gauge->position_mm = 17;
+        project.gauge->compliance_mm_per_n = 2e-5;
         QVERIFY(!hasErrors(validate(project)));
         QCOMPARE(gaugeSection(project), 1);
         QVERIFY(run(project).series.columns[1].gauge);
-        project.gauge.position_mm = 39;
+        project.gauge->position_mm = 39;
         QCOMPARE(gaugeSection(project), 3);
     }
 
@@ -259,7 +262,7 @@ private slots:
 
     void curvesOfALongPlungeAreThinned() {
         Project project = plungeProject(4);
-        project.cycle.stages[1].radial_feed_mm_min = 0.004;
+        project.cycle->stages[1].radial_feed_mm_min = 0.004;
         const Run slow = run(project);
         QVERIFY(slow.series.strokeCount() > 1000);
         for (const FeedColumn& column : slow.series.columns) {

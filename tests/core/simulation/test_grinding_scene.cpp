@@ -2,6 +2,9 @@
 // Wheel and part from the side: what is cut touches the wheel, and gives way by γ·P_y.
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/simulation/grinding_scene.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/support/project_fixtures.h"
@@ -20,22 +23,22 @@ namespace {
 
 Project plungeOf(int sections) {
     Project p = fixtures::plunge();
-    p.part.radii_per_section = 12;
+    p.part->radii_per_section = 12;
     p.sections = sections;
     std::vector<double> compliance;
     for (int j = 0; j < sections; ++j) {
         compliance.push_back(2e-5 * (1 + j));
     }
-    p.machine.compliance_mm_per_n = compliance;
+    p.machine->compliance_mm_per_n = compliance;
     return p;
 }
 
 std::vector<Project> samples() {
     Project bore = plungeOf(2);
-    bore.part.surface = Surface::internal;
-    bore.wheel.diameter_mm = 20;
+    bore.part->surface = Surface::internal;
+    bore.wheel->diameter_mm = 20;
     Project tailstock = fixtures::traverse();
-    tailstock.machine.entry_side = EntrySide::tailstock;
+    tailstock.machine->entry_side = EntrySide::tailstock;
     return {fixtures::traverse(), tailstock, plungeOf(3), bore};
 }
 
@@ -101,10 +104,10 @@ private slots:
     void theWheelIsWhereItsPassIs() {
         for (const bool mirrored : {false, true}) {
             Project project = fixtures::traverse();
-            project.machine.entry_side = mirrored ? EntrySide::tailstock : EntrySide::headstock;
-            const double B = project.wheel.width_mm, L = project.part.length_mm;
-            const double o1 = project.machine.overrun_entry_mm;
-            const double o2 = project.machine.overrun_exit_mm;
+            project.machine->entry_side = mirrored ? EntrySide::tailstock : EntrySide::headstock;
+            const double B = project.wheel->width_mm, L = project.part->length_mm;
+            const double o1 = project.machine->overrun_entry_mm;
+            const double o2 = project.machine->overrun_exit_mm;
             const double entry = mirrored ? L + o1 - B : -o1;
             const double exit = mirrored ? -o2 : L + o2 - B;
             double reached = entry;
@@ -134,7 +137,7 @@ private slots:
             Trajectory trajectory;
             const SimulationResult result = simulateUnchecked(project, &trajectory);
             const GrindingScene scene = grindingScene(result, trajectory, {});
-            QCOMPARE(scene.edge_mm, makeBlank(project.part).firstTouchRadius_mm);
+            QCOMPARE(scene.edge_mm, makeBlank(*project.part).firstTouchRadius_mm);
             for (const SceneSurface& surface : scene.surfaces) {
                 QCOMPARE(surface.yield_mm, 0.0);
                 QVERIFY(scene.removalSign * (scene.edge_mm - surface.radius_mm) >= -1e-12);

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The laws of MODEL-2…7 and 11 on the balance, the forces and their limits, held against random
 // cycles: 10,000 each, see rapidcheck_runs.h.
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "tests/check_line.h"
 #include "tests/core/simulation/random_cycles.h"
 #include "tests/registry.h"
@@ -76,7 +81,7 @@ private slots:
     void radiusOnlyMovesInTheDirectionOfTheInfeed() {
         QVERIFY(holds("R never grows outside, never shrinks inside", [] {
             const Traced run(anyCycle());
-            const bool external = run.result.project.part.surface == Surface::external;
+            const bool external = run.result.project.part->surface == Surface::external;
             const std::size_t K = std::size_t(run.trajectory.radii);
             std::vector<double> last(run.result.sections.size() * K, external ? 1e9 : 0);
             std::vector<double> removed(last.size());
@@ -100,8 +105,8 @@ private slots:
     void removedMaterialIsTheDifferenceOfBlankAndPart() {
         QVERIFY(holds("Σa = initial − final radius", [] {
             const Traced run(anyCycle());
-            const Blank blank = makeBlank(run.result.project.part);
-            const double side = run.result.project.part.surface == Surface::external ? 1 : -1;
+            const Blank blank = makeBlank(*run.result.project.part);
+            const double side = run.result.project.part->surface == Surface::external ? 1 : -1;
             const double passes = double(run.trajectory.passes.size());
             for (std::size_t j = 0; j < run.result.sections.size(); ++j) {
                 double initial = 0, final = 0, cut = 0;
@@ -130,13 +135,13 @@ private slots:
             const Traced run(anyCycle());
             const Project& p = run.result.project;
             const Law law(p);
-            const ZoneLengths zones{p.wheel.width_mm - p.machine.overrun_entry_mm, 0,
-                                    p.wheel.width_mm - p.machine.overrun_exit_mm};
+            const ZoneLengths zones{p.wheel->width_mm - p.machine->overrun_entry_mm, 0,
+                                    p.wheel->width_mm - p.machine->overrun_exit_mm};
             forEachVisit(run, [&](const Pass& pass, int, const Visit& visit, double) {
-                double b = p.part.length_mm;
+                double b = p.part->length_mm;
                 if (pass.axialFeed_mm_min > 0) {
-                    b = std::min(pass.axialFeed_mm_min / p.machine.work_speed_rpm,
-                                 p.wheel.width_mm);
+                    b = std::min(pass.axialFeed_mm_min / p.machine->work_speed_rpm,
+                                 p.wheel->width_mm);
                 } else if (p.operation == Operation::traverse) {
                     b = pass.place.zone == Zone::rz1 ? zones.rz1 : zones.rz2;
                 }
@@ -162,7 +167,7 @@ private slots:
             forEachVisit(run, [&](const Pass& pass, int, const Visit& visit, double) {
                 const double Pz =
                     law.tangential(pass.effectiveWidth_mm, std::sqrt(visit.actual_mm));
-                const double N = Pz * r.project.machine.wheel_speed_m_s;
+                const double N = Pz * r.project.machine->wheel_speed_m_s;
                 double& section = sections[std::size_t(pass.place.section)];
                 section = std::max(section, visit.normalForce_n);
                 force = std::max(force, visit.normalForce_n);
@@ -218,25 +223,26 @@ private slots:
     void sharpWheelFollowsTheGeometricLaw() {
         QVERIFY(holds("η = 0", [] {
             Project p = anyPlunge();
-            p.wheel.dullness = 0;
-            p.part.profile = ProfileForm::lobes; // R_k = R_max exactly when ΔR = 0
-            p.part.initial_runout_mm = 0;
-            p.gauge.control = Control::position;
+            p.wheel->dullness = 0;
+            p.part->profile = ProfileForm::lobes; // R_k = R_max exactly when ΔR = 0
+            p.part->initial_runout_mm = 0;
+            p.gauge->control = Control::position;
             const int feeding = pick(1, 80), sparking = pick(1, 40);
             const double f = between(0.0005, 0.01);
-            p.part.stock_mm = f * feeding;
-            p.cycle.stages = {fixtures::plungeStage(f * p.machine.work_speed_rpm, p.part.stock_mm),
-                              fixtures::sparkStage(fixtures::count(sparking))};
+            p.part->stock_mm = f * feeding;
+            p.cycle->stages = {
+                fixtures::plungeStage(f * p.machine->work_speed_rpm, p.part->stock_mm),
+                fixtures::sparkStage(fixtures::count(sparking))};
             const Traced run(p);
             RC_ASSERT(run.result.countsByStage == (std::vector{feeding, sparking}));
             for (std::size_t j = 0; j < run.result.sections.size(); ++j) {
                 const double gbks =
-                    run.result.sections[j].compliance_mm_per_n * p.part.length_mm * Law(p).ks;
+                    run.result.sections[j].compliance_mm_per_n * p.part->length_mm * Law(p).ks;
                 const double r = gbks / (1 + gbks);
                 const auto passes = run.passesOf(int(j));
                 // Errors of t_П and depth come back as deflection and fade with r: 1/(1 − r) sums
                 // them up.
-                const double off = rounding(p.part.stock_mm, feeding + sparking) / (1 - r);
+                const double off = rounding(p.part->stock_mm, feeding + sparking) / (1 - r);
                 for (int m = 1; m <= feeding + sparking; ++m) {
                     const Visit& v =
                         run.visit(passes[std::size_t(m) - 1], run.trajectory.radii - 1);
@@ -259,9 +265,9 @@ private slots:
         QVERIFY(holds("γ → 0", [] {
             Project p = anyPlunge();
             const double gamma = decades(-18, -9);
-            p.machine.compliance_mm_per_n = std::vector<double>(std::size_t(p.sections), gamma);
+            p.machine->compliance_mm_per_n = std::vector<double>(std::size_t(p.sections), gamma);
             const Traced run(p);
-            const double most = Law(p).force(p.part.length_mm, programmed(run));
+            const double most = Law(p).force(p.part->length_mm, programmed(run));
             const double passes = double(run.trajectory.passes.size());
             forEachVisit(run, [&](const Pass&, int, const Visit& v, double blank) {
                 const double reached = std::max(v.programmed_mm, blank);
@@ -275,12 +281,12 @@ private slots:
     void softSystemCutsNextToNothing() {
         QVERIFY(holds("γ → ∞", [] {
             Project p = anyPlunge();
-            p.gauge.control = Control::position; // a gauge would wait too long
+            p.gauge->control = Control::position; // a gauge would wait too long
             const double gamma = decades(-2, 0);
-            p.machine.compliance_mm_per_n = std::vector<double>(std::size_t(p.sections), gamma);
+            p.machine->compliance_mm_per_n = std::vector<double>(std::size_t(p.sections), gamma);
             const Traced run(p);
             const Law law(p);
-            const double b = p.part.length_mm;
+            const double b = p.part->length_mm;
             forEachVisit(run, [&](const Pass&, int, const Visit& v, double blank) {
                 const double h = v.programmed_mm - blank - v.accumulated_mm + v.actual_mm;
                 if (v.actual_mm > 0) {
@@ -306,9 +312,9 @@ private slots:
             const Project p = anyPlunge();
             Project wide = p;
             const double s = std::ldexp(1.0, pick(-3, 6));
-            wide.part.length_mm *= s;
-            wide.wheel.width_mm *= s;
-            for (double& gamma : std::get<std::vector<double>>(wide.machine.compliance_mm_per_n)) {
+            wide.part->length_mm *= s;
+            wide.wheel->width_mm *= s;
+            for (double& gamma : std::get<std::vector<double>>(wide.machine->compliance_mm_per_n)) {
                 gamma /= s;
             }
             const SimulationResult a = simulateUnchecked(p);

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 
 #include "tests/core/support/allocation_counter.h"
@@ -26,15 +31,15 @@ namespace {
 /// So many revolutions at 5 µm; position control, so that the stock sets their number.
 Project revolutions(int count) {
     Project p = fixtures::plunge();
-    p.gauge.control = Control::position;
-    p.part.stock_mm = 0.005 * count;
-    p.cycle.stages[0].stock_mm = p.part.stock_mm;
+    p.gauge->control = Control::position;
+    p.part->stock_mm = 0.005 * count;
+    p.cycle->stages[0].stock_mm = p.part->stock_mm;
     return p;
 }
 
 void setGammas(Project& p, std::vector<double> gammas) {
     p.sections = int(gammas.size());
-    p.machine.compliance_mm_per_n = std::move(gammas);
+    p.machine->compliance_mm_per_n = std::move(gammas);
 }
 
 /// What the gauge reads by the rule `min` of these radii of a shaft.
@@ -61,7 +66,7 @@ private slots:
     void infeedIsARampOverTheRevolution() {
         QFETCH(int, radii);
         Project p = revolutions(20);
-        p.part.radii_per_section = radii;
+        p.part->radii_per_section = radii;
         setGammas(p, {2e-5, 4e-5, 1e-5});
         const Traced run(p);
         QCOMPARE(run.result.cycleCount, 20);
@@ -111,9 +116,9 @@ private slots:
 
     void stagesFeedAtTheirOwnRate() {
         Project p = revolutions(20);
-        p.part.stock_mm = 0.13;
-        p.cycle.stages = {plungeStage(1.8, 0.1), plungeStage(0.36, 0.03),
-                          sparkStage(fixtures::count(5))};
+        p.part->stock_mm = 0.13;
+        p.cycle->stages = {plungeStage(1.8, 0.1), plungeStage(0.36, 0.03),
+                           sparkStage(fixtures::count(5))};
         const Traced run(p);
         QCOMPARE(run.result.countsByStage, (std::vector<int>{10, 15, 5}));
         const double feeds[] = {0.01, 0.002, 0};
@@ -127,8 +132,8 @@ private slots:
 
     void positionControlCutsTheLastRevolutionShort() {
         Project p = revolutions(10);
-        p.part.stock_mm = 0.048;
-        p.cycle.stages[0].stock_mm = 0.048;
+        p.part->stock_mm = 0.048;
+        p.cycle->stages[0].stock_mm = 0.048;
         const Traced run(p);
         QCOMPARE(run.result.cycleCount, 10);
         const Pass& last = run.trajectory.passes.back();
@@ -141,12 +146,12 @@ private slots:
     // MODEL-3: h = t_П − (R_k − R_min0), R_k ← R_k + a. A rigid bore grows by the infeed.
     void boreGrowsAsTheWheelIsFed() {
         Project p = revolutions(20);
-        p.part.surface = Surface::internal;
-        p.wheel.diameter_mm = 20;
+        p.part->surface = Surface::internal;
+        p.wheel->diameter_mm = 20;
         setGammas(p, {1e-15});
         const Traced run(p);
-        const double first = makeBlank(p.part).firstTouchRadius_mm;
-        QVERIFY(first < targetRadius(p.part));
+        const double first = makeBlank(*p.part).firstTouchRadius_mm;
+        QVERIFY(first < targetRadius(*p.part));
         for (const Pass& pass : run.trajectory.passes) {
             for (int k = 0; k < 4; ++k) {
                 const Visit& v = run.visit(pass, k);
@@ -154,7 +159,7 @@ private slots:
                     within(v.radius_mm, first + v.programmed_mm, 1e-12 + 64 * fixtures::epsilon));
             }
         }
-        QVERIFY(within(run.result.sections[0].radii_mm[3], targetRadius(p.part),
+        QVERIFY(within(run.result.sections[0].radii_mm[3], targetRadius(*p.part),
                        1e-12 + 64 * fixtures::epsilon));
     }
 
@@ -190,7 +195,7 @@ private slots:
         }
         setGammas(p, gammas);
         if (given >= 0) {
-            p.gauge.section = given;
+            p.gauge->section = given;
         }
         const SimulationResult r = simulateUnchecked(p);
         QVERIFY(within(r.gaugeReading_mm,
@@ -216,17 +221,17 @@ private slots:
         QFETCH(double, own);
         QFETCH(double, gamma);
         Project p = fixtures::plunge();
-        p.part.initial_runout_mm = 0.03;
+        p.part->initial_runout_mm = 0.03;
         setGammas(p, {1e-5, 2e-5, 3e-5, 8e-5}); // middles at 5, 15, 25, 35 mm
-        p.gauge.position_mm = position_mm;
+        p.gauge->position_mm = position_mm;
         if (own > 0) {
-            p.gauge.compliance_mm_per_n = own;
+            p.gauge->compliance_mm_per_n = own;
         }
         Project same = p; // a fifth section of that γ carries the gauge instead
-        same.gauge.position_mm.reset();
-        same.gauge.compliance_mm_per_n.reset();
+        same.gauge->position_mm.reset();
+        same.gauge->compliance_mm_per_n.reset();
         setGammas(same, {1e-5, 2e-5, 3e-5, 8e-5, gamma});
-        same.gauge.section = 4;
+        same.gauge->section = 4;
         const Traced free(p);
         const SimulationResult fixed = simulateUnchecked(same);
         QCOMPARE(free.result.countsByStage, fixed.countsByStage);
@@ -249,8 +254,8 @@ private slots:
         const auto allocationsOf = [](int feeding, int sparking) {
             Project p = revolutions(feeding);
             setGammas(p, {2e-5, 3e-5, 4e-5});
-            p.gauge.position_mm = 10;
-            p.cycle.stages.push_back(sparkStage(fixtures::count(sparking)));
+            p.gauge->position_mm = 10;
+            p.cycle->stages.push_back(sparkStage(fixtures::count(sparking)));
             const long long before = allocations::count;
             const SimulationResult r = simulateUnchecked(p);
             const long long used = allocations::count - before;
@@ -265,16 +270,16 @@ private slots:
     void traceChangesNothing() {
         Project p = fixtures::plunge();
         setGammas(p, {2e-5, 3e-5, 4e-5});
-        p.gauge.position_mm = 11;
+        p.gauge->position_mm = 11;
         QVERIFY(fixtures::sameBits(simulateUnchecked(p), Traced(p).result));
     }
 
     void sparkOutThatReachesSizeEndsWithTheReading() {
         Project p = revolutions(20);
-        p.part.stock_mm = 0.1;
+        p.part->stock_mm = 0.1;
         // 0.5 µm a revolution leaves a deflection of 1.3 µm, of which the spark-out takes up to 1
-        p.cycle.stages = {plungeStage(0.09, 0.099), sparkStage(fixtures::untilSize(), 0.001)};
-        p.gauge.control = Control::gauge;
+        p.cycle->stages = {plungeStage(0.09, 0.099), sparkStage(fixtures::untilSize(), 0.001)};
+        p.gauge->control = Control::gauge;
         const SimulationResult r = simulateUnchecked(p);
         QCOMPARE(r.status, RunStatus::completed);
         QVERIFY(r.countsByStage[1] >= 2);
@@ -284,9 +289,9 @@ private slots:
     // MODEL-7: a hundred revolutions without removal above 1e-9 mm, nothing more to come.
     void sparkOutThatStallsEndsAfterAHundredIdleRevolutions() {
         Project p = revolutions(20);
-        p.wheel.dullness = 0; // removal dies away like r^m, not like 1/m²
-        p.part.stock_mm += 0.004;
-        p.cycle.stages.push_back(sparkStage(fixtures::untilSize(), 0.004));
+        p.wheel->dullness = 0; // removal dies away like r^m, not like 1/m²
+        p.part->stock_mm += 0.004;
+        p.cycle->stages.push_back(sparkStage(fixtures::untilSize(), 0.004));
         const Traced run(p);
         const SimulationResult& r = run.result;
         QCOMPARE(r.status, RunStatus::cannotReachSize);
@@ -303,7 +308,7 @@ private slots:
         // The size reached: all that was fed is cut, the deflection of a nanometre's removal and
         // less has had 100 revolutions to go.
         QVERIFY(within(r.remainingStock_mm, 0.004, 1e-12));
-        QVERIFY(within(r.gaugeReading_mm / 2, targetRadius(p.part) + r.remainingStock_mm,
+        QVERIFY(within(r.gaugeReading_mm / 2, targetRadius(*p.part) + r.remainingStock_mm,
                        64 * fixtures::epsilon));
         QCOMPARE(r.countsByStage[0], 20);
         QCOMPARE(r.cycleCount, int(most.size()));
@@ -312,8 +317,8 @@ private slots:
     // A dull wheel's spark-out goes on like 1/n² and still ends.
     void dullWheelsStallEndsToo() {
         Project p = revolutions(20);
-        p.part.stock_mm += 0.004;
-        p.cycle.stages.push_back(sparkStage(fixtures::untilSize(), 0.004));
+        p.part->stock_mm += 0.004;
+        p.cycle->stages.push_back(sparkStage(fixtures::untilSize(), 0.004));
         const SimulationResult r = simulateUnchecked(p);
         QCOMPARE(r.status, RunStatus::cannotReachSize);
         // depth ≈ (γK4)²/n² = 1e-9 mm at n = γK4/√1e-9 = 1803, and a hundred more. The next term
@@ -334,9 +339,9 @@ private slots:
 
     void runWithTooManyVisitsEnds() {
         Project p = revolutions(1);
-        p.part.radii_per_section = 360;
+        p.part->radii_per_section = 360;
         setGammas(p, std::vector<double>(20, 2e-5));
-        p.cycle.stages.push_back(sparkStage(fixtures::count(100'000)));
+        p.cycle->stages.push_back(sparkStage(fixtures::count(100'000)));
         const SimulationResult r = simulateUnchecked(p);
         QCOMPARE(r.status, RunStatus::tooLong);
         QVERIFY(r.visits > maxVisits - 7200 && r.visits <= maxVisits + 7200);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far a recorded cycle has run: what its last visits left, held against going through all.
 #include "core/process/profile.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/simulation/progress.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/stock_layers.h"
@@ -30,8 +32,8 @@ struct Recorded {
 Project plungeOf3() {
     Project p = fixtures::plunge();
     p.sections = 3;
-    p.part.radii_per_section = 12;
-    p.machine.compliance_mm_per_n = std::vector<double>{2e-5, 3e-5, 4e-5};
+    p.part->radii_per_section = 12;
+    p.machine->compliance_mm_per_n = std::vector<double>{2e-5, 3e-5, 4e-5};
     return p;
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The engine against the second implementation, on random projects that cover every option.
 // SPARKOUT_QUICK=1: every tenth project (sanitizers). SPARKOUT_LONG=1: 20,000 projects.
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/quality/shop_numbers.h"
 #include "core/simulation/simulate.h"
 
@@ -56,11 +59,11 @@ QString stageDifference(const SimulationResult& engine, const reference::Result&
     constexpr double depth = 1e-16; // [mm]
     const Project& project = engine.project;
     const ShopNumbers shop = shopNumbers(engine);
-    const double turns_s = project.machine.work_speed_rpm / 60;
-    const double rate = std::numbers::pi * project.part.diameter_mm * turns_s * depth; // [mm²/s]
-    const double force = fixtures::Law(project).force(1, depth);                       // [N/mm]
-    const double power = force * project.machine.wheel_speed_m_s; // P_z < P_y [W/mm]
-    const double B = project.wheel.width_mm;
+    const double turns_s = project.machine->work_speed_rpm / 60;
+    const double rate = std::numbers::pi * project.part->diameter_mm * turns_s * depth; // [mm²/s]
+    const double force = fixtures::Law(project).force(1, depth);                        // [N/mm]
+    const double power = force * project.machine->wheel_speed_m_s; // P_z < P_y [W/mm]
+    const double B = project.wheel->width_mm;
     if (shop.stages.size() != second.stages.size()) {
         return "number of stages";
     }

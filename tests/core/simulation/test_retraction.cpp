@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stages with a negative feed: the wheel head is drawn back so that the stored deflection is let go
 // sooner. An option beyond the sources [MODEL-7].
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
 #include "core/project/validate.h"
 #include "core/simulation/simulate.h"
 
@@ -26,9 +29,9 @@ namespace {
 /// A soft system, so that there is much to let go: roughing, retraction, finishing.
 Project retracting(double feed_mm_min = -0.6, double stock_mm = 0.01) {
     Project p = fixtures::plunge();
-    p.machine.compliance_mm_per_n = std::vector<double>{1e-4};
-    p.cycle.stages = {plungeStage(1.8, 0.2 - stock_mm - 0.005), plungeStage(feed_mm_min, stock_mm),
-                      plungeStage(0.05, 0.005)};
+    p.machine->compliance_mm_per_n = std::vector<double>{1e-4};
+    p.cycle->stages = {plungeStage(1.8, 0.2 - stock_mm - 0.005), plungeStage(feed_mm_min, stock_mm),
+                       plungeStage(0.05, 0.005)};
     return p;
 }
 
@@ -94,7 +97,7 @@ private slots:
     // What it is for: the same finishing depth sooner than by the finishing feed alone.
     void retractionReachesTheFinishingDepthSooner() {
         Project without = retracting();
-        without.cycle.stages = {plungeStage(1.8, 0.185), plungeStage(0.05, 0.015)};
+        without.cycle->stages = {plungeStage(1.8, 0.185), plungeStage(0.05, 0.015)};
         const auto depthAfter = [](const Traced& run, int revolutions) {
             return run.visit(run.trajectory.passes[std::size_t(revolutions - 1)], 3).actual_mm;
         };
@@ -103,7 +106,7 @@ private slots:
         QCOMPARE(plain.result.countsByStage[0], rough);
         QVERIFY(depthAfter(with, rough + 3) < depthAfter(plain, rough + 3));
         Project slow = without;
-        slow.cycle.stages = {plungeStage(1.8, 0.1), plungeStage(0.05, 0.1)};
+        slow.cycle->stages = {plungeStage(1.8, 0.1), plungeStage(0.05, 0.1)};
         QVERIFY(with.result.time_s < Traced(slow).result.time_s);
     }
 
@@ -130,8 +133,8 @@ private slots:
         QFETCH(bool, position);
         QFETCH(bool, allowed);
         Project p = retracting(0.3);
-        p.gauge.control = position ? Control::position : Control::gauge;
-        p.cycle.stages[std::size_t(place)].radial_feed_mm_min = -0.3;
+        p.gauge->control = position ? Control::position : Control::gauge;
+        p.cycle->stages[std::size_t(place)].radial_feed_mm_min = -0.3;
         const Issues issues = validate(p);
         QCOMPARE(!hasErrors(issues), allowed);
         const std::string path = "/cycle/stages/" + std::to_string(place) + "/radial_feed_mm_min";
@@ -142,8 +145,8 @@ private slots:
 
     void strokesNeverRetract() {
         Project p = fixtures::traverse();
-        p.cycle.stages.insert(p.cycle.stages.begin() + 1,
-                              fixtures::strokeStage(-0.001, 1000, 0.01));
+        p.cycle->stages.insert(p.cycle->stages.begin() + 1,
+                               fixtures::strokeStage(-0.001, 1000, 0.01));
         QVERIFY(hasErrors(validate(p)));
     }
 };

@@ -2,6 +2,12 @@
 // What a run keeps of its passes for the requirements: held against a search through everything
 // that was recorded, with the formulas written a second time.
 #include "core/limits/burn.h"
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/quality/constraints.h"
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/roughness.h"
@@ -35,41 +41,41 @@ constexpr double tableError = 4e-6;
 
 /// Asks for everything there is to ask.
 Project asking(Project p) {
-    p.material.burn_rise_k = 500;
-    p.part.tolerance = {4, 6, 5, 8, 0.8};
-    p.machine.wheel_drive_kw = 5;
-    p.machine.work_drive_kw = 0.5;
-    p.wheel.grain_surface_energy_j_m2 = 1800;
-    p.wheel.grain_modulus_gpa = 390;
-    p.wheel.bond_surface_energy_j_m2 = 400;
-    p.wheel.bond_modulus_gpa = 65;
-    p.machine.limits.radial_feed_mm = std::vector<double>{0.0005, 0.02, 0.0005};
-    p.machine.limits.axial_feed_mm_min = std::vector<double>{50, 5000, 50};
-    p.machine.limits.plunge_feed_mm_min = std::vector<double>{0.02, 5, 0.01};
-    p.machine.limits.work_speed_rpm = std::vector<double>{50, 500, 5};
+    p.material->burn_rise_k = 500;
+    p.part->tolerance = {4, 6, 5, 8, 0.8};
+    p.machine->wheel_drive_kw = 5;
+    p.machine->work_drive_kw = 0.5;
+    p.wheel->grain_surface_energy_j_m2 = 1800;
+    p.wheel->grain_modulus_gpa = 390;
+    p.wheel->bond_surface_energy_j_m2 = 400;
+    p.wheel->bond_modulus_gpa = 65;
+    p.machine->limits.radial_feed_mm = std::vector<double>{0.0005, 0.02, 0.0005};
+    p.machine->limits.axial_feed_mm_min = std::vector<double>{50, 5000, 50};
+    p.machine->limits.plunge_feed_mm_min = std::vector<double>{0.02, 5, 0.01};
+    p.machine->limits.work_speed_rpm = std::vector<double>{50, 500, 5};
     return p;
 }
 
 /// The same without anything asked.
 Project silent(Project p) {
-    p.material.burn_rise_k.reset();
-    p.part.tolerance = {};
-    p.machine.wheel_drive_kw.reset();
-    p.machine.work_drive_kw.reset();
-    p.wheel.grain_surface_energy_j_m2.reset();
-    p.machine.limits = {};
-    p.gauge.control = Control::gauge;
+    p.material->burn_rise_k.reset();
+    p.part->tolerance = {};
+    p.machine->wheel_drive_kw.reset();
+    p.machine->work_drive_kw.reset();
+    p.wheel->grain_surface_energy_j_m2.reset();
+    p.machine->limits = {};
+    p.gauge->control = Control::gauge;
     return p;
 }
 
 Project plungeOfThree() {
     Project p = fixtures::plunge();
-    p.part.radii_per_section = 24;
-    p.part.initial_runout_mm = 0.03;
+    p.part->radii_per_section = 24;
+    p.part->initial_runout_mm = 0.03;
     p.sections = 3;
-    p.machine.compliance_mm_per_n = std::vector<double>{4e-5, 2e-5, 7e-5};
-    p.cycle.stages = {plungeStage(1.2, 0.15), plungeStage(0.3, 0.05),
-                      sparkStage(fixtures::count(7))};
+    p.machine->compliance_mm_per_n = std::vector<double>{4e-5, 2e-5, 7e-5};
+    p.cycle->stages = {plungeStage(1.2, 0.15), plungeStage(0.3, 0.05),
+                       sparkStage(fixtures::count(7))};
     return p;
 }
 
@@ -81,16 +87,16 @@ Project coupled(Project p) {
 
 Project bore() {
     Project p = plungeOfThree();
-    p.part.surface = Surface::internal;
-    p.part.diameter_mm = 60;
-    p.part.lower_deviation_um = 0;
-    p.part.upper_deviation_um = 30;
-    p.wheel.diameter_mm = 45;
+    p.part->surface = Surface::internal;
+    p.part->diameter_mm = 60;
+    p.part->lower_deviation_um = 0;
+    p.part->upper_deviation_um = 30;
+    p.wheel->diameter_mm = 45;
     return p;
 }
 
 Project withContact(Project p) {
-    p.machine.wheel_contact = WheelContact{NumberRows{{{10, 5}, {100, 20}, {400, 60}}}};
+    p.machine->wheel_contact = WheelContact{NumberRows{{{10, 5}, {100, 20}, {400, 60}}}};
     return p;
 }
 
@@ -98,13 +104,13 @@ void everyProject() {
     QTest::addColumn<Project>("project");
     const Project stroke = fixtures::traverse();
     Project threeLobes = stroke;
-    threeLobes.part.profile = ProfileForm::lobes;
-    threeLobes.part.initial_runout_mm = 0.05;
-    threeLobes.cycle.stages.push_back(sparkStage(fixtures::count(3), 0, 600));
+    threeLobes.part->profile = ProfileForm::lobes;
+    threeLobes.part->initial_runout_mm = 0.05;
+    threeLobes.cycle->stages.push_back(sparkStage(fixtures::count(3), 0, 600));
     Project retracting = fixtures::plunge();
-    retracting.machine.compliance_mm_per_n = std::vector<double>{1e-4};
-    retracting.cycle.stages = {plungeStage(1.8, 0.185), plungeStage(-0.6, 0.01),
-                               plungeStage(0.05, 0.005)};
+    retracting.machine->compliance_mm_per_n = std::vector<double>{1e-4};
+    retracting.cycle->stages = {plungeStage(1.8, 0.185), plungeStage(-0.6, 0.01),
+                                plungeStage(0.05, 0.005)};
     QTest::newRow("traverse") << asking(stroke);
     QTest::newRow("traverse, three lobes, spark-out") << asking(threeLobes);
     QTest::newRow("traverse, contact") << asking(withContact(stroke));
@@ -114,19 +120,19 @@ void everyProject() {
     QTest::newRow("coupled, contact") << asking(withContact(coupled(plungeOfThree())));
     QTest::newRow("bore") << asking(bore());
     Project slow = plungeOfThree(); // hardly nearer to burning from one revolution to the next
-    slow.cycle.stages = {plungeStage(0.05, 0.2)};
+    slow.cycle->stages = {plungeStage(0.05, 0.2)};
     QTest::newRow("slow") << asking(slow);
     QTest::newRow("retraction") << asking(retracting);
 }
 
 double target(const Project& p) {
-    return makeBlank(p.part).targetRadius_mm;
+    return makeBlank(*p.part).targetRadius_mm;
 }
 
 /// max(0, R_k − R_t), of a bore mirrored.
 double stockLeft(const Project& p, const Visit& visit) {
     const double left = visit.radius_mm - target(p);
-    return std::max(0.0, p.part.surface == Surface::external ? left : -left);
+    return std::max(0.0, p.part->surface == Surface::external ? left : -left);
 }
 
 const ConstraintResult* find(const std::vector<ConstraintResult>& all, ConstraintKind kind) {
@@ -150,7 +156,7 @@ private slots:
         QFETCH(Project, project);
         const Traced run(project);
         const BurnModel model(project);
-        const double U = *project.material.burn_rise_k;
+        const double U = *project.material->burn_rise_k;
         double worst = 0;
         bool placed = false;
         const BurnVisit& kept = run.result.burn.value();
@@ -186,7 +192,7 @@ private slots:
         Project p = asking(plungeOfThree());
         const double reached = burnStateOf(simulateUnchecked(p)).value().rise_k;
         for (const double U : {0.5 * reached, 1.5 * reached}) {
-            p.material.burn_rise_k = U;
+            p.material->burn_rise_k = U;
             const auto all = evaluateConstraints(simulateUnchecked(p));
             QCOMPARE(find(all, ConstraintKind::burn)->holds, U > reached);
         }
@@ -232,17 +238,17 @@ private slots:
         }
         const Traced run(project);
         const fixtures::Law law(project);
-        const double Vk = project.machine.wheel_speed_m_s * 1000;
+        const double Vk = project.machine->wheel_speed_m_s * 1000;
         const double Vd =
-            std::numbers::pi * project.part.diameter_mm * project.machine.work_speed_rpm / 60;
+            std::numbers::pi * project.part->diameter_mm * project.machine->work_speed_rpm / 60;
         const double kt =
-            project.material.shear_strain * project.material.flow_stress_mpa * Vd / Vk;
+            project.material->shear_strain * project.material->flow_stress_mpa * Vd / Vk;
         double wheel = 0, work = 0;
         for (const Pass& pass : run.trajectory.passes) {
             for (int k = 0; k < run.trajectory.radii; ++k) {
                 const double a = run.visit(pass, k).actual_mm;
                 const double Pz = pass.effectiveWidth_mm
-                                  * (kt * a + project.material.friction * law.kr * std::sqrt(a));
+                                  * (kt * a + project.material->friction * law.kr * std::sqrt(a));
                 wheel = std::max(wheel, Pz * Vk / 1e6);
                 work = std::max(work, Pz * Vd / 1e6);
             }
@@ -260,9 +266,9 @@ private slots:
         QFETCH(Project, project);
         const Traced run(project);
         const fixtures::Law law(project);
-        const double d = project.part.diameter_mm, D = project.wheel.diameter_mm;
+        const double d = project.part->diameter_mm, D = project.wheel->diameter_mm;
         const double De =
-            project.part.surface == Surface::external ? d * D / (D + d) : d * D / (d - D);
+            project.part->surface == Surface::external ? d * D / (D + d) : d * D / (d - D);
         double largest = 0;
         for (const Pass& pass : run.trajectory.passes) {
             for (int k = 0; k < run.trajectory.radii; ++k) {
@@ -320,7 +326,7 @@ private slots:
             Project p = asking(plungeOfThree());
             p = contact ? withContact(p) : p;
             p = isCoupled ? coupled(p) : p;
-            p.cycle.stages.back() = sparkStage(fixtures::count(sparking));
+            p.cycle->stages.back() = sparkStage(fixtures::count(sparking));
             const long long before = allocations::count;
             const SimulationResult r = simulateUnchecked(p);
             return r.status != RunStatus::completed ? -1 : allocations::count - before;
@@ -341,8 +347,8 @@ private slots:
 
     void settingsSayTheirStageAndTheNearerEnd() {
         Project p = asking(fixtures::traverse());
-        p.cycle.stages = {strokeStage(0.03, 1800, 0.11), strokeStage(0.001, 20, 0.04)};
-        p.gauge.commands = 1;
+        p.cycle->stages = {strokeStage(0.03, 1800, 0.11), strokeStage(0.001, 20, 0.04)};
+        p.gauge->commands = 1;
         const auto worst = worstByKind(evaluateConstraints(simulateUnchecked(p)));
         const ConstraintResult& feed = *find(worst, ConstraintKind::rangeRadialFeed);
         QVERIFY(!feed.holds && feed.stage == 1 && feed.limit == 0.02);
@@ -351,14 +357,14 @@ private slots:
         QVERIFY(!axial.holds && axial.stage == 2 && axial.limit == 50 && axial.margin == -30);
         const ConstraintResult& commands = *find(worst, ConstraintKind::gaugeCommands);
         QVERIFY(!commands.holds && commands.value == 2 && commands.limit == 1);
-        p.gauge.control = Control::position;
+        p.gauge->control = Control::position;
         QVERIFY(!find(evaluateConstraints(simulateUnchecked(p)), ConstraintKind::gaugeCommands));
     }
 
     void retractionIsAsFastAsAFeed() {
         Project p = asking(fixtures::plunge());
-        p.cycle.stages = {plungeStage(1.8, 0.185), plungeStage(-0.6, 0.01),
-                          plungeStage(0.05, 0.005)};
+        p.cycle->stages = {plungeStage(1.8, 0.185), plungeStage(-0.6, 0.01),
+                           plungeStage(0.05, 0.005)};
         const auto all = evaluateConstraints(simulateUnchecked(p));
         QVERIFY(find(all, ConstraintKind::rangePlungeFeed)->holds);
     }
@@ -367,7 +373,7 @@ private slots:
     void formIsThatOfTheSections_data() { everyProject(); }
     void formIsThatOfTheSections() {
         QFETCH(Project, project);
-        project.machine.geometric_runout_um = 1.5;
+        project.machine->geometric_runout_um = 1.5;
         const SimulationResult result = simulateUnchecked(project);
         const PartAccuracy accuracy = accuracyOf(result);
         const auto lean = evaluateConstraints(result);

@@ -4,6 +4,11 @@
 #include "core/form/harmonics.h"
 #include "core/process/contact_compliance.h"
 #include "core/process/system_compliance.h"
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
@@ -27,14 +32,14 @@ namespace {
 const std::vector<std::vector<double>> rising{{10, 5}, {100, 20}, {400, 60}};
 
 Project contacting(Project p, std::vector<std::vector<double>> rows = rising) {
-    p.machine.wheel_contact = WheelContact{NumberRows{std::move(rows)}};
+    p.machine->wheel_contact = WheelContact{NumberRows{std::move(rows)}};
     return p;
 }
 
 Project slender(int sections) {
     Project p = fixtures::plunge();
-    p.part.radii_per_section = 12;
-    p.part.initial_runout_mm = 0.02;
+    p.part->radii_per_section = 12;
+    p.part->initial_runout_mm = 0.02;
     fixtures::putOnSlenderShaft(p);
     p.sections = sections;
     p.sections_coupled = true;
@@ -121,7 +126,7 @@ private slots:
     void constantContactIsComplianceInSeries() {
         const Project p = fixtures::plunge();
         Project softer = p;
-        softer.machine.compliance_mm_per_n = std::vector<double>{2e-5 + 1e-5};
+        softer.machine->compliance_mm_per_n = std::vector<double>{2e-5 + 1e-5};
         const SimulationResult contact = simulateUnchecked(contacting(p, {{0, 100}}));
         const SimulationResult system = simulateUnchecked(softer);
         QCOMPARE(contact.countsByStage, system.countsByStage);
@@ -136,8 +141,8 @@ private slots:
         const Project coupled = contacting(slender(1));
         Project independent = coupled;
         independent.sections_coupled = false;
-        independent.machine.compliance_mm_per_n =
-            influenceRows(coupled, {coupled.part.length_mm / 2}, {coupled.part.length_mm / 2});
+        independent.machine->compliance_mm_per_n =
+            influenceRows(coupled, {coupled.part->length_mm / 2}, {coupled.part->length_mm / 2});
         const SimulationResult one = simulateUnchecked(coupled),
                                two = simulateUnchecked(independent);
         QCOMPARE(one.status, RunStatus::completed);
@@ -156,7 +161,7 @@ private slots:
         QCOMPARE(run.result.status, RunStatus::completed);
         std::vector<double> middles;
         for (std::size_t j = 0; j < J; ++j) {
-            middles.push_back(p.part.length_mm * (static_cast<double>(j) + 0.5) / J);
+            middles.push_back(p.part->length_mm * (static_cast<double>(j) + 0.5) / J);
         }
         const std::vector<double> G = influenceRows(p, middles, middles);
         const ContactCompliance contact(rising);
@@ -168,10 +173,10 @@ private slots:
                     const Visit& visit = run.visit(run.trajectory.passes[first + j], k);
                     double left =
                         visit.actual_mm
-                        + contact.deflection(law.force(p.part.length_mm, visit.actual_mm));
+                        + contact.deflection(law.force(p.part->length_mm, visit.actual_mm));
                     for (std::size_t l = 0; l < J; ++l) {
                         const Visit& other = run.visit(run.trajectory.passes[first + l], k);
-                        left += G[j * J + l] * law.force(p.part.length_mm / J, other.actual_mm);
+                        left += G[j * J + l] * law.force(p.part->length_mm / J, other.actual_mm);
                     }
                     const double h = visit.programmed_mm - depthBefore(p, visit, k);
                     cutting += visit.actual_mm > 0;
@@ -185,10 +190,10 @@ private slots:
     // The free gauge stands on a section: it reads that section, contact and all.
     void freeGaugeOnACoupledSectionReadsThatSection() {
         Project free = contacting(slender(5));
-        free.gauge.position_mm = free.part.length_mm * 2.5 / 5;
+        free.gauge->position_mm = free.part->length_mm * 2.5 / 5;
         Project fixed = free;
-        fixed.gauge.position_mm.reset();
-        fixed.gauge.section = 2;
+        fixed.gauge->position_mm.reset();
+        fixed.gauge->section = 2;
         const SimulationResult one = simulateUnchecked(free), two = simulateUnchecked(fixed);
         QCOMPARE(one.countsByStage, two.countsByStage);
         QVERIFY(within(one.gaugeReading_mm, two.gaugeReading_mm, 1e-9));
@@ -207,26 +212,26 @@ private slots:
         QFETCH(ProfileForm, form);
         QFETCH(int, lobes);
         Project p = fixtures::plunge();
-        p.wheel.dullness = 0;
-        p.part.radii_per_section = 36;
-        p.part.profile = form;
-        p.part.lobes = lobes;
-        p.part.initial_runout_mm = 0.02;
-        p.machine.compliance_mm_per_n = std::vector<double>{2e-3}; // soft: the form lives long
-        p.gauge.control = Control::position;
+        p.wheel->dullness = 0;
+        p.part->radii_per_section = 36;
+        p.part->profile = form;
+        p.part->lobes = lobes;
+        p.part->initial_runout_mm = 0.02;
+        p.machine->compliance_mm_per_n = std::vector<double>{2e-3}; // soft: the form lives long
+        p.gauge->control = Control::position;
         const double c = 2e-3 * 40 * fixtures::Law(p).ks;
         const double r = c / (1 + c);
         // The feed's spiral alone: a round blank with the same R_max0, fed as far.
         const auto spiral = [&](int revolutions) {
             Project q = p;
-            q.part.stock_mm += q.part.initial_runout_mm;
-            q.part.initial_runout_mm = 0;
-            q.cycle.stages = {plungeStage(3.6, 0.2), sparkStage(fixtures::count(revolutions))};
+            q.part->stock_mm += q.part->initial_runout_mm;
+            q.part->initial_runout_mm = 0;
+            q.cycle->stages = {plungeStage(3.6, 0.2), sparkStage(fixtures::count(revolutions))};
             return simulateUnchecked(q).sections[0].radii_mm;
         };
         const auto formLeft = [&](int revolutions) {
             Project q = p;
-            q.cycle.stages = {plungeStage(3.6, 0.2), sparkStage(fixtures::count(revolutions))};
+            q.cycle->stages = {plungeStage(3.6, 0.2), sparkStage(fixtures::count(revolutions))};
             std::vector<double> radii = simulateUnchecked(q).sections[0].radii_mm;
             const std::vector<double> round = spiral(revolutions);
             for (std::size_t k = 0; k < radii.size(); ++k) {
@@ -244,13 +249,13 @@ private slots:
     // With a dull wheel too: each revolution leaves less of the lobes.
     void lobesOfTheBlankDecayWithADullWheel() {
         Project p = fixtures::plunge();
-        p.part.radii_per_section = 36;
-        p.part.initial_runout_mm = 0.03;
-        p.gauge.control = Control::position;
-        p.machine.compliance_mm_per_n = std::vector<double>{2e-4};
+        p.part->radii_per_section = 36;
+        p.part->initial_runout_mm = 0.03;
+        p.gauge->control = Control::position;
+        p.machine->compliance_mm_per_n = std::vector<double>{2e-4};
         double before = 1;
         for (int revolutions = 1; revolutions <= 20; ++revolutions) {
-            p.cycle.stages = {plungeStage(1.8, 0.2), sparkStage(fixtures::count(revolutions))};
+            p.cycle->stages = {plungeStage(1.8, 0.2), sparkStage(fixtures::count(revolutions))};
             const double now = amplitude(simulateUnchecked(p).sections[0].radii_mm, 2);
             QVERIFY(now < before);
             before = now;

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/simulation/stage_control.h"
 
 #include "tests/core/support/project_fixtures.h"
@@ -20,16 +24,16 @@ constexpr double total = 0.25; ///< |R_first − R_t| [mm]
 /// Stages that remove these stocks [mm]; each feeds 5 µm a step.
 Project cycle(const std::vector<double>& stocks, Control control = Control::gauge) {
     Project p = fixtures::plunge();
-    p.gauge.control = control;
-    p.cycle.stages.clear();
+    p.gauge->control = control;
+    p.cycle->stages.clear();
     for (const double stock : stocks) {
-        p.cycle.stages.push_back(fixtures::plungeStage(0.9, stock));
+        p.cycle->stages.push_back(fixtures::plungeStage(0.9, stock));
     }
     return p;
 }
 
 StageControl controlOf(const Project& p) {
-    return {p, std::vector<double>(p.cycle.stages.size(), 0.005), total};
+    return {p, std::vector<double>(p.cycle->stages.size(), 0.005), total};
 }
 
 using Counts = std::vector<int>;
@@ -89,7 +93,7 @@ private slots:
 
     void sparkOutByCountRunsItsCountWhateverIsRead() {
         Project p = cycle({0.1, 0.0});
-        p.cycle.stages[1].spark_out = fixtures::count(3);
+        p.cycle->stages[1].spark_out = fixtures::count(3);
         StageControl control = controlOf(p);
         QCOMPARE(control.nextInfeed(0), 0.005);
         control.stepDone(-0.5, 0.1); // past every threshold: the count is still run
@@ -112,7 +116,7 @@ private slots:
     void sparkOutUntilSizeFeedsNothingAndWaitsForTheReading() {
         QFETCH(Control, end);
         Project p = cycle({0.1, 0.01}, end);
-        p.cycle.stages[1].spark_out = fixtures::untilSize();
+        p.cycle->stages[1].spark_out = fixtures::untilSize();
         StageControl control = controlOf(p);
         QVERIFY(!control.waitsForSize());
         control.stepDone(0.005, total - 0.01);
@@ -193,12 +197,12 @@ private slots:
         QFETCH(GaugeRule, rule);
         for (const Surface surface : {Surface::external, Surface::internal}) {
             Project p = fixtures::plunge();
-            p.part.surface = surface;
-            p.part.initial_runout_mm = 0.03;
-            p.part.stock_mm = 0.05;
-            p.cycle.stages[0].stock_mm = 0.05;
-            p.wheel.diameter_mm = 20;
-            p.gauge.rule = rule;
+            p.part->surface = surface;
+            p.part->initial_runout_mm = 0.03;
+            p.part->stock_mm = 0.05;
+            p.cycle->stages[0].stock_mm = 0.05;
+            p.wheel->diameter_mm = 20;
+            p.gauge->rule = rule;
             const SimulationResult r = simulateUnchecked(p);
             const auto& R = r.sections[0].radii_mm;
             const double a = R[0] + R[2], b = R[1] + R[3];

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The layers the stock comes off in: they add up to it, and merged ones add up the same.
 #include "core/process/profile.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/stock_layers.h"
 #include "tests/core/support/project_fixtures.h"
@@ -31,25 +35,25 @@ struct Layered {
 
 Project sections(int count, double feed_mm_min = 1.2) {
     Project p = fixtures::plunge();
-    p.part.radii_per_section = 12;
-    p.part.initial_runout_mm = 0.03;
+    p.part->radii_per_section = 12;
+    p.part->initial_runout_mm = 0.03;
     p.sections = count;
     std::vector<double> compliance;
     for (int j = 0; j < count; ++j) {
         compliance.push_back(2e-5 * (1 + j));
     }
-    p.machine.compliance_mm_per_n = compliance;
-    p.cycle.stages = {fixtures::plungeStage(feed_mm_min, 0.15), fixtures::plungeStage(0.3, 0.05),
-                      fixtures::sparkStage(fixtures::count(7))};
+    p.machine->compliance_mm_per_n = compliance;
+    p.cycle->stages = {fixtures::plungeStage(feed_mm_min, 0.15), fixtures::plungeStage(0.3, 0.05),
+                       fixtures::sparkStage(fixtures::count(7))};
     return p;
 }
 
 std::vector<Project> samples() {
     Project bore = sections(2);
-    bore.part.surface = Surface::internal;
-    bore.wheel.diameter_mm = 20;
+    bore.part->surface = Surface::internal;
+    bore.wheel->diameter_mm = 20;
     Project tailstock = fixtures::traverse();
-    tailstock.machine.entry_side = EntrySide::tailstock;
+    tailstock.machine->entry_side = EntrySide::tailstock;
     return {fixtures::traverse(), tailstock, sections(3), bore, sections(1, 0.05)};
 }
 
@@ -70,10 +74,10 @@ private slots:
     void theLayersAddUpToBlankLessFinalRadius() {
         for (const Project& project : samples()) {
             const Layered run(project);
-            const double touch = makeBlank(project.part).firstTouchRadius_mm;
-            const bool bore = project.part.surface == Surface::internal;
+            const double touch = makeBlank(*project.part).firstTouchRadius_mm;
+            const bool bore = project.part->surface == Surface::internal;
             const std::vector<double> blank =
-                profileRadii(project.part, touch + (bore ? initialRunout(project.part) : 0));
+                profileRadii(*project.part, touch + (bore ? initialRunout(*project.part) : 0));
             const LayerSeries series = run.series();
             QCOMPARE(series.columns.size(), run.result.sections.size());
             for (std::size_t j = 0; j < series.columns.size(); ++j) {
@@ -100,7 +104,7 @@ private slots:
         for (const Project& project : samples()) {
             const Layered run(project);
             const LayerSeries mean = run.series();
-            const int K = project.part.radii_per_section;
+            const int K = project.part->radii_per_section;
             for (std::size_t j = 0; j < mean.columns.size(); ++j) {
                 std::vector<double> sums(mean.spans.size());
                 for (int k = 0; k < K; ++k) {
@@ -146,7 +150,7 @@ private slots:
         for (const Project& project : samples()) {
             const Layered run(project);
             const LayerSeries series = run.series();
-            QVERIFY(series.spans.size() <= mostLayers + project.cycle.stages.size());
+            QVERIFY(series.spans.size() <= mostLayers + project.cycle->stages.size());
             int next = 1;
             for (const LayerSpan& span : series.spans) {
                 QCOMPARE(span.first, next);
@@ -178,7 +182,7 @@ private slots:
                 QVERIFY(stretch.to_mm > stretch.from_mm);
                 at = stretch.to_mm;
             }
-            QVERIFY(within(at, project.part.length_mm, allowed_mm));
+            QVERIFY(within(at, project.part->length_mm, allowed_mm));
         }
     }
 

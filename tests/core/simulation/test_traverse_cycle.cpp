@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 
 #include "tests/core/support/allocation_counter.h"
@@ -37,9 +42,9 @@ struct Line {
 
 /// A double stroke as the table of MODEL-5 prints it, top to bottom, left to right.
 std::vector<Line> table(const Project& p, double axialFeed, int plungeIn, int n1, int n2) {
-    const double b1 = p.wheel.width_mm - p.machine.overrun_entry_mm;
-    const double b2 = p.wheel.width_mm - p.machine.overrun_exit_mm;
-    const double b = std::min(axialFeed / p.machine.work_speed_rpm, p.wheel.width_mm);
+    const double b1 = p.wheel->width_mm - p.machine->overrun_entry_mm;
+    const double b2 = p.wheel->width_mm - p.machine->overrun_exit_mm;
+    const double b = std::min(axialFeed / p.machine->work_speed_rpm, p.wheel->width_mm);
     return {{Zone::rz1, Step::e1, plungeIn, b1}, {Zone::rz1, Step::e2, n1, b1},
             {Zone::rz1, Step::e3, 1, b, true},   {Zone::nz, Step::e1, 1, b, true},
             {Zone::rz2, Step::e1, 1, b, true},   {Zone::rz2, Step::e2, n2, b2},
@@ -48,17 +53,17 @@ std::vector<Line> table(const Project& p, double axialFeed, int plungeIn, int n1
 }
 
 double travel(const Project& p) {
-    return p.part.length_mm - p.wheel.width_mm + p.machine.overrun_entry_mm
-           + p.machine.overrun_exit_mm;
+    return p.part->length_mm - p.wheel->width_mm + p.machine->overrun_entry_mm
+           + p.machine->overrun_exit_mm;
 }
 
 /// One stage of so many double strokes: position control, so that the stock sets their number.
 Project strokes(int count, double radialFeed_mm, double axialFeed_mm_min = 1800) {
     Project p = fixtures::traverse();
-    p.gauge.control = Control::position;
-    p.part.initial_runout_mm = 0;
-    p.part.stock_mm = count * radialFeed_mm;
-    p.cycle.stages = {strokeStage(radialFeed_mm, axialFeed_mm_min, p.part.stock_mm)};
+    p.gauge->control = Control::position;
+    p.part->initial_runout_mm = 0;
+    p.part->stock_mm = count * radialFeed_mm;
+    p.cycle->stages = {strokeStage(radialFeed_mm, axialFeed_mm_min, p.part->stock_mm)};
     return p;
 }
 
@@ -73,18 +78,18 @@ int passesOf(const Traced& run, int doubleStroke, Zone zone, Step step) {
 /// A spark-out that never gets done: the feed stops 10 µm before size.
 Project stalling() {
     Project p = strokes(10, 0.005);
-    p.wheel.dullness = 0; // removal dies away like r^m, not like 1/m²
-    p.part.stock_mm += 0.01;
-    p.cycle.stages.push_back(sparkStage(fixtures::untilSize(), 0.01, 1800));
+    p.wheel->dullness = 0; // removal dies away like r^m, not like 1/m²
+    p.part->stock_mm += 0.01;
+    p.cycle->stages.push_back(sparkStage(fixtures::untilSize(), 0.01, 1800));
     return p;
 }
 
 /// More visits than a run may have.
 Project endless() {
     Project p = strokes(1, 0.005);
-    p.part.radii_per_section = 360;
-    p.machine.dwell_entry_s = 3;
-    p.cycle.stages.push_back(sparkStage(fixtures::count(100'000), 0, 1800));
+    p.part->radii_per_section = 360;
+    p.machine->dwell_entry_s = 3;
+    p.cycle->stages.push_back(sparkStage(fixtures::count(100'000), 0, 1800));
     return p;
 }
 
@@ -117,8 +122,8 @@ private slots:
         QFETCH(int, n1);
         QFETCH(int, n2);
         Project p = strokes(4, radialFeed_mm, axialFeed_mm_min);
-        p.machine.dwell_entry_s = dwellEntry_s;
-        p.machine.dwell_exit_s = dwellExit_s;
+        p.machine->dwell_entry_s = dwellEntry_s;
+        p.machine->dwell_exit_s = dwellExit_s;
         const Traced run(p);
         QCOMPARE(run.result.cycleCount, 4);
         const double revolution = 60.0 / 180;
@@ -188,14 +193,14 @@ private slots:
         QFETCH(double, dwell_s);
         QFETCH(int, revolutions);
         Project p = strokes(2, 0.005);
-        p.machine.work_speed_rpm = 60;
-        p.machine.dwell_entry_s = dwell_s;
-        p.machine.dwell_exit_s = 0;
+        p.machine->work_speed_rpm = 60;
+        p.machine->dwell_entry_s = dwell_s;
+        p.machine->dwell_exit_s = 0;
         const Traced entry(p);
         QCOMPARE(passesOf(entry, 1, Zone::rz1, Step::e2), revolutions);
         QCOMPARE(passesOf(entry, 1, Zone::rz1, Step::e5), revolutions);
         QCOMPARE(passesOf(entry, 1, Zone::rz2, Step::e2), 0);
-        std::swap(p.machine.dwell_entry_s, p.machine.dwell_exit_s);
+        std::swap(p.machine->dwell_entry_s, p.machine->dwell_exit_s);
         const Traced exit(p);
         QCOMPARE(passesOf(exit, 2, Zone::rz2, Step::e2), revolutions);
         QCOMPARE(passesOf(exit, 2, Zone::rz1, Step::e2), 0);
@@ -217,13 +222,13 @@ private slots:
         QFETCH(double, ratio);
         QFETCH(int, revolutions);
         Project p = strokes(2, 0.005);
-        p.machine.plunge_feed_mm_min = 180 * 0.005 / ratio;
+        p.machine->plunge_feed_mm_min = 180 * 0.005 / ratio;
         QCOMPARE(passesOf(Traced(p), 1, Zone::rz1, Step::e1), revolutions);
     }
 
     void sparkOutStrokesHaveNoPlungeInAndFeedNothing() {
         Project p = strokes(3, 0.005);
-        p.cycle.stages.push_back(sparkStage(fixtures::count(2), 0, 600));
+        p.cycle->stages.push_back(sparkStage(fixtures::count(2), 0, 600));
         const Traced run(p);
         QCOMPARE(run.result.countsByStage, (std::vector<int>{3, 2}));
         for (int stroke = 4; stroke <= 5; ++stroke) {
@@ -245,8 +250,8 @@ private slots:
     // The last step of a stage under position control is cut short, and so is its plunge-in.
     void positionControlCutsTheLastPlungeInShort() {
         Project p = strokes(3, 0.01); // four revolutions of plunge-in
-        p.part.stock_mm = 0.024;
-        p.cycle.stages[0].stock_mm = 0.024;
+        p.part->stock_mm = 0.024;
+        p.cycle->stages[0].stock_mm = 0.024;
         const Traced run(p);
         QCOMPARE(run.result.cycleCount, 3);
         QCOMPARE(passesOf(run, 2, Zone::rz1, Step::e1), 4);
@@ -277,9 +282,9 @@ private slots:
     void zonesLieWhereTheWheelReverses() {
         QFETCH(EntrySide, side);
         Project p = fixtures::traverse();
-        p.machine.overrun_entry_mm = 10;
-        p.machine.overrun_exit_mm = 20; // РЗ1 40, РЗ2 30, НЗ 22 of 92 mm
-        p.machine.entry_side = side;
+        p.machine->overrun_entry_mm = 10;
+        p.machine->overrun_exit_mm = 20; // РЗ1 40, РЗ2 30, НЗ 22 of 92 mm
+        p.machine->entry_side = side;
         const SimulationResult r = simulateUnchecked(p);
         const bool headstock = side == EntrySide::headstock;
         QVERIFY(within(r.sections[0].position_mm, headstock ? 20 : 72, 1e-13));
@@ -294,8 +299,8 @@ private slots:
     // НЗ > РЗ2 > РЗ1 for ordinary inputs).
     void zonesEndInTheOrderOfTheSources() {
         Project p = fixtures::traverse();
-        p.machine.compliance_mm_per_n = ZoneCompliance{1.5e-4, 1.5e-4, 1.5e-4};
-        p.machine.dwell_exit_s = 0.333;
+        p.machine->compliance_mm_per_n = ZoneCompliance{1.5e-4, 1.5e-4, 1.5e-4};
+        p.machine->dwell_exit_s = 0.333;
         const SimulationResult r = simulateUnchecked(p);
         QVERIFY(r.sections[1].diameterDeviationMax_mm > r.sections[2].diameterDeviationMax_mm);
         QVERIFY(r.sections[2].diameterDeviationMax_mm > r.sections[0].diameterDeviationMax_mm);
@@ -304,7 +309,7 @@ private slots:
     void plainRunAllocatesNothingPerStroke() {
         const auto allocationsOf = [](int count) {
             Project p = strokes(5, 0.005);
-            p.cycle.stages.push_back(sparkStage(fixtures::count(count - 5), 0, 1800));
+            p.cycle->stages.push_back(sparkStage(fixtures::count(count - 5), 0, 1800));
             const long long before = allocations::count;
             const SimulationResult r = simulateUnchecked(p);
             const long long used = allocations::count - before;
@@ -342,11 +347,11 @@ private slots:
 
     void sparkOutThatReachesSizeEndsWithTheReading() {
         Project p = fixtures::traverse();
-        p.part.stock_mm = 0.12;
+        p.part->stock_mm = 0.12;
         // 0.5 µm a double stroke leaves a deflection of some 2 µm, of which the spark-out takes up
         // to 1.
-        p.cycle.stages = {strokeStage(0.0005, 1800, 0.119),
-                          sparkStage(fixtures::untilSize(), 0.001, 1800)};
+        p.cycle->stages = {strokeStage(0.0005, 1800, 0.119),
+                           sparkStage(fixtures::untilSize(), 0.001, 1800)};
         const SimulationResult r = simulateUnchecked(p);
         QCOMPARE(r.status, RunStatus::completed);
         QVERIFY(r.countsByStage[1] >= 1);
@@ -362,7 +367,7 @@ private slots:
         // Everything fed is cut but a deflection that gives less than 1e-9 mm a stroke, each of
         // two passes: at most A times that remains, A = 1 + γ·b·k_s < 10.
         QVERIFY(r.remainingStock_mm >= 0.01 - 1e-15 && r.remainingStock_mm < 0.01 + 1e-8);
-        QVERIFY(within(r.gaugeReading_mm / 2, targetRadius(r.project.part) + r.remainingStock_mm,
+        QVERIFY(within(r.gaugeReading_mm / 2, targetRadius(*r.project.part) + r.remainingStock_mm,
                        64 * fixtures::epsilon));
         // It ended at the first double stroke without removal.
         std::vector<double> most(std::size_t(r.cycleCount));
@@ -419,9 +424,9 @@ private slots:
     // One double stroke of 600,000 revolutions of dwell is too long in itself.
     void longestDwellIsNotWaitedFor() {
         Project p = strokes(2, 0.005);
-        p.part.radii_per_section = 360;
-        p.machine.work_speed_rpm = 10'000;
-        p.machine.dwell_entry_s = 3600;
+        p.part->radii_per_section = 360;
+        p.machine->work_speed_rpm = 10'000;
+        p.machine->dwell_entry_s = 3600;
         const SimulationResult r = simulateUnchecked(p);
         QCOMPARE(r.status, RunStatus::tooLong);
         QVERIFY(r.visits <= maxVisits + 360 * 7);

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // tests/data/vectors: whole cycles computed by a separate program, and the closed forms of its page
 // (those of MODEL-2…7; the table's lengths are µm).
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 
 #include "core/process/force.h"
@@ -54,15 +59,15 @@ struct ClosedForm {
 
     void run() {
         Project p = fixtures::plunge();
-        p.wheel.dullness = dullness;
+        p.wheel->dullness = dullness;
         const double bks = 40 * fixtures::Law(p).ks;
         const double used = gammaK > 0 ? gammaK / bks : gamma;
-        p.machine.compliance_mm_per_n = std::vector<double>{used};
-        p.gauge.control = Control::position; // the feed ends after exactly so many revolutions
-        p.part.stock_mm = 0.005 * revolutions;
-        p.cycle.stages = {fixtures::plungeStage(0.005 * 180, p.part.stock_mm)};
+        p.machine->compliance_mm_per_n = std::vector<double>{used};
+        p.gauge->control = Control::position; // the feed ends after exactly so many revolutions
+        p.part->stock_mm = 0.005 * revolutions;
+        p.cycle->stages = {fixtures::plungeStage(0.005 * 180, p.part->stock_mm)};
         if (sparkOut > 0) {
-            p.cycle.stages.push_back(fixtures::sparkStage(fixtures::count(sparkOut)));
+            p.cycle->stages.push_back(fixtures::sparkStage(fixtures::count(sparkOut)));
         }
         const fixtures::Traced run(p);
         for (const Pass& pass : run.trajectory.passes) {
@@ -137,7 +142,7 @@ private slots:
         }
         QCOMPARE(result.sections.size(), places.size());
         for (std::size_t i = 0; i < places.size(); ++i) {
-            checkPlace(result.sections[i], places[i], project.part.diameter_mm);
+            checkPlace(result.sections[i], places[i], project.part->diameter_mm);
         }
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/machine.h"
 #include "core/project/validate.h"
 #include "core/simulation/simulate.h"
 #include "core/study/profile_series.h"
@@ -17,7 +18,7 @@ using fixtures::traverseProject;
 
 inline Project plungeProject(int sections) {
     Project p = fixtures::plungeProject(sections);
-    p.machine.geometric_runout_um = 0.5;
+    p.machine->geometric_runout_um = 0.5;
     return p;
 }
 

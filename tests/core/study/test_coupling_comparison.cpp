@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The same cycle with coupled and with independent sections [MODEL-6].
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
 #include "core/study/coupling_comparison.h"
 
 #include "core/simulation/simulate.h"
@@ -44,9 +46,9 @@ private slots:
     void whereGIsItsDiagonalThereIsNoDifference() {
         for (const int sections : {1, 4}) {
             Project bore = samples::project("internal-plunge");
-            bore.machine.compliance_mm_per_n = std::monostate{};
+            bore.machine->compliance_mm_per_n = std::monostate{};
             bore.sections = sections;
-            bore.gauge.section.reset();
+            bore.gauge->section.reset();
             QVERIFY(couplingOf(bore) == CouplingAnswer::comparable);
             const CouplingComparison both = compareCoupling(bore);
             QVERIFY(both.coupled.status == RunStatus::completed);
@@ -66,8 +68,8 @@ private slots:
             for (std::size_t i = 0; i < run.sections.size(); ++i) {
                 QVERIFY(same.sections[i].radii_mm == run.sections[i].radii_mm);
                 const double difference =
-                    meanDiameterDeviation(both.coupled.sections[i], project.part)
-                    - meanDiameterDeviation(both.independent.sections[i], project.part);
+                    meanDiameterDeviation(both.coupled.sections[i], *project.part)
+                    - meanDiameterDeviation(both.independent.sections[i], *project.part);
                 QCOMPARE(both.differences_mm[i], difference);
             }
         }
@@ -82,7 +84,7 @@ private slots:
         project.operation = Operation::traverse;
         QVERIFY(couplingOf(project) == CouplingAnswer::traverse);
         project.operation = Operation::plunge;
-        project.machine.compliance_mm_per_n = std::vector<double>(3, 1e-5);
+        project.machine->compliance_mm_per_n = std::vector<double>(3, 1e-5);
         QVERIFY(couplingOf(project) == CouplingAnswer::givenCompliance);
     }
 

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where to put the gauge [AKINTSEVA2020, section 3].
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/study/gauge_placement.h"
 
 #include "tests/core/support/project_fixtures.h"
@@ -23,10 +28,10 @@ namespace {
 Project article() {
     Project p = fixtures::plunge();
     p.sections = 4;
-    p.machine.compliance_mm_per_n = std::vector<double>{2e-5, 3e-5, 4e-5, 5e-5};
-    p.part.upper_deviation_um = 20;
-    p.part.lower_deviation_um = -20;
-    p.cycle.stages = {plungeStage(0.9, 0.17), plungeStage(0.2, 0.03)};
+    p.machine->compliance_mm_per_n = std::vector<double>{2e-5, 3e-5, 4e-5, 5e-5};
+    p.part->upper_deviation_um = 20;
+    p.part->lower_deviation_um = -20;
+    p.cycle->stages = {plungeStage(0.9, 0.17), plungeStage(0.2, 0.03)};
     return p;
 }
 
@@ -51,8 +56,8 @@ private slots:
         QCOMPARE(plunge.back(), 40.0);
         Project p = fixtures::traverse();
         QCOMPARE(gaugeCandidates(p, 9), (std::vector<double>{19, 46, 73}));
-        p.machine.overrun_entry_mm = 2;
-        p.machine.entry_side = EntrySide::tailstock;
+        p.machine->overrun_entry_mm = 2;
+        p.machine->entry_side = EntrySide::tailstock;
         QCOMPARE(gaugeCandidates(p, 9), (std::vector<double>{19, 41, 68}));
     }
 
@@ -78,7 +83,7 @@ private slots:
     // one stage: of several, a later change to the fine feed may also end the cycle sooner.
     void softerPlaceEndsEveryDiameterSmaller() {
         Project p = article();
-        p.cycle.stages = {plungeStage(0.2, 0.2)};
+        p.cycle->stages = {plungeStage(0.2, 0.2)};
         const GaugePlacement placement = placeGauge(p, gaugeCandidates(p, 21));
         for (std::size_t i = 1; i < placement.positions.size(); ++i) {
             const GaugePosition& one = placement.positions[i - 1];
@@ -93,12 +98,12 @@ private slots:
 
     void eachPositionIsTheCycleWithThatGauge() {
         Project p = article();
-        p.gauge.section = 3; // not read
+        p.gauge->section = 3; // not read
         const GaugePlacement placement = placeGauge(p, {0, 12.5, 40});
         for (const GaugePosition& at : placement.positions) {
             Project one = p;
-            one.gauge.section.reset();
-            one.gauge.position_mm = at.position_mm;
+            one.gauge->section.reset();
+            one.gauge->position_mm = at.position_mm;
             const SimulationResult r = simulateUnchecked(one);
             QCOMPARE(at.time_s, r.time_s);
             double least = 1, most = -1;
@@ -132,9 +137,9 @@ private slots:
     // The straight part of mean radii that rise evenly is their whole rise.
     void taperOfEvenlyRisingRadiiIsTheirRise() {
         Project p = article();
-        p.wheel.dullness = 0; // γ·P is then proportional to γ at a steady feed
-        p.part.stock_mm = 2;
-        p.cycle.stages = {plungeStage(0.9, 2)};
+        p.wheel->dullness = 0; // γ·P is then proportional to γ at a steady feed
+        p.part->stock_mm = 2;
+        p.cycle->stages = {plungeStage(0.9, 2)};
         const GaugePosition at = placeGauge(p, {5}).positions.front();
         const fixtures::Law law(p);
         QVERIFY(within(at.taper_mm, (5e-5 - 2e-5) * law.force(40, 0.005), 1e-9));
@@ -142,8 +147,8 @@ private slots:
 
     void strokesSeeOnlyTheZoneTheGaugeIsIn() {
         Project p = fixtures::traverse();
-        p.machine.compliance_mm_per_n = ZoneCompliance{1e-4, 4e-4, 2.5e-4};
-        p.cycle.stages = {fixtures::strokeStage(0.002, 1000, 0.15)};
+        p.machine->compliance_mm_per_n = ZoneCompliance{1e-4, 4e-4, 2.5e-4};
+        p.cycle->stages = {fixtures::strokeStage(0.002, 1000, 0.15)};
         // zones of 38, 16, 38 mm
         const GaugePlacement placement = placeGauge(p, {0, 37.9, 38.1, 53.9, 54.1, 92});
         QCOMPARE(placement.positions.size(), std::size_t(6));
@@ -165,7 +170,7 @@ private slots:
 
     void entryAtTheTailstockMirrorsTheZones() {
         Project p = fixtures::traverse();
-        p.machine.entry_side = EntrySide::tailstock;
+        p.machine->entry_side = EntrySide::tailstock;
         const GaugePlacement placement = placeGauge(p, {1, 91});
         QCOMPARE(placement.positions[0].zone, Zone::rz2);
         QCOMPARE(placement.positions[1].zone, Zone::rz1);
@@ -173,7 +178,7 @@ private slots:
 
     void positionControlLeavesTheGaugeNoSay() {
         Project p = article();
-        p.gauge.control = Control::position;
+        p.gauge->control = Control::position;
         const GaugePlacement placement = placeGauge(p, gaugeCandidates(p, 5));
         for (const GaugePosition& at : placement.positions) {
             QCOMPARE(at.meanDeviations_mm, placement.positions[0].meanDeviations_mm);
@@ -184,10 +189,10 @@ private slots:
 
     void coupledSectionsAreAskedToo() {
         Project p = article();
-        p.machine.compliance_mm_per_n = std::monostate{};
-        p.machine.stiffness_n_um = Stiffness{60, 10, 50};
-        p.part.shaft.segments = {{30, 25}, {60, 30}};
-        p.part.shaft.ground_from_mm = 45;
+        p.machine->compliance_mm_per_n = std::monostate{};
+        p.machine->stiffness_n_um = Stiffness{60, 10, 50};
+        p.part->shaft.segments = {{30, 25}, {60, 30}};
+        p.part->shaft.ground_from_mm = 45;
         p.sections_coupled = true;
         const GaugePlacement placement = placeGauge(p, {0, 40});
         QVERIFY(placement.positions[1].compliance_mm_per_n
@@ -217,9 +222,9 @@ private slots:
 
     void cyclesThatDoNotEndAreNotTheBest() {
         Project p = article();
-        p.cycle.stages = {plungeStage(0.9, 0.19),
-                          fixtures::sparkStage(fixtures::untilSize(), 0.01)};
-        p.wheel.dullness = 0;
+        p.cycle->stages = {plungeStage(0.9, 0.19),
+                           fixtures::sparkStage(fixtures::untilSize(), 0.01)};
+        p.wheel->dullness = 0;
         const GaugePlacement placement = placeGauge(p, {5, 35});
         for (const GaugePosition& at : placement.positions) {
             QCOMPARE(at.status, RunStatus::cannotReachSize);

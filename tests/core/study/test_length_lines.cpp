@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The profiles along the axis: zones, sections, limits and the shaft at their places.
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/study/length_lines.h"
 #include "tests/core/study/profile_series_bench.h"
 #include "tests/registry.h"
@@ -28,9 +31,9 @@ private slots:
 
 void TestLengthLines::zonesStandAtTheirLengths() {
     Project p = traverseProject(); // B = 50, L = 92, o1 = o2 = 12 by default
-    p.machine.overrun_exit_mm = 20;
+    p.machine->overrun_exit_mm = 20;
     const ProfileSeries s = series(p);
-    const double rz1 = p.wheel.width_mm - 12, rz2 = p.wheel.width_mm - 20;
+    const double rz1 = p.wheel->width_mm - 12, rz2 = p.wheel->width_mm - 20;
     QVERIFY(close(s.profiles[0].from_mm, 0) && close(s.profiles[0].to_mm, rz1));
     QVERIFY(close(s.profiles[1].from_mm, rz1) && close(s.profiles[1].to_mm, 92 - rz2));
     QVERIFY(close(s.profiles[2].from_mm, 92 - rz2) && close(s.profiles[2].to_mm, 92));
@@ -39,9 +42,9 @@ void TestLengthLines::zonesStandAtTheirLengths() {
 
 void TestLengthLines::theEntryAtTheTailstockMirrorsTheZones() {
     Project p = traverseProject();
-    p.machine.overrun_exit_mm = 20;
+    p.machine->overrun_exit_mm = 20;
     const ProfileSeries left = series(p);
-    p.machine.entry_side = EntrySide::tailstock;
+    p.machine->entry_side = EntrySide::tailstock;
     const ProfileSeries right = series(p);
     for (std::size_t i = 0; i < 3; ++i) {
         QVERIFY(close(right.profiles[i].from_mm, 92 - left.profiles[i].to_mm));
@@ -116,15 +119,15 @@ void TestLengthLines::aPlaceBelongsToItsZoneOrNearestSection() {
 void TestLengthLines::theShaftBeginsBeforeItsGroundLength() {
     Project p = traverseProject();
     QVERIFY(shaftSteps(p).empty());
-    p.part.shaft.segments = {{25, 20}, {100, 30}, {30, 18}};
-    p.part.shaft.ground_from_mm = 29;
+    p.part->shaft.segments = {{25, 20}, {100, 30}, {30, 18}};
+    p.part->shaft.ground_from_mm = 29;
     const std::vector<ShaftStep> steps = shaftSteps(p);
     QCOMPARE(steps.size(), std::size_t{3});
     QCOMPARE(steps[0].from_mm, -29.0);
     QCOMPARE(steps[1].from_mm, -4.0);
     QCOMPARE(steps[1].radius_mm, 15.0);
     QCOMPARE(steps[2].to_mm, 126.0);
-    p.part.surface = Surface::internal;
+    p.part->surface = Surface::internal;
     QVERIFY(shaftSteps(p).empty());
 }
 

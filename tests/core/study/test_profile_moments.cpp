@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The profiles of a moment of the cycle, held against its visits.
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/study/length_lines.h"
 #include "tests/core/study/profile_series_bench.h"
 #include "tests/registry.h"
@@ -92,16 +94,16 @@ void TestProfileMoments::everyStrokeShowsItsOwnLastVisits() {
 void TestProfileMoments::beforeTheFirstStrokeStandsTheBlank() {
     for (const Surface surface : {Surface::external, Surface::internal}) {
         Project p = plungeProject(3);
-        p.part.surface = surface;
-        p.wheel.diameter_mm = 20;
+        p.part->surface = surface;
+        p.wheel->diameter_mm = 20;
         const ProfileSeries s = series(p, 0);
         QCOMPARE(s.profiles.size(), std::size_t{3});
         QCOMPARE(s.profiles[1].radii_mm, s.blank_mm);
         const auto [low, high] = std::ranges::minmax(s.blank_mm);
-        QVERIFY(close(high - low, p.part.initial_runout_mm));
+        QVERIFY(close(high - low, p.part->initial_runout_mm));
         // The minimum stock lies between the target and the nearest radius [MODEL-4].
         const double stock = surface == Surface::external ? low - s.target_mm : s.target_mm - high;
-        QVERIFY(close(stock, p.part.stock_mm));
+        QVERIFY(close(stock, p.part->stock_mm));
         QCOMPARE(s.stage, 0);
     }
 }
@@ -115,8 +117,8 @@ void TestProfileMoments::radiiNeverGrowOutwardsFromStrokeToStroke_data() {
 void TestProfileMoments::radiiNeverGrowOutwardsFromStrokeToStroke() {
     QFETCH(bool, internal);
     Project p = plungeProject(2);
-    p.part.surface = internal ? Surface::internal : Surface::external;
-    p.wheel.diameter_mm = internal ? 20 : 400;
+    p.part->surface = internal ? Surface::internal : Surface::external;
+    p.wheel->diameter_mm = internal ? 20 : 400;
     const Ran ran = run(p);
     QVERIFY(ran.result.cycleCount > 10);
     std::vector<double> before = makeProfileSeries(ran.result, ran.trajectory).blank_mm;
@@ -133,8 +135,8 @@ void TestProfileMoments::radiiNeverGrowOutwardsFromStrokeToStroke() {
 
 void TestProfileMoments::internalGrindingBeginsInsideItsEnd() {
     Project p = plungeProject(2);
-    p.part.surface = Surface::internal;
-    p.wheel.diameter_mm = 20;
+    p.part->surface = Surface::internal;
+    p.wheel->diameter_mm = 20;
     const ProfileSeries s = series(p);
     QVERIFY(!s.profiles.empty());
     for (const Profile& profile : s.profiles) {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs held against each other: what they differ in is named by its place and nothing else is.
+#include "core/project/cycle.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/study/run_comparison.h"
 
 #include "core/digits.h"
@@ -167,8 +170,8 @@ private slots:
     void rowsStandInTheOrderOfTheTables() {
         const Ran a(traverse());
         Project longer = a.project;
-        longer.cycle.stages.push_back(longer.cycle.stages.back());
-        longer.wheel.width_mm *= 1.01;
+        longer.cycle->stages.push_back(longer.cycle->stages.back());
+        longer.wheel->width_mm *= 1.01;
         const Ran b(longer);
         for (const auto& runs :
              {std::vector{a.compared(), b.compared()}, std::vector{b.compared(), a.compared()}}) {
@@ -287,7 +290,7 @@ private slots:
             along.zones.resize(static_cast<std::size_t>(sections));
             for (int i = 0; i < sections; ++i) {
                 along.zones[static_cast<std::size_t>(i)].position_mm =
-                    plunge.part.length_mm * (i + 0.5) / sections;
+                    plunge.part->length_mm * (i + 0.5) / sections;
             }
             const RunPlaces other{plunge, along};
             QVERIFY(!haveSamePlaces(zones.places(), other));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/batch.h"
+#include "core/project/machine.h"
 #include "tests/core/support/project_fixtures.h"
 
 namespace fixtures {
@@ -43,8 +45,8 @@ inline Project shaftBatch(int parts) {
 /// A plunge system that does not yield, of which nothing scatters yet.
 inline Project stiffBatch(int parts) {
     Project project = plunge();
-    project.machine.compliance_mm_per_n = std::vector<double>{1e-18};
-    project.machine.wheel_drive_kw = 10;
+    project.machine->compliance_mm_per_n = std::vector<double>{1e-18};
+    project.machine->wheel_drive_kw = 10;
     project.batch = Batch{};
     project.batch->parts = parts;
     return project;

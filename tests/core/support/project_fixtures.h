@@ -3,7 +3,12 @@
 
 #include "core/format/project_file.h"
 #include "core/process/profile.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
 #include "core/project/project.h"
+#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 #include "words/issue_words.h"
 
@@ -55,10 +60,10 @@ inline Project read(const nlohmann::json& json) {
 /// A slender stepped shaft off the middle between unequal centres, so that no two sections are
 /// alike.
 inline void putOnSlenderShaft(Project& p) {
-    p.part.shaft.segments = {{60, 22}, {80, 30}, {50, 18}};
-    p.part.shaft.ground_from_mm = 70;
-    p.machine.compliance_mm_per_n = std::monostate{};
-    p.machine.stiffness_n_um = Stiffness{40, 20, 50};
+    p.part->shaft.segments = {{60, 22}, {80, 30}, {50, 18}};
+    p.part->shaft.ground_from_mm = 70;
+    p.machine->compliance_mm_per_n = std::monostate{};
+    p.machine->stiffness_n_um = Stiffness{40, 20, 50};
 }
 
 /// A stage of a plunge cycle.
@@ -100,20 +105,20 @@ inline Stage sparkStage(SparkOut end, double stock_mm = 0,
 inline Project plunge() {
     Project project;
     project.operation = Operation::plunge;
-    project.part.diameter_mm = 30;
-    project.part.length_mm = 40;
-    project.part.stock_mm = 0.2;
-    project.part.initial_runout_mm = 0;
-    project.part.radii_per_section = 4;
-    project.material.flow_stress_mpa = 2000;
-    project.wheel.diameter_mm = 600;
-    project.wheel.width_mm = 40;
-    project.wheel.dullness = 0.02;
-    project.machine.wheel_speed_m_s = 35;
-    project.machine.work_speed_rpm = 180;
-    project.machine.compliance_mm_per_n = std::vector<double>{2e-5};
+    project.part->diameter_mm = 30;
+    project.part->length_mm = 40;
+    project.part->stock_mm = 0.2;
+    project.part->initial_runout_mm = 0;
+    project.part->radii_per_section = 4;
+    project.material->flow_stress_mpa = 2000;
+    project.wheel->diameter_mm = 600;
+    project.wheel->width_mm = 40;
+    project.wheel->dullness = 0.02;
+    project.machine->wheel_speed_m_s = 35;
+    project.machine->work_speed_rpm = 180;
+    project.machine->compliance_mm_per_n = std::vector<double>{2e-5};
     project.sections = 1;
-    project.cycle.stages = {plungeStage(0.9, 0.2)};
+    project.cycle->stages = {plungeStage(0.9, 0.2)};
     return project;
 }
 
@@ -121,11 +126,11 @@ inline Project plunge() {
 inline Project traverse() {
     Project project;
     project.operation = Operation::traverse;
-    project.part.radii_per_section = 12;
-    project.machine.dwell_entry_s = 0.333;
-    project.machine.dwell_exit_s = 0.667;
-    project.machine.compliance_mm_per_n = ZoneCompliance{1.2e-4, 1.7e-4, 1.5e-4};
-    project.cycle.stages = {strokeStage(0.004, 1800, 0.11), strokeStage(0.001, 300, 0.04)};
+    project.part->radii_per_section = 12;
+    project.machine->dwell_entry_s = 0.333;
+    project.machine->dwell_exit_s = 0.667;
+    project.machine->compliance_mm_per_n = ZoneCompliance{1.2e-4, 1.7e-4, 1.5e-4};
+    project.cycle->stages = {strokeStage(0.004, 1800, 0.11), strokeStage(0.001, 300, 0.04)};
     return project;
 }
 
@@ -134,13 +139,13 @@ struct Law {
     double ks = 0, kr = 0;
 
     explicit Law(const Project& p) {
-        const double d = p.part.diameter_mm;
-        const double D = p.wheel.diameter_mm;
-        const double De = p.part.surface == Surface::external ? d * D / (D + d) : d * D / (d - D);
+        const double d = p.part->diameter_mm;
+        const double D = p.wheel->diameter_mm;
+        const double De = p.part->surface == Surface::external ? d * D / (D + d) : d * D / (d - D);
         const double speeds =
-            std::numbers::pi * d * p.machine.work_speed_rpm / (p.machine.wheel_speed_m_s * 60e3);
-        ks = p.material.shear_factor * p.material.flow_stress_mpa * speeds;
-        kr = p.wheel.dullness * p.material.flow_stress_mpa * std::sqrt(De) / 3;
+            std::numbers::pi * d * p.machine->work_speed_rpm / (p.machine->wheel_speed_m_s * 60e3);
+        ks = p.material->shear_factor * p.material->flow_stress_mpa * speeds;
+        kr = p.wheel->dullness * p.material->flow_stress_mpa * std::sqrt(De) / 3;
     }
     [[nodiscard]] double force(double b, double a) const {
         return b * (ks * a + kr * std::sqrt(a));
@@ -170,7 +175,7 @@ struct Traced {
 
 /// Depth of a radius below first touch before anything is cut, from the blank [mm].
 inline std::vector<double> blankDepths(const Project& project) {
-    return makeBlank(project.part).depth_mm;
+    return makeBlank(*project.part).depth_mm;
 }
 
 inline bool sameBits(const StageSums& a, const StageSums& b) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/support/reference_simulation.h"
+#include "core/project/cycle.h"
 #include "tests/core/support/reference_cycle.h"
 
 #include <algorithm>

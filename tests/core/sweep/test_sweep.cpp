@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A sweep: every point is the run of the project with its values, whatever the threads; what cannot
 // be run is told and has no numbers; paths and ranges that are refused are named.
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/sweep.h"
+#include "core/project/wheel.h"
 #include "core/sweep/sweep_run.h"
 
 #include "core/project/number_input.h"
@@ -38,9 +43,9 @@ Project swept(Project project, std::vector<SweepAxis> axes) {
 
 Project shaft() {
     Project project = fixtures::traverse();
-    project.part.tolerance.radial_runout_um = 6;
-    project.part.tolerance.roundness_um = 4;
-    project.machine.wheel_drive_kw = 7.5;
+    project.part->tolerance.radial_runout_um = 6;
+    project.part->tolerance.roundness_um = 4;
+    project.machine->wheel_drive_kw = 7.5;
     return project;
 }
 
@@ -133,7 +138,7 @@ private slots:
     /// Also where the setting is at the very end.
     void theEndOfAMachinesRangeStandsOnItsSide() {
         Project project = shaft();
-        project.machine.limits.work_speed_rpm = {50, 500, 5};
+        project.machine->limits.work_speed_rpm = {50, 500, 5};
         const SweepResult result =
             runSweep(swept(project, {axis("/machine/work_speed_rpm", 50, 500, 2)}), {});
         const SweepValue lowest = valueOf(result, 0, "range_work_speed");
@@ -141,7 +146,7 @@ private slots:
         const SweepValue highest = valueOf(result, 1, "range_work_speed");
         QVERIFY(highest.high == 500 && std::isnan(highest.low) && highest.margin == 0);
         // What is set has no margin of the kind that is told of the part.
-        project.machine.work_speed_rpm = 50;
+        project.machine->work_speed_rpm = 50;
         const SimulationResult alone = simulateUnchecked(project);
         double least = HUGE_VAL;
         for (const ConstraintResult& constraint : evaluateConstraints(alone)) {
@@ -156,15 +161,15 @@ private slots:
 
     void aLongerSparkOutLeavesLessRunout() {
         Project project = fixtures::plunge();
-        project.part.initial_runout_mm = 0.02;
-        project.part.radii_per_section = 12;
-        project.cycle.stages.push_back(fixtures::sparkStage(fixtures::count(1)));
-        project.machine.compliance_mm_per_n =
+        project.part->initial_runout_mm = 0.02;
+        project.part->radii_per_section = 12;
+        project.cycle->stages.push_back(fixtures::sparkStage(fixtures::count(1)));
+        project.machine->compliance_mm_per_n =
             std::vector<double>(static_cast<std::size_t>(project.sections), 2e-4);
-        project = swept(
-            project,
-            {axis("/cycle/stages/" + std::to_string(project.cycle.stages.size() - 1) + "/spark_out",
-                  1, 30, 10)});
+        project =
+            swept(project, {axis("/cycle/stages/" + std::to_string(project.cycle->stages.size() - 1)
+                                     + "/spark_out",
+                                 1, 30, 10)});
         QCOMPARE(checkSweep(project), Issues());
         const SweepResult result = runSweep(project);
         QVERIFY(result.points.size() >= 8);
@@ -186,7 +191,7 @@ private slots:
     void whatCannotBeRunIsToldAndHasNoNumbers() {
         // A wheel narrower than the overrun leaves no reversal zone: refused by a rule.
         const Project narrow =
-            swept(shaft(), {axis("/machine/overrun_entry_mm", 5, shaft().wheel.width_mm + 20, 8)});
+            swept(shaft(), {axis("/machine/overrun_entry_mm", 5, shaft().wheel->width_mm + 20, 8)});
         const SweepResult result = runSweep(narrow);
         int refused = 0;
         for (const SweepPoint& point : result.points) {
@@ -199,11 +204,11 @@ private slots:
         QVERIFY(refused > 0 && refused < static_cast<int>(result.points.size()));
         // A spark-out of a few revolutions gives back less than its stock: size is not reached.
         Project plunge = fixtures::plunge();
-        plunge.cycle.stages.push_back(fixtures::sparkStage(fixtures::untilSize(), 0.01));
-        plunge.machine.compliance_mm_per_n =
+        plunge.cycle->stages.push_back(fixtures::sparkStage(fixtures::untilSize(), 0.01));
+        plunge.machine->compliance_mm_per_n =
             std::vector<double>(static_cast<std::size_t>(plunge.sections), 1e-6);
         const std::string last =
-            "/cycle/stages/" + std::to_string(plunge.cycle.stages.size() - 1) + "/stock_mm";
+            "/cycle/stages/" + std::to_string(plunge.cycle->stages.size() - 1) + "/stock_mm";
         const SweepResult stuck = runSweep(swept(plunge, {axis(last, 0, 0.05, 6)}));
         QVERIFY(std::ranges::any_of(stuck.points, [](const SweepPoint& point) {
             return point.status == SweepStatus::notReached && point.values.empty()
@@ -345,7 +350,7 @@ private slots:
         }
         // Of a project that is none every point is refused.
         Project noProject = swept(shaft(), {axis("/wheel/dullness", 0.01, 0.02, 2)});
-        noProject.cycle.stages.clear();
+        noProject.cycle->stages.clear();
         const SweepResult result = runSweep(noProject);
         QVERIFY(result.ran() && result.points.size() == 2);
         for (const SweepPoint& point : result.points) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a sweep can be read by: its quantities by name and place, and the worst of them at a point.
+#include "core/project/sweep.h"
 #include "core/sweep/sweep_entries.h"
 
 #include "tests/core/support/project_samples.h"

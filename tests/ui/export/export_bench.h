@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/part.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/support/xlsx_reader.h"
 #include "ui/export/export_file.h"
@@ -27,7 +28,7 @@ using namespace sparkout;
 inline Project smallProject(Operation operation) {
     Project project =
         operation == Operation::traverse ? fixtures::traverseProject() : fixtures::plungeProject(3);
-    project.part.radii_per_section = 4;
+    project.part->radii_per_section = 4;
     project.title = "=Вал <30h6>";
     project.author = "А. Иванов";
     return project;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The dialog of an export: what it says, how it is stopped, what it leaves behind.
+#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/ui/export/export_bench.h"
 #include "tests/ui/support/dialog_answers.h"
@@ -244,7 +245,7 @@ private slots:
     void withoutAResultItSaysWhy() {
         Bench bench(QStringLiteral("en"));
         Project project = smallProject(Operation::traverse);
-        project.part.diameter_mm = -2;
+        project.part->diameter_mm = -2;
         bench.window->document().startUntitled(project);
         QTRY_VERIFY(bench.window->outcome() && !bench.window->outcome()->ran());
         const DialogAnswers answers({QStringLiteral("Escape")});

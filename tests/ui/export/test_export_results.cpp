@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Results and traces on their way to other programs: the numbers of the engine, to the last bit.
 #include "core/format/project_file.h"
+#include "core/project/part.h"
 #include "core/simulation/progress.h"
 #include "tests/registry.h"
 #include "tests/ui/export/export_bench.h"
@@ -73,14 +74,14 @@ private slots:
 
     void theInputsStandWithSymbolUnitValueAndKey() {
         Project project = smallProject(Operation::traverse);
-        project.part.stock_mm = 0.1 + 0.05; // no short decimal
+        project.part->stock_mm = 0.1 + 0.05; // no short decimal
         const XlsxReader read =
             reread(bytesOf(fixtures::run(project), {ExportFormat::xlsx, {ResultPart::inputs}}));
         int seen = 0;
         for (int row = 1; row < read.rows(0); ++row) {
             const QString key = read.text(0, row, 4);
             if (key == u"/part/stock_mm") {
-                QVERIFY(sameBits(read.number(0, row, 3), project.part.stock_mm));
+                QVERIFY(sameBits(read.number(0, row, 3), project.part->stock_mm));
                 QCOMPARE(read.text(0, row, 2), QStringLiteral("mm"));
                 QVERIFY(!read.text(0, row, 1).isEmpty());
                 ++seen;

@@ -3,6 +3,10 @@
 // sparkout --export.
 #include "core/batch/batch_verdict.h"
 #include "core/format/project_file.h"
+#include "core/project/batch.h"
+#include "core/project/part.h"
+#include "core/project/sweep.h"
+#include "core/project/wheel.h"
 #include "core/study/evaluate.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/ui/support/dialog_answers.h"
@@ -293,7 +297,7 @@ private slots:
         QCOMPARE(offers.size(), std::size_t{1});
         QCOMPARE(offers[0].obstacle, QString());
         Project other = project;
-        other.wheel.dullness += 0.001;
+        other.wheel->dullness += 0.001;
         offers = studiesShown({&view}, other);
         QVERIFY2(offers[0].obstacle.contains(QStringLiteral("before the last edit")),
                  qPrintable(offers[0].obstacle));
@@ -362,7 +366,7 @@ private slots:
                 2);
         }
         Project hopeless = fixtures::searchedShaft();
-        hopeless.part.tolerance.radial_runout_um = 1e-6;
+        hopeless.part->tolerance.radial_runout_um = 1e-6;
         const Run run =
             exported(QStringLiteral("search"), book, saved(hopeless, "hopeless.sparkout"));
         QVERIFY2(run.status == 5 && run.said.contains(QStringLiteral("No cycle of the grid")),

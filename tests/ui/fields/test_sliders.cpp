@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/study/new_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/fields/value_slider.h"
@@ -85,17 +89,17 @@ private slots:
         press(slider);
         for (int x = slider.handle().x(); x < slider.width() - 20; x += 5) {
             dragTo(slider, x);
-            QCOMPARE(bench.document.project().wheel.dullness, slider.value().value());
+            QCOMPARE(bench.document.project().wheel->dullness, slider.value().value());
         }
         release(slider);
         QVERIFY2(changed.count() > 5, "the curves follow the drag");
-        QVERIFY(bench.document.project().wheel.dullness > 0.1);
+        QVERIFY(bench.document.project().wheel->dullness > 0.1);
         QCOMPARE(bench.field("/wheel/dullness")->text(),
-                 showNumber(bench.document.project().wheel.dullness, QLocale()));
+                 showNumber(bench.document.project().wheel->dullness, QLocale()));
         bench.document.undo();
         QCOMPARE(writeProject(bench.document.project()), before);
         QVERIFY(!bench.document.canUndo());
-        QCOMPARE(slider.value().value(), bench.document.project().wheel.dullness);
+        QCOMPARE(slider.value().value(), bench.document.project().wheel->dullness);
     }
 
     void twoDragsAreTwoSteps() {
@@ -106,12 +110,12 @@ private slots:
             dragTo(slider, x);
             release(slider);
         }
-        const double second = bench.document.project().wheel.dullness;
+        const double second = bench.document.project().wheel->dullness;
         bench.document.undo();
-        QVERIFY(bench.document.project().wheel.dullness < second);
+        QVERIFY(bench.document.project().wheel->dullness < second);
         QVERIFY(bench.document.canUndo());
         bench.document.undo();
-        QCOMPARE(bench.document.project().wheel.dullness, 0.02);
+        QCOMPARE(bench.document.project().wheel->dullness, 0.02);
     }
 
     void escapeDuringADragGoesBackToTheOldValueAndLeavesNoStep() {
@@ -119,34 +123,34 @@ private slots:
         ValueSlider& slider = *bench.slider("/wheel/dullness");
         press(slider);
         dragTo(slider, slider.width() - 10);
-        QVERIFY(bench.document.project().wheel.dullness > 0.1);
+        QVERIFY(bench.document.project().wheel->dullness > 0.1);
         QTest::keyClick(&slider, Qt::Key_Escape);
-        QCOMPARE(bench.document.project().wheel.dullness, 0.02);
+        QCOMPARE(bench.document.project().wheel->dullness, 0.02);
         QVERIFY(!bench.document.canUndo());
         dragTo(slider, slider.width() / 2); // the button is still down
-        QCOMPARE(bench.document.project().wheel.dullness, 0.02);
+        QCOMPARE(bench.document.project().wheel->dullness, 0.02);
         release(slider);
-        QCOMPARE(bench.document.project().wheel.dullness, 0.02);
+        QCOMPARE(bench.document.project().wheel->dullness, 0.02);
     }
 
     void aPressBesideTheHandleBringsItToThePointer() {
         Bench bench(wheelPage);
         ValueSlider& slider = *bench.slider("/wheel/dullness");
         QTest::mouseClick(&slider, Qt::LeftButton, {}, QPoint(slider.width() - 3, 7));
-        QCOMPARE(bench.document.project().wheel.dullness, 0.25);
+        QCOMPARE(bench.document.project().wheel->dullness, 0.25);
         QTest::mouseClick(&slider, Qt::LeftButton, {}, QPoint(3, 7));
-        QCOMPARE(bench.document.project().wheel.dullness, 0.0);
+        QCOMPARE(bench.document.project().wheel->dullness, 0.0);
     }
 
     void takingTheHandleChangesNothing() {
         Bench bench(partPage);
         Project odd = bench.document.project();
-        odd.part.stock_mm = 0.15137;
+        odd.part->stock_mm = 0.15137;
         bench.document.startUntitled(odd);
         ValueSlider& slider = *bench.slider("/part/stock_mm");
         press(slider);
         release(slider);
-        QCOMPARE(bench.document.project().part.stock_mm, 0.15137);
+        QCOMPARE(bench.document.project().part->stock_mm, 0.15137);
         QVERIFY(!bench.document.canUndo());
     }
 
@@ -158,7 +162,7 @@ private slots:
         bench.document.undo(); // by its shortcut, with the button down
         QVERIFY(!slider.dragging());
         dragTo(slider, slider.width() / 2);
-        QCOMPARE(bench.document.project().wheel.dullness, 0.02);
+        QCOMPARE(bench.document.project().wheel->dullness, 0.02);
         release(slider);
     }
 
@@ -184,7 +188,7 @@ private slots:
         slider.setFocus();
         QVERIFY(slider.hasFocus());
         turnWheel(slider, 2);
-        QCOMPARE(bench.document.project().wheel.dullness, slider.scale().stepped(0.02, 2));
+        QCOMPARE(bench.document.project().wheel->dullness, slider.scale().stepped(0.02, 2));
     }
 
     void arrowAndPageKeysStepAndAPauseEndsTheStepOfTheHistory() {
@@ -193,17 +197,17 @@ private slots:
         slider.setFocus();
         QTest::keyClick(&slider, Qt::Key_Right);
         QTest::keyClick(&slider, Qt::Key_Up);
-        const double stepped = bench.document.project().wheel.dullness;
+        const double stepped = bench.document.project().wheel->dullness;
         QCOMPARE(stepped, slider.scale().stepped(0.02, 2));
         QTest::qWait(1000);
         QTest::keyClick(&slider, Qt::Key_PageUp);
-        QVERIFY(bench.document.project().wheel.dullness > stepped + 0.005);
+        QVERIFY(bench.document.project().wheel->dullness > stepped + 0.005);
         QTest::keyClick(&slider, Qt::Key_Home);
-        QCOMPARE(bench.document.project().wheel.dullness, 0.0);
+        QCOMPARE(bench.document.project().wheel->dullness, 0.0);
         bench.document.undo();
-        QCOMPARE(bench.document.project().wheel.dullness, stepped);
+        QCOMPARE(bench.document.project().wheel->dullness, stepped);
         bench.document.undo();
-        QCOMPARE(bench.document.project().wheel.dullness, 0.02);
+        QCOMPARE(bench.document.project().wheel->dullness, 0.02);
     }
 
     void aRefusedTextGivesWayToTheSlider() {
@@ -217,19 +221,19 @@ private slots:
         slider.setFocus();
         QTest::keyClick(&slider, Qt::Key_Right);
         QVERIFY(bench.panel.refusals().empty());
-        QCOMPARE(field.text(), showNumber(bench.document.project().wheel.dullness, QLocale()));
+        QCOMPARE(field.text(), showNumber(bench.document.project().wheel->dullness, QLocale()));
     }
 
     void eachZoneOfTheComplianceHasItsSlider() {
         Bench bench(machinePage);
         ValueSlider& slider = *bench.slider("/machine/compliance_mm_per_n/nz");
         const auto before =
-            std::get<ZoneCompliance>(bench.document.project().machine.compliance_mm_per_n);
+            std::get<ZoneCompliance>(bench.document.project().machine->compliance_mm_per_n);
         press(slider);
         dragTo(slider, slider.handle().x() + 20);
         release(slider);
         const auto after =
-            std::get<ZoneCompliance>(bench.document.project().machine.compliance_mm_per_n);
+            std::get<ZoneCompliance>(bench.document.project().machine->compliance_mm_per_n);
         QVERIFY(after.nz > before.nz);
         QCOMPARE(after.rz1, before.rz1);
         bench.document.undo();
@@ -250,7 +254,7 @@ private slots:
         press(*feed);
         dragTo(*feed, feed->width() - 10);
         release(*feed);
-        const auto& stages = bench.document.project().cycle.stages;
+        const auto& stages = bench.document.project().cycle->stages;
         QVERIFY(stages[1].radial_feed_mm.value() > 0.02);
         QCOMPARE(stages[0].radial_feed_mm.value(), 0.004);
         QCOMPARE(table.view().model()->index(1, 0).data().toString(),
@@ -262,8 +266,8 @@ private slots:
     void aSparkOutHasNoFeedToSlide() {
         Bench bench(cyclePage, Operation::plunge);
         Project project = bench.document.project();
-        project.cycle.stages[1].spark_out = {SparkOut::Mode::count, 3};
-        project.cycle.stages[1].radial_feed_mm_min.reset();
+        project.cycle->stages[1].spark_out = {SparkOut::Mode::count, 3};
+        project.cycle->stages[1].radial_feed_mm_min.reset();
         bench.document.startUntitled(project);
         auto& table = *bench.panel.findChild<StageTable*>();
         auto& strip = *table.findChild<RowSliders*>();
@@ -291,7 +295,7 @@ private slots:
             ValueSlider& dullness = *bench.slider("/wheel/dullness");
             QAccessible::queryAccessibleInterface(&dullness)->valueInterface()->setCurrentValue(
                 0.1);
-            QCOMPARE(bench.document.project().wheel.dullness, 0.1);
+            QCOMPARE(bench.document.project().wheel->dullness, 0.1);
         }
     }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What happens while one types: in the cells of the stages, in the forms, and when it is undone.
+#include "core/project/cycle.h"
+#include "core/project/part.h"
 #include "core/study/evaluate.h"
 #include "core/study/new_project.h"
 #include "ui/fields/number_field.h"
@@ -68,7 +70,7 @@ struct Bench {
         return panel.findChild<NumberField*>(QString::fromLatin1(path));
     }
     [[nodiscard]] const Stage& stage(std::size_t i) const {
-        return document.project().cycle.stages[i];
+        return document.project().cycle->stages[i];
     }
     [[nodiscard]] QString reasons() const {
         const auto* label = table->findChild<QLabel*>(QStringLiteral("reasons"));
@@ -137,7 +139,7 @@ private slots:
             const QString range = rangeBrief(field.stated(), field.unit);
             QVERIFY2(limitsMarkup(field).contains(range), qPrintable(range));
             Project project = newProject(traverse ? Operation::traverse : Operation::plunge);
-            Stage& stage = project.cycle.stages[0];
+            Stage& stage = project.cycle->stages[0];
             (traverse ? stage.radial_feed_mm : stage.radial_feed_mm_min) = 0;
             const Issues issues = validate(project);
             const auto found = std::ranges::find(issues, IssueCode::feedMissing, &Issue::code);
@@ -154,13 +156,13 @@ private slots:
         NumberField& length = *bench.field("/part/length_mm");
         const double before = length.value().value();
         typeOver(length, QStringLiteral("9"));
-        QCOMPARE(bench.document.project().part.length_mm, before);
+        QCOMPARE(bench.document.project().part->length_mm, before);
         QTest::keyClicks(&length, QStringLiteral("00"));
-        QCOMPARE(bench.document.project().part.length_mm, 900.0);
+        QCOMPARE(bench.document.project().part->length_mm, 900.0);
         QVERIFY(!bench.faulty);
         typeOver(length, QStringLiteral("9"));
         QTest::keyClick(&length, Qt::Key_Return);
-        QCOMPARE(bench.document.project().part.length_mm, 9.0); // it was meant
+        QCOMPARE(bench.document.project().part->length_mm, 9.0); // it was meant
         QVERIFY(bench.faulty);
         QCOMPARE(length.remark().mark, Mark::error);
     }
@@ -187,7 +189,7 @@ private slots:
         Bench bench;
         bench.select(0, 0);
         QTest::keyClick(&bench.table->view(), Qt::Key_Delete);
-        QCOMPARE(bench.document.project().cycle.stages.size(), std::size_t(2));
+        QCOMPARE(bench.document.project().cycle->stages.size(), std::size_t(2));
         QVERIFY(bench.editor());
         QCOMPARE(bench.editor()->text(), QString());
         QTest::keyClicks(bench.editor(), QStringLiteral("0.003"));
@@ -206,9 +208,9 @@ private slots:
         QVERIFY(bench.panel.refusals().empty());
         bench.table->view().setFocus();
         QTest::keyClick(&bench.table->view(), Qt::Key_Delete, Qt::ControlModifier);
-        QCOMPARE(bench.document.project().cycle.stages.size(), std::size_t(1));
+        QCOMPARE(bench.document.project().cycle->stages.size(), std::size_t(1));
         bench.document.undo();
-        QCOMPARE(bench.document.project().cycle.stages.size(), std::size_t(2));
+        QCOMPARE(bench.document.project().cycle->stages.size(), std::size_t(2));
     }
 
     void aDigitInTheSparkOutCellIsItsCountAndEscapeTakesItBack() {
@@ -243,8 +245,8 @@ private slots:
     void warningsAndErrorsOfTheTableKeepTheirColours() {
         Bench bench;
         Project project = bench.document.project();
-        project.cycle.stages[0].radial_feed_mm = 0.2; // unusual
-        project.cycle.stages[1].radial_feed_mm = 0;   // refused
+        project.cycle->stages[0].radial_feed_mm = 0.2; // unusual
+        project.cycle->stages[1].radial_feed_mm = 0;   // refused
         bench.document.edit(project, {});
         const QString text = bench.reasons();
         const QPalette colours = bench.table->palette();

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The entries of the catalogues, shipped and of one's own: searched, taken, kept.
+#include "core/project/machine.h"
+#include "core/project/material.h"
 #include "core/project/validate.h"
+#include "core/project/wheel.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"
@@ -23,9 +26,9 @@ using namespace catalogue_bench;
 namespace {
 
 QString textOf(const Project& project, CatalogueKind kind) {
-    return QString::fromStdString(kind == CatalogueKind::materials ? project.material.grade
-                                  : kind == CatalogueKind::wheels  ? project.wheel.marking
-                                                                   : project.machine.name);
+    return QString::fromStdString(kind == CatalogueKind::materials ? project.material->grade
+                                  : kind == CatalogueKind::wheels  ? project.wheel->marking
+                                                                   : project.machine->name);
 }
 
 } // namespace
@@ -113,9 +116,9 @@ private slots:
     void savedAsMineItIsThereAgainIsRenamedAndDeleted() {
         const QString folder = m_folder.filePath(QStringLiteral("mine"));
         Project project = newProject(Operation::traverse);
-        project.material.grade = "X5CrNi18-10";
-        project.material.flow_stress_mpa = 1234;
-        project.material.hardness_hrc.reset();
+        project.material->grade = "X5CrNi18-10";
+        project.material->flow_stress_mpa = 1234;
+        project.material->hardness_hrc.reset();
         auto store = CatalogueStore::make(CatalogueKind::materials, folder);
         const std::size_t shipped = store->items().size();
         QCOMPARE(store->save(project, QStringLiteral("мой сплав")), QString());
@@ -128,13 +131,13 @@ private slots:
                                        [](const CatalogueItem& item) { return item.own; });
         QVERIFY(matchesQuery(mine->search, QStringLiteral("МОЙ x5crni")));
         const Project taken = withEntry(mine->entry, newProject(Operation::traverse));
-        QCOMPARE(taken.material.flow_stress_mpa, 1234.0);
-        QCOMPARE(taken.material.grade, project.material.grade);
+        QCOMPARE(taken.material->flow_stress_mpa, 1234.0);
+        QCOMPARE(taken.material->grade, project.material->grade);
 
         QCOMPARE(store->rename(QStringLiteral("мой сплав"), QStringLiteral("N")), QString());
         QVERIFY(store->hasOwn(QStringLiteral("N")));
         QVERIFY(!store->hasOwn(QStringLiteral("мой сплав")));
-        project.material.flow_stress_mpa = 99; // the same name: replaced, not doubled
+        project.material->flow_stress_mpa = 99; // the same name: replaced, not doubled
         QCOMPARE(store->save(project, QStringLiteral("N")), QString());
         QCOMPARE(store->items().size(), shipped + 1);
         QCOMPARE(store->remove(QStringLiteral("N")), QString());
@@ -143,7 +146,7 @@ private slots:
 
     void aMachineSavedAsMineKeepsItsEntrySide() {
         Project project = newProject(Operation::traverse);
-        project.machine.entry_side = EntrySide::tailstock; // the zones' compliances count from it
+        project.machine->entry_side = EntrySide::tailstock; // the zones' compliances count from it
         auto store = CatalogueStore::make(CatalogueKind::machines,
                                           m_folder.filePath(QStringLiteral("sides")));
         QCOMPARE(store->save(project, QStringLiteral("M")), QString());
@@ -151,7 +154,7 @@ private slots:
                                        [](const CatalogueItem& item) { return item.own; });
         QVERIFY(mine != store->items().end());
         const Project other = newProject(Operation::traverse);
-        QVERIFY(withEntry(mine->entry, other).machine.entry_side == EntrySide::tailstock);
+        QVERIFY(withEntry(mine->entry, other).machine->entry_side == EntrySide::tailstock);
         const auto changes = changesBy(mine->entry, other);
         const auto side = std::find_if(changes.begin(), changes.end(), [](const auto& change) {
             return change.key == "entry_side";
@@ -176,7 +179,7 @@ private slots:
         auto store = CatalogueStore::make(CatalogueKind::materials, {});
         const std::size_t shipped = store->items().size();
         Project project = newProject(Operation::traverse);
-        project.material.flow_stress_mpa = 777;
+        project.material->flow_stress_mpa = 777;
         QCOMPARE(store->save(project, QStringLiteral("ШХ15")), QString());
         QCOMPARE(store->items().size(), shipped);
         QVERIFY(store->hasOwn(QStringLiteral("ШХ15")));
@@ -189,7 +192,7 @@ private slots:
         auto store = CatalogueStore::make(CatalogueKind::wheels,
                                           m_folder.filePath(QStringLiteral("refused")));
         Project project = newProject(Operation::traverse);
-        project.wheel.width_mm = -3;
+        project.wheel->width_mm = -3;
         const QString fault = store->save(project, QStringLiteral("bad"));
         QVERIFY2(fault.contains(QStringLiteral("Wheel width")), qPrintable(fault));
         QVERIFY(!store->hasOwn(QStringLiteral("bad")));

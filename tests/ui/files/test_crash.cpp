@@ -2,6 +2,7 @@
 // Check 9: windows are killed at random moments while they are edited; what was typed must be
 // offered, and no damage of the recovery files may stop a start. The windows are processes of
 // their own: this program, started with --edit.
+#include "core/project/part.h"
 #include "core/study/new_project.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/file_trouble.h"
@@ -51,7 +52,7 @@ double diameterOf(int edit) {
 }
 
 int editOf(const Project& project) {
-    return qRound((project.part.diameter_mm - 30) * 1000);
+    return qRound((project.part->diameter_mm - 30) * 1000);
 }
 
 /// The window that is going to be killed. It edits without a pause, or in bursts with pauses, and
@@ -72,7 +73,7 @@ int editUntilKilled(QApplication& app, const QString& state, const QString& file
         const bool pause = bursts && (number + 1) % 5 == 0;
         timer.setInterval(pause ? pause_ms : pace_ms);
         Project project = window.document().project();
-        project.part.diameter_mm = diameterOf(++number);
+        project.part->diameter_mm = diameterOf(++number);
         window.document().edit(project, editText);
         std::printf("%d %lld\n", number, QDateTime::currentMSecsSinceEpoch());
         std::fflush(stdout);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The guarded file is changed by another program: seen before a save, reported, asked for.
+#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/ui/support/file_guard_bench.h"
 
@@ -137,10 +138,10 @@ private slots:
         bench.document.reload(*loaded.project, loaded.hash);
         bench.guard.followDisk();
         QVERIFY(!bench.document.modified());
-        QCOMPARE(bench.document.project().part.diameter_mm, 35.0);
+        QCOMPARE(bench.document.project().part->diameter_mm, 35.0);
         QVERIFY(!bench.guard.changedOutside(bench.path));
         bench.document.undo();
-        QCOMPARE(bench.document.project().part.diameter_mm, 31.0);
+        QCOMPARE(bench.document.project().part->diameter_mm, 31.0);
         QVERIFY(bench.document.modified());
     }
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The earlier versions that a guarded file keeps.
+#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/ui/support/file_guard_bench.h"
 
@@ -34,7 +35,7 @@ private slots:
         QVERIFY(bench.document.canUndo());
         bench.document.undo(); // across the save
         QVERIFY(bench.document.modified());
-        QCOMPARE(bench.document.project().part.diameter_mm, 30.0);
+        QCOMPARE(bench.document.project().part->diameter_mm, 30.0);
     }
 
     void theHistoryKeepsToItsCaps() {

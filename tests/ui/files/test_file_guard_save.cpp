@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A guarded file is saved: what it replaces, what it refuses, what stays when it fails.
+#include "core/project/part.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
@@ -85,7 +86,7 @@ private slots:
         QCOMPARE(error->path, QFile::encodeName(path).toStdString());
         QVERIFY(expected == FileStep::notRegular || error->systemError != 0);
         QVERIFY(bench.document.modified());
-        QCOMPARE(bench.document.project().part.diameter_mm, 31.0);
+        QCOMPARE(bench.document.project().part->diameter_mm, 31.0);
         if (expected != FileStep::notRegular) {
             QVERIFY(error->freeBytes.has_value());
             QCOMPARE(trouble::bytesOf(path), before);

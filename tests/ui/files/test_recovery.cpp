@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/part.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
@@ -32,7 +33,7 @@ constexpr EditText editText{"Input", "Diameter"};
 
 void setDiameter(Document& document, double diameter_mm) {
     Project project = document.project();
-    project.part.diameter_mm = diameter_mm;
+    project.part->diameter_mm = diameter_mm;
     document.edit(project, editText);
 }
 
@@ -157,7 +158,7 @@ private slots:
         bench.document.undo();
         bench.autosave->flush();
         const RecoveryContent content = contentOf(bench.autosave->file());
-        QVERIFY(content.project && content.project->part.diameter_mm == 30);
+        QVERIFY(content.project && content.project->part->diameter_mm == 30);
         QVERIFY(content.header.modified);
     }
 
@@ -170,7 +171,7 @@ private slots:
         const auto discarded = bench.store.discarded();
         QCOMPARE(discarded.size(), std::size_t{1});
         QVERIFY(discarded[0].state == RecoveryItem::State::discarded);
-        QCOMPARE(contentOf(discarded[0].file).project->part.diameter_mm, 31.0);
+        QCOMPARE(contentOf(discarded[0].file).project->part->diameter_mm, 31.0);
     }
 
     void anotherDocumentNeverOverwritesTheRecoveryFileOfTheLast() {
@@ -180,9 +181,9 @@ private slots:
         bench.document.startUntitled(newProject(Operation::plunge));
         setDiameter(bench.document, 50);
         bench.autosave->flush();
-        QCOMPARE(contentOf(bench.autosave->file()).project->part.diameter_mm, 50.0);
+        QCOMPARE(contentOf(bench.autosave->file()).project->part->diameter_mm, 50.0);
         QCOMPARE(bench.store.discarded().size(), std::size_t{1});
-        QCOMPARE(contentOf(bench.store.discarded()[0].file).project->part.diameter_mm, 31.0);
+        QCOMPARE(contentOf(bench.store.discarded()[0].file).project->part->diameter_mm, 31.0);
     }
 
     void aProgramThatEndsWithoutAskingKeepsTheLastKeystroke() {
@@ -191,7 +192,7 @@ private slots:
         bench.autosave.reset();
         const auto left = bench.store.left();
         QCOMPARE(left.size(), std::size_t{1});
-        QCOMPARE(contentOf(left[0].file).project->part.diameter_mm, 31.0);
+        QCOMPARE(contentOf(left[0].file).project->part->diameter_mm, 31.0);
     }
 
     void editsThatWereUndoneAreNotOffered() {
@@ -436,7 +437,7 @@ private slots:
         QVERIFY(document.readOnly());
         QVERIFY(!document.canUndo());
         setDiameter(document, 32);
-        QTRY_COMPARE(contentOf(left[0].file).project->part.diameter_mm, 32.0);
+        QTRY_COMPARE(contentOf(left[0].file).project->part->diameter_mm, 32.0);
         QCOMPARE(autosave.file(), left[0].file);
         document.undo();
         QVERIFY2(document.modified(), "the state that was recovered is saved nowhere");
@@ -475,7 +476,7 @@ private slots:
             bench.autosave->flush();
         }
         QCOMPARE(failed.count(), 1);
-        QCOMPARE(contentOf(bench.autosave->file()).project->part.diameter_mm, 31.0);
+        QCOMPARE(contentOf(bench.autosave->file()).project->part->diameter_mm, 31.0);
     }
 
     void whatAKilledSessionLeftHalfWrittenIsTidiedAway() {

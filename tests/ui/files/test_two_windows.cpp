@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Check 10: two windows, one file. The other window is a process of its own: this program, started
 // with --hold.
+#include "core/project/part.h"
 #include "core/study/new_project.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/file_trouble.h"
@@ -26,7 +27,7 @@ constexpr EditText editText{"Input", "Diameter"};
 
 QByteArray textWith(double diameter_mm) {
     Project project = newProject(Operation::traverse);
-    project.part.diameter_mm = diameter_mm;
+    project.part->diameter_mm = diameter_mm;
     return QByteArray::fromStdString(writeProject(project));
 }
 
@@ -40,7 +41,7 @@ struct Window {
     }
     void edit(double diameter_mm) const {
         Project project = window->document().project();
-        project.part.diameter_mm = diameter_mm;
+        project.part->diameter_mm = diameter_mm;
         window->document().edit(project, editText);
     }
     Settings settings = Settings::transient();

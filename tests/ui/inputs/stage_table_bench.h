@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/cycle.h"
 #include "core/study/new_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/forms/stage_table.h"
@@ -25,7 +26,7 @@ struct Bench {
         table.view().setFocus();
     }
     [[nodiscard]] const std::vector<Stage>& stages() const {
-        return document.project().cycle.stages;
+        return document.project().cycle->stages;
     }
     void select(int row, int column) {
         table.view().setCurrentIndex(table.view().model()->index(row, column));

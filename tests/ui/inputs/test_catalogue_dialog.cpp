@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The dialog of a catalogue as a user meets it on the pages of the inputs.
+#include "core/project/machine.h"
+#include "core/project/material.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"
@@ -57,8 +59,8 @@ private slots:
 
     void pickedByKeyboardItIsOneStepOfTheHistory() {
         Window window(materialPage);
-        const std::string before = window.document().project().material.grade;
-        const double flow = window.document().project().material.flow_stress_mpa;
+        const std::string before = window.document().project().material->grade;
+        const double flow = window.document().project().material->flow_stress_mpa;
         DialogAnswers answers({QStringLiteral("Enter")});
         answers.seen = [](QDialog& dialog) {
             QVERIFY(!child<QPushButton>(dialog, "renameEntry")->isEnabled());
@@ -77,22 +79,22 @@ private slots:
         };
         window.press("fromCatalogue");
         QCOMPARE(answers.fault(), QString());
-        QCOMPARE(window.document().project().material.grade, std::string("СЧ25"));
-        QCOMPARE(window.document().project().material.flow_stress_mpa, 900.0);
-        QCOMPARE(window.document().project().material.shear_factor, 1.9); // it does not give it
+        QCOMPARE(window.document().project().material->grade, std::string("СЧ25"));
+        QCOMPARE(window.document().project().material->flow_stress_mpa, 900.0);
+        QCOMPARE(window.document().project().material->shear_factor, 1.9); // it does not give it
         window.document().undo();
-        QCOMPARE(window.document().project().material.grade, before);
-        QCOMPARE(window.document().project().material.flow_stress_mpa, flow);
+        QCOMPARE(window.document().project().material->grade, before);
+        QCOMPARE(window.document().project().material->flow_stress_mpa, flow);
         QVERIFY(!window.document().canUndo());
     }
 
     void cancelLeavesEverythingAsItIs() {
         Window window(machinePage);
-        const std::string before = window.document().project().machine.name;
+        const std::string before = window.document().project().machine->name;
         DialogAnswers answers({QStringLiteral("Escape")});
         window.press("fromCatalogue");
         QCOMPARE(answers.fault(), QString());
-        QCOMPARE(window.document().project().machine.name, before);
+        QCOMPARE(window.document().project().machine->name, before);
         QVERIFY(!window.document().canUndo());
     }
 

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
 #include "ui/fields/number_field.h"
@@ -100,8 +106,8 @@ private slots:
         Document document;
         Project project = newProject(Operation::plunge);
         project = withSections(std::move(project), 4);
-        project.machine.compliance_mm_per_n = std::vector{6e-5, 7e-5, 8e-5, 9e-5};
-        project.gauge.section = 3;
+        project.machine->compliance_mm_per_n = std::vector{6e-5, 7e-5, 8e-5, 9e-5};
+        project.gauge->section = 3;
         document.startUntitled(project);
         FormPage page(Page::cycle, document);
         page.show();
@@ -116,7 +122,7 @@ private slots:
         sections->selectAll();
         QTest::keyClicks(sections, QStringLiteral("12"));
         QVERIFY(sameProject(document.project(), withSections(project, 12)));
-        QCOMPARE(document.project().gauge.section, project.gauge.section);
+        QCOMPARE(document.project().gauge->section, project.gauge->section);
         document.undo();
         QVERIFY(sameProject(document.project(), project));
     }
@@ -131,8 +137,8 @@ private slots:
         QFETCH(int, operation);
         Document document;
         Project project = newProject(Operation::ofIndex(std::size_t(operation)));
-        project.machine.stiffness_n_um.emplace();
-        project.machine.wheel_contact.emplace();
+        project.machine->stiffness_n_um.emplace();
+        project.machine->wheel_contact.emplace();
         document.startUntitled(project);
         InputsPanel panel(document);
         panel.resize(360, 640);
@@ -190,7 +196,7 @@ private slots:
     void rowsThatAreNoneAreRefusedAndStayInSight() {
         Document document;
         Project project = newProject(Operation::plunge);
-        project.machine.wheel_contact.emplace();
+        project.machine->wheel_contact.emplace();
         document.startUntitled(project);
         FormPage page(Page::machine, document);
         page.show();
@@ -203,7 +209,7 @@ private slots:
             QTest::keyClick(line, Qt::Key_Return);
             QCOMPARE(line->text(), text);
             QCOMPARE(page.refusals().size(), std::size_t(1));
-            const NumberRows& kept = document.project().machine.wheel_contact->n_um_at_n;
+            const NumberRows& kept = document.project().machine->wheel_contact->n_um_at_n;
             const NumberRows begun{{{10, 50}}}; // in order until it was typed on
             QVERIFY2(!kept || kept == begun, qPrintable(text));
         }
@@ -212,13 +218,13 @@ private slots:
         QTest::keyClick(line, Qt::Key_Return);
         QVERIFY(page.refusals().empty());
         const NumberRows rows{{{0, 50.5}, {200, 80.25}}};
-        QVERIFY(document.project().machine.wheel_contact->n_um_at_n == rows);
+        QVERIFY(document.project().machine->wheel_contact->n_um_at_n == rows);
     }
 
     void everyFieldLeavesUndoToTheDocument() {
         Document document;
         Project project = newProject(Operation::plunge);
-        project.machine.wheel_contact.emplace();
+        project.machine->wheel_contact.emplace();
         document.startUntitled(project);
         int fields = 0;
         for (const Page page :
@@ -298,7 +304,7 @@ private slots:
             QTest::keyClicks(numbers[i], QString::fromLatin1(text));
             QTest::keyClick(numbers[i], Qt::Key_Return);
         };
-        const auto& range = document.project().machine.limits.radial_feed_mm;
+        const auto& range = document.project().machine->limits.radial_feed_mm;
         type(0, "0.05");
         QVERIFY(!range);
         QCOMPARE(panel.refusals().size(), 1u);
@@ -355,7 +361,8 @@ private slots:
         nz->setFocus();
         nz->selectAll();
         QTest::keyClicks(nz, QStringLiteral("2,5e-4"));
-        const auto zones = std::get<ZoneCompliance>(document.project().machine.compliance_mm_per_n);
+        const auto zones =
+            std::get<ZoneCompliance>(document.project().machine->compliance_mm_per_n);
         QCOMPARE(zones.nz, 2.5e-4);
         document.startUntitled(withSections(newProject(Operation::plunge), 6));
         for (int section = 0; section < 6; ++section) {
@@ -371,19 +378,19 @@ private slots:
         panel.show();
         panel.showPage(3);
         Project project = newProject(Operation::traverse);
-        project.machine.stiffness_n_um.emplace();
-        project.part.shaft.segments = {{200, 30}};
+        project.machine->stiffness_n_um.emplace();
+        project.part->shaft.segments = {{200, 30}};
         document.startUntitled(project);
         auto* nz = panel.findChild<NumberField*>(QStringLiteral("/machine/compliance_mm_per_n/nz"));
         auto* tick = nz->parentWidget()->parentWidget()->findChild<QCheckBox*>();
         QVERIFY(tick && tick->isVisible());
         QTest::keyClick(tick, Qt::Key_Space);
-        QVERIFY(
-            std::holds_alternative<std::monostate>(document.project().machine.compliance_mm_per_n));
+        QVERIFY(std::holds_alternative<std::monostate>(
+            document.project().machine->compliance_mm_per_n));
         QVERIFY(!hasErrors(validate(document.project())));
         QTest::keyClick(tick, Qt::Key_Space);
-        QVERIFY(
-            std::holds_alternative<ZoneCompliance>(document.project().machine.compliance_mm_per_n));
+        QVERIFY(std::holds_alternative<ZoneCompliance>(
+            document.project().machine->compliance_mm_per_n));
     }
 
     void anOptionalStructIsGivenAndTakenAwayByItsTick() {
@@ -399,10 +406,10 @@ private slots:
         QVERIFY(box && box->isCheckable());
         box->setFocus();
         QTest::keyClick(box, Qt::Key_Space);
-        QVERIFY(document.project().machine.stiffness_n_um.has_value());
+        QVERIFY(document.project().machine->stiffness_n_um.has_value());
         QVERIFY(field->isEnabled());
         document.undo();
-        QVERIFY(!document.project().machine.stiffness_n_um.has_value());
+        QVERIFY(!document.project().machine->stiffness_n_um.has_value());
         QVERIFY(!box->isChecked());
     }
 
@@ -412,7 +419,7 @@ private slots:
         panel.show();
         panel.showPage(0);
         Project project = newProject(Operation::traverse);
-        project.part.radii_per_section = 35;
+        project.part->radii_per_section = 35;
         document.startUntitled(project);
         auto outcome = std::make_shared<Outcome>();
         outcome->issues = validate(project);
@@ -425,7 +432,7 @@ private slots:
         QTest::keyClicks(diameter, QStringLiteral("abc"));
         QCOMPARE(panel.refusals().size(), 1u);
         QCOMPARE(panel.refusals().front().path, std::string("/part/diameter_mm"));
-        QCOMPARE(document.project().part.diameter_mm, project.part.diameter_mm);
+        QCOMPARE(document.project().part->diameter_mm, project.part->diameter_mm);
         panel.focusPath("/cycle/stages/1/stock_mm");
         QVERIFY(!diameter->isVisible());
         panel.focusPath("/part/diameter_mm");

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the inputs say of themselves: hints, marks of changes, refused texts and undo.
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/study/new_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/fields/reset_mark.h"
@@ -117,29 +122,29 @@ private slots:
         const auto add = [&faulty](Operation operation, auto change) {
             change(faulty.emplace_back(newProject(operation)));
         };
-        add(Operation::plunge, [](Project& p) { p.part.length_mm = 2 * p.wheel.width_mm; });
-        add(Operation::plunge, [](Project& p) { p.gauge.position_mm = p.part.length_mm + 1; });
+        add(Operation::plunge, [](Project& p) { p.part->length_mm = 2 * p.wheel->width_mm; });
+        add(Operation::plunge, [](Project& p) { p.gauge->position_mm = p.part->length_mm + 1; });
         add(Operation::plunge, [](Project& p) {
-            p.machine.compliance_mm_per_n = std::vector<double>(std::size_t(p.sections) + 1, 1e-4);
+            p.machine->compliance_mm_per_n = std::vector<double>(std::size_t(p.sections) + 1, 1e-4);
         });
         add(Operation::plunge, [](Project& p) { p.sections_coupled = true; });
         add(Operation::plunge, [](Project& p) { // a bore as large as the wheel
-            p.part.surface = Surface::internal;
-            p.machine.compliance_mm_per_n = std::monostate{};
-            p.machine.stiffness_n_um.emplace();
+            p.part->surface = Surface::internal;
+            p.machine->compliance_mm_per_n = std::monostate{};
+            p.machine->stiffness_n_um.emplace();
         });
         add(Operation::traverse,
-            [](Project& p) { p.machine.overrun_entry_mm = p.wheel.width_mm + 1; });
-        add(Operation::traverse, [](Project& p) { p.part.length_mm = p.wheel.width_mm; });
+            [](Project& p) { p.machine->overrun_entry_mm = p.wheel->width_mm + 1; });
+        add(Operation::traverse, [](Project& p) { p.part->length_mm = p.wheel->width_mm; });
         add(Operation::traverse,
-            [](Project& p) { p.machine.compliance_mm_per_n = std::monostate{}; });
+            [](Project& p) { p.machine->compliance_mm_per_n = std::monostate{}; });
         add(Operation::traverse, [](Project& p) {
-            p.machine.compliance_mm_per_n = std::monostate{};
-            p.machine.stiffness_n_um.emplace();
+            p.machine->compliance_mm_per_n = std::monostate{};
+            p.machine->stiffness_n_um.emplace();
         });
         add(Operation::traverse, [](Project& p) {
-            p.part.profile = ProfileForm::measured;
-            p.part.radii_um = std::vector<double>(4, 1.0);
+            p.part->profile = ProfileForm::measured;
+            p.part->radii_um = std::vector<double>(4, 1.0);
         });
         const QRegularExpression raw(QStringLiteral("[A-Za-z]_[A-Za-z0-9]|\\(/|part\\."));
         QString all;
@@ -253,10 +258,10 @@ private slots:
         QVERIFY(friction.resetMark()->isVisible());
         QVERIFY(friction.resetMark()->toolTip().contains(QStringLiteral("0.3")));
         QTest::mouseClick(friction.resetMark(), Qt::LeftButton);
-        QCOMPARE(bench.document.project().material.friction, 0.3);
+        QCOMPARE(bench.document.project().material->friction, 0.3);
         QVERIFY(!friction.resetMark()->isVisible());
         bench.document.undo();
-        QCOMPARE(bench.document.project().material.friction, 0.4);
+        QCOMPARE(bench.document.project().material->friction, 0.4);
         QVERIFY(friction.resetMark()->isVisible());
     }
 
@@ -289,9 +294,9 @@ private slots:
         Bench bench;
         bench.panel.showPage(page);
         Project changed = bench.document.project();
-        changed.material.friction = 0.5;
-        changed.part.shaft.mounting = Mounting::chuck;
-        changed.part.target_diameter_mm = 29.995;
+        changed.material->friction = 0.5;
+        changed.part->shaft.mounting = Mounting::chuck;
+        changed.part->target_diameter_mm = 29.995;
         bench.document.startUntitled(changed);
         FormRow& row = *bench.row(path.toStdString());
         QVERIFY(row.resetMark()->isVisible());
@@ -337,9 +342,9 @@ private slots:
         undo->trigger();
         QCOMPARE(friction->text(), QStringLiteral("0.5"));
         QVERIFY(panel->refusals().empty());
-        QCOMPARE(window.document().project().material.friction, 0.5);
+        QCOMPARE(window.document().project().material->friction, 0.5);
         undo->trigger();
-        QCOMPARE(window.document().project().material.friction, 0.3);
+        QCOMPARE(window.document().project().material->friction, 0.3);
         window.document().startUntitled(
             newProject(Operation::traverse)); // closes without a question
     }
@@ -383,7 +388,7 @@ private slots:
         QCOMPARE(bench.panel.refusals().front().path, std::string("/notes"));
         QCOMPARE(bench.row("/notes")->editor().remark().mark, Mark::error);
         Project other = bench.document.project();
-        other.material.friction = 0.2;
+        other.material->friction = 0.2;
         bench.document.edit(other, {});
         QVERIFY2(notes->toPlainText().size() > tooLong.size(), "an edit elsewhere leaves it");
         QVERIFY(bench.panel.dropNewestRefusal());

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
 #include "ui/fields/number_field.h"
@@ -50,7 +53,7 @@ struct Bench {
         return panel.findChild<T*>(QString::fromLatin1(path));
     }
     [[nodiscard]] QTableView& table(const char* path) const { return *find<QTableView>(path); }
-    [[nodiscard]] const Part& part() const { return document.project().part; }
+    [[nodiscard]] const Part& part() const { return *document.project().part; }
     [[nodiscard]] const std::vector<ShaftSegment>& segments() const {
         return part().shaft.segments;
     }
@@ -75,16 +78,16 @@ struct Bench {
 
 Project withShaft() {
     Project project = newProject(Operation::traverse);
-    project.part.shaft.segments = {{60, 28}, {92, 30}};
-    project.part.shaft.ground_from_mm = 60;
+    project.part->shaft.segments = {{60, 28}, {92, 30}};
+    project.part->shaft.ground_from_mm = 60;
     return project;
 }
 
 Project bore() {
     Project project = newProject(Operation::plunge);
-    project.part.surface = Surface::internal;
-    project.part.diameter_mm = 60;
-    project.wheel.diameter_mm = 45;
+    project.part->surface = Surface::internal;
+    project.part->diameter_mm = 60;
+    project.wheel->diameter_mm = 45;
     return project;
 }
 
@@ -181,9 +184,9 @@ private slots:
 
     void aRefusedTextAndAnIssueOfAListAreMarkedAndNamed() {
         Project project = withShaft();
-        project.machine.compliance_mm_per_n = std::monostate{};
-        project.machine.stiffness_n_um.emplace();
-        project.part.shaft.segments[1].length_mm = 50;
+        project.machine->compliance_mm_per_n = std::monostate{};
+        project.machine->stiffness_n_um.emplace();
+        project.part->shaft.segments[1].length_mm = 50;
         Bench bench(project);
         bench.showIssues();
         QTableView& view = bench.table("/part/shaft/segments");
@@ -223,8 +226,8 @@ private slots:
         QTest::newRow("plunge") << newProject(Operation::plunge);
         QTest::newRow("internal") << bore();
         Project chuck = newProject(Operation::traverse);
-        chuck.part.shaft.mounting = Mounting::chuck;
-        chuck.part.shaft.steady_rests = {{500, 50}};
+        chuck.part->shaft.mounting = Mounting::chuck;
+        chuck.part->shaft.steady_rests = {{500, 50}};
         QTest::newRow("chuck with a rest") << chuck;
         QTest::newRow("shaft given") << withShaft();
     }
@@ -236,11 +239,12 @@ private slots:
         tick->setFocus();
         QTest::keyClick(tick, Qt::Key_Space);
         const Project& computed = bench.document.project();
-        QVERIFY(std::holds_alternative<std::monostate>(computed.machine.compliance_mm_per_n));
+        QVERIFY(std::holds_alternative<std::monostate>(computed.machine->compliance_mm_per_n));
         const Issues issues = validate(computed);
         QVERIFY2(issues.empty(), issues.empty() ? "" : issues.front().path.c_str());
-        QVERIFY(computed.machine.stiffness_n_um.has_value());
-        QCOMPARE(computed.part.shaft.quill.has_value(), project.part.surface == Surface::internal);
+        QVERIFY(computed.machine->stiffness_n_um.has_value());
+        QCOMPARE(computed.part->shaft.quill.has_value(),
+                 project.part->surface == Surface::internal);
         bench.document.undo();
         QVERIFY(!bench.document.canUndo());
         QCOMPARE(writeProject(bench.document.project()), writeProject(project));
@@ -276,7 +280,7 @@ private slots:
         const QTemporaryDir dir;
         const QString path = writeCsv(dir, "angle;radius\n0;0\n90;-1,5\n180;-3\n270;-12\n");
         Project project = newProject(Operation::traverse);
-        project.part.profile = ProfileForm::measured;
+        project.part->profile = ProfileForm::measured;
         Bench bench(project);
         auto* row = bench.find<QWidget>("/part/radii_um");
         const auto buttons = row->findChildren<QPushButton*>();

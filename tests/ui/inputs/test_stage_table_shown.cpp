@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the stage table shows: its columns, times and shares, the copy of it.
+#include "core/project/cycle.h"
+#include "core/project/part.h"
 #include "core/study/evaluate.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
@@ -65,7 +67,7 @@ private slots:
     void aLongStageHasItsTimeWithoutAnExponent() {
         Bench bench;
         Project slow = bench.document.project();
-        slow.cycle.stages[1].axial_feed_mm_min = 20;
+        slow.cycle->stages[1].axial_feed_mm_min = 20;
         bench.table.setOutcome(evaluate(slow, {}));
         const QAbstractItemModel& model = *bench.table.view().model();
         const QString time = model.index(1, model.columnCount() - 1).data().toString();
@@ -114,7 +116,7 @@ private slots:
     void theStockOfTheFirstStageIsWhatTheOthersLeave() {
         Bench bench;
         Project project = bench.document.project();
-        project.cycle.stages[0].stock_mm = 0.05;
+        project.cycle->stages[0].stock_mm = 0.05;
         bench.document.startUntitled(project);
         bench.table.setOutcome(evaluate(project, {}));
         QVERIFY(
@@ -131,7 +133,7 @@ private slots:
         QVERIFY(!model.index(0, 4).data(StageModel::staleRole).toBool());
         const QImage good = bench.table.view().grab().toImage();
         Project faulty = bench.document.project();
-        faulty.part.radii_per_section = 35;
+        faulty.part->radii_per_section = 35;
         bench.table.setOutcome(evaluate(faulty, {}));
         QVERIFY(model.index(0, 4).data(StageModel::staleRole).toBool());
         QCOMPARE(model.index(0, 4).data(StageModel::shareRole), before);

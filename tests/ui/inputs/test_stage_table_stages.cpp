@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stages of the table: added, removed, moved, made to spark out.
+#include "core/project/cycle.h"
 #include "core/project/validate.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
@@ -99,8 +100,8 @@ private slots:
     void aStageCanBeAddedBeforeASparkOut() {
         Bench bench;
         Project project = bench.document.project();
-        project.cycle.stages[1].radial_feed_mm.reset();
-        project.cycle.stages[1].spark_out = {SparkOut::Mode::count, 4};
+        project.cycle->stages[1].radial_feed_mm.reset();
+        project.cycle->stages[1].spark_out = {SparkOut::Mode::count, 4};
         bench.document.startUntitled(project);
         bench.select(1, 1);
         QTest::keyClick(&bench.table.view(), Qt::Key_Insert);

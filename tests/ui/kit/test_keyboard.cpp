@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole window by keyboard and by screen reader, in both languages.
+#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
@@ -162,7 +163,7 @@ private slots:
         Bench bench(language);
         QVERIFY(bench.open(examplePaths().front()));
         Project project = bench.window->document().project();
-        project.part.diameter_mm += 1;
+        project.part->diameter_mm += 1;
         bench.window->document().edit(project, {"Input", "Diameter"}); // Undo has another text now
         for (const QObject* object : bench.window->findChildren<QObject*>()) {
             const auto* action = qobject_cast<const QAction*>(object);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tool tips have lines that can be read, and show what a file says letter by letter.
+#include "core/project/material.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/inputs/editors/hint_strip.h"

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The two cursors of a plot: what they read is the engine's, at places dragged, stepped or typed.
 #include "core/process/system_compliance.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
 #include "core/quality/depth_limits.h"
 #include "tests/registry.h"
 #include "tests/ui/support/text_checks.h"
@@ -236,14 +240,14 @@ private slots:
         choose(CycleAxis::minutes);
         QCOMPARE(feeds.field(0).text(), QStringLiteral("0.3"));
         Project other = traverseProject();
-        other.part.stock_mm += 0.02;
+        other.part->stock_mm += 0.02;
         feeds.view.setOutcome(run(other));
         settle();
         QCOMPARE(feeds.at(0), 0.3);
         QCOMPARE(feeds.field(1).text(), QStringLiteral("1.1"));
         // A cycle that ends before a cursor leaves it where it is, and says so.
         Project shorter = traverseProject();
-        for (Stage& stage : shorter.cycle.stages) {
+        for (Stage& stage : shorter.cycle->stages) {
             stage.radial_feed_mm = 0.02;
             stage.axial_feed_mm_min = 3000;
         }
@@ -307,8 +311,8 @@ private slots:
 
     void limitsAreReadAsTheEngineGivesThem() {
         Project project = traverseProject();
-        project.material.burn_rise_k = 700;
-        project.machine.wheel_drive_kw = 4;
+        project.material->burn_rise_k = 700;
+        project.machine->wheel_drive_kw = 4;
         const OutcomePtr outcome = run(project);
         ConstraintsView view;
         show(view, outcome);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The formulas of the step: those of the radius the cycle stands at, in the zone that was chosen.
+#include "core/project/machine.h"
 #include "core/quality/visit_sheet.h"
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
@@ -87,7 +88,7 @@ private slots:
 
     void everySectionOfAPlungeHasItsOwn() {
         Project project = fixtures::plungeProject(3);
-        project.machine.compliance_mm_per_n = std::vector<double>{2e-5, 4e-5, 8e-5};
+        project.machine->compliance_mm_per_n = std::vector<double>{2e-5, 4e-5, 8e-5};
         Sheet sheet(project);
         sheet.cycle.toStroke(20);
         auto* zone = sheet.view.findChild<QComboBox*>();

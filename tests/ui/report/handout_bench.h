@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/report/format/report_text.h"
 #include "ui/report/handout/course_handout.h"
@@ -36,15 +40,15 @@ inline OutcomePtr exampleOutcome(const QString& path) {
 
 /// With everything that limits the feed.
 inline Project fullProject(Project project) {
-    project.part.tolerance.roughness_ra_um = 0.4;
-    project.wheel.roughness_factor = 2;
-    project.material.burn_rise_k = 700;
-    project.machine.wheel_drive_kw = 7.5;
-    project.machine.work_drive_kw = 1;
-    project.wheel.grain_surface_energy_j_m2 = 18;
-    project.wheel.grain_modulus_gpa = 390;
-    project.wheel.bond_surface_energy_j_m2 = 4;
-    project.wheel.bond_modulus_gpa = 65;
+    project.part->tolerance.roughness_ra_um = 0.4;
+    project.wheel->roughness_factor = 2;
+    project.material->burn_rise_k = 700;
+    project.machine->wheel_drive_kw = 7.5;
+    project.machine->work_drive_kw = 1;
+    project.wheel->grain_surface_energy_j_m2 = 18;
+    project.wheel->grain_modulus_gpa = 390;
+    project.wheel->bond_surface_energy_j_m2 = 4;
+    project.wheel->bond_modulus_gpa = 65;
     return project;
 }
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The questions of the course hand-out, run again, and the page of their answers.
 #include "core/format/project_file.h"
+#include "core/project/cycle.h"
 #include "core/project/difference.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 #include "tests/registry.h"
 #include "tests/ui/report/handout_bench.h"
@@ -92,18 +96,18 @@ private slots:
             const Project& now = exercise.changed;
             changed << QString::fromStdString(firstDifference(before, now));
             if (changed.last() == u"/cycle/stages/1/radial_feed_mm") { // of the last stage
-                QCOMPARE(*now.cycle.stages[1].radial_feed_mm,
-                         0.5 * *before.cycle.stages[1].radial_feed_mm);
+                QCOMPARE(*now.cycle->stages[1].radial_feed_mm,
+                         0.5 * *before.cycle->stages[1].radial_feed_mm);
             } else if (changed.last() == u"/part/stock_mm") {
-                const double more = 0.2 * before.part.stock_mm;
-                QCOMPARE(now.part.stock_mm, before.part.stock_mm + more);
-                QCOMPARE(now.cycle.stages[0].stock_mm, before.cycle.stages[0].stock_mm + more);
-                QCOMPARE(now.cycle.stages[1].stock_mm, before.cycle.stages[1].stock_mm);
+                const double more = 0.2 * before.part->stock_mm;
+                QCOMPARE(now.part->stock_mm, before.part->stock_mm + more);
+                QCOMPARE(now.cycle->stages[0].stock_mm, before.cycle->stages[0].stock_mm + more);
+                QCOMPARE(now.cycle->stages[1].stock_mm, before.cycle->stages[1].stock_mm);
             } else if (changed.last() == u"/part/initial_runout_mm") {
-                QCOMPARE(now.part.initial_runout_mm, 2 * before.part.initial_runout_mm);
+                QCOMPARE(now.part->initial_runout_mm, 2 * before.part->initial_runout_mm);
             } else if (changed.last() == u"/machine/compliance_mm_per_n") {
-                const auto& was = std::get<ZoneCompliance>(before.machine.compliance_mm_per_n);
-                const auto& is = std::get<ZoneCompliance>(now.machine.compliance_mm_per_n);
+                const auto& was = std::get<ZoneCompliance>(before.machine->compliance_mm_per_n);
+                const auto& is = std::get<ZoneCompliance>(now.machine->compliance_mm_per_n);
                 QCOMPARE(is.rz1, 1.5 * was.rz1);
                 QCOMPARE(is.nz, 1.5 * was.nz);
                 QCOMPARE(is.rz2, 1.5 * was.rz2);
@@ -123,7 +127,7 @@ private slots:
             const bool plunges = operation == Operation::plunge;
             Project project = plunges ? fixtures::plungeProject(2) : fixtures::traverseProject();
             if (plunges) {
-                project.machine.compliance_mm_per_n = std::vector<double>{6e-5, 9e-5};
+                project.machine->compliance_mm_per_n = std::vector<double>{6e-5, 9e-5};
             }
             const auto exercises = report::makeExercises(*fixtures::run(project), std::nullopt);
             const auto told = [&](QLatin1StringView place) {
@@ -139,17 +143,17 @@ private slots:
     /// What yields more is less stiff.
     void unitsThatYieldMoreAreLessStiff() {
         Project project = fixtures::traverseProject();
-        project.part.shaft.segments = {{150, 30}};
-        project.part.shaft.ground_from_mm = 29;
-        project.machine.compliance_mm_per_n = std::monostate();
-        project.machine.stiffness_n_um = Stiffness{60, 45, 30};
+        project.part->shaft.segments = {{150, 30}};
+        project.part->shaft.ground_from_mm = 29;
+        project.machine->compliance_mm_per_n = std::monostate();
+        project.machine->stiffness_n_um = Stiffness{60, 45, 30};
         const auto exercises = report::makeExercises(*fixtures::run(project), std::nullopt);
         const auto softer = std::ranges::find_if(exercises, [&](const report::Exercise& exercise) {
             return firstDifference(project, exercise.changed)
                    == "/machine/stiffness_n_um/headstock";
         });
         QVERIFY(softer != exercises.end());
-        const Stiffness& stiffness = *softer->changed.machine.stiffness_n_um;
+        const Stiffness& stiffness = *softer->changed.machine->stiffness_n_um;
         QCOMPARE(stiffness.headstock, 40.0);
         QCOMPARE(stiffness.tailstock, 30.0);
         QCOMPARE(stiffness.wheel_head, 20.0);
@@ -239,13 +243,13 @@ private slots:
             QCOMPARE(canBeRead({asked, before, after}), read);
         }
         Project stiff = fixtures::traverseProject();
-        stiff.machine.compliance_mm_per_n = ZoneCompliance{1e-9, 1e-9, 1e-9};
+        stiff.machine->compliance_mm_per_n = ZoneCompliance{1e-9, 1e-9, 1e-9};
         for (const report::Exercise& exercise :
              report::makeExercises(*fixtures::run(stiff), std::nullopt)) {
             QVERIFY2(
                 !std::holds_alternative<ZoneCompliance>(
-                    exercise.changed.machine.compliance_mm_per_n)
-                    || std::get<ZoneCompliance>(exercise.changed.machine.compliance_mm_per_n).nz
+                    exercise.changed.machine->compliance_mm_per_n)
+                    || std::get<ZoneCompliance>(exercise.changed.machine->compliance_mm_per_n).nz
                            == 1e-9,
                 qPrintable(exercise.question));
         }
@@ -266,8 +270,8 @@ private slots:
         m_language.apply(language);
         const OutcomePtr guessed = exampleOutcome(path);
         Project measured = guessed->result.project;
-        QVERIFY(measured.part.tolerance.roughness_ra_um && measured.wheel.roughness_factor == 1);
-        measured.wheel.roughness_factor = 2.5;
+        QVERIFY(measured.part->tolerance.roughness_ra_um && measured.wheel->roughness_factor == 1);
+        measured.wheel->roughness_factor = 2.5;
         const auto roughnessRows = [](const OutcomePtr& outcome) {
             const auto rows = reading::rowsOfHtml(
                 bytesOf(handout(outcome, {.views = {}, .answers = false}), Format::html));
@@ -288,8 +292,8 @@ private slots:
         const auto exercises =
             report::makeExercises(*outcome, report::findStep(outcome->trajectory));
         Project changed = exercises.front().changed;
-        QCOMPARE(changed.wheel.dullness, 2 * outcome->result.project.wheel.dullness);
-        changed.wheel.dullness = outcome->result.project.wheel.dullness;
+        QCOMPARE(changed.wheel->dullness, 2 * outcome->result.project.wheel->dullness);
+        changed.wheel->dullness = outcome->result.project.wheel->dullness;
         QVERIFY(sameProject(changed, outcome->result.project));
         const auto force = std::ranges::find_if(exercises.front().answers, [](const auto& answer) {
             return answer.asked == Asked::stepForce_n;

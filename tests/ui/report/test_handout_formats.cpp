@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The formats of the course hand-out, read back: pages, a web page, Markdown; languages, figures.
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/report/handout_bench.h"
 #include "tests/ui/support/report_reading.h"
@@ -93,7 +97,7 @@ private slots:
         m_language.apply(QStringLiteral("ru"));
         for (Project project :
              {fullProject(fixtures::traverseProject()), fullProject(fixtures::plungeProject(2))}) {
-            project.machine.name = project.material.grade = project.wheel.marking = {};
+            project.machine->name = project.material->grade = project.wheel->marking = {};
             HandoutOptions options;
             options.views.insert(HandoutView::limits);
             QString text = reading::textOfHtml(
@@ -117,7 +121,7 @@ private slots:
     void hostileTextsStayTexts() {
         Project project = fixtures::traverseProject();
         project.title = "<script>alert(1)</script> | a\nb \x01 & \"q\"";
-        project.part.name = "</title><svg onload=x>";
+        project.part->name = "</title><svg onload=x>";
         project.author = "<math><mi>x</mi></math>";
         const Report made = handout(fixtures::run(project));
         const QByteArray html = bytesOf(made, Format::html);

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The formulas of the course hand-out: their numbers worked out again from the print.
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "tests/core/support/formula_reader.h"
 #include "tests/registry.h"
 #include "tests/ui/report/handout_bench.h"
@@ -101,7 +105,7 @@ private slots:
         m_language.apply(language);
         const OutcomePtr outcome = exampleOutcome(path);
         QVERIFY(outcome && outcome->ran());
-        const auto stages = static_cast<int>(outcome->result.project.cycle.stages.size());
+        const auto stages = static_cast<int>(outcome->result.project.cycle->stages.size());
         for (int stage = 1; stage <= stages; ++stage) {
             HandoutOptions options{.views = {}, .answers = false};
             options.step.stage = stage;
@@ -112,13 +116,13 @@ private slots:
 
     void soTheyDoWhereEverythingLimitsTheFeed() {
         Project coupled = fullProject(fixtures::plungeProject(3));
-        coupled.machine.compliance_mm_per_n = {};
-        coupled.machine.stiffness_n_um = Stiffness{};
-        coupled.part.shaft.segments = {{120, 30}};
-        coupled.part.shaft.ground_from_mm = 40;
+        coupled.machine->compliance_mm_per_n = {};
+        coupled.machine->stiffness_n_um = Stiffness{};
+        coupled.part->shaft.segments = {{120, 30}};
+        coupled.part->shaft.ground_from_mm = 40;
         coupled.sections_coupled = true;
         Project sharp = fullProject(fixtures::traverseProject());
-        sharp.wheel.dullness = 0;
+        sharp.wheel->dullness = 0;
         for (const Project& project : {fullProject(fixtures::traverseProject()),
                                        fullProject(fixtures::plungeProject(3)), coupled, sharp}) {
             const OutcomePtr outcome = fixtures::run(project);

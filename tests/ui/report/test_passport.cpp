@@ -3,8 +3,11 @@
 // prints is enough to compute them again.
 #include "core/batch/moments.h"
 #include "core/batch/scenario_source.h"
+#include "core/project/batch.h"
 #include "core/project/leaves.h"
+#include "core/project/machine.h"
 #include "core/project/member.h"
+#include "core/project/part.h"
 #include "core/study/batch_edits.h"
 #include "tests/registry.h"
 #include "tests/ui/support/passport_bench.h"
@@ -145,10 +148,10 @@ private slots:
         QFETCH(double, tolerance_um);
         QFETCH(bool, good);
         Project project = smallBatch();
-        project.part.upper_deviation_um = 40;
-        project.part.lower_deviation_um = -40;
-        project.machine.geometric_runout_um = 1;
-        project.part.tolerance.radial_runout_um = tolerance_um;
+        project.part->upper_deviation_um = 40;
+        project.part->lower_deviation_um = -40;
+        project.machine->geometric_runout_um = 1;
+        project.part->tolerance.radial_runout_um = tolerance_um;
         QVERIFY(fitness(project) == (good ? Fitness::fit : Fitness::unfit));
         project.batch.reset(); // nothing is known of the scatter
         QVERIFY(fitness(project) == (good ? Fitness::conditional : Fitness::unfit));
@@ -161,8 +164,8 @@ private slots:
         QFETCH(QString, language);
         m_language.apply(language);
         Project project = smallBatch();
-        project.part.upper_deviation_um = 40;
-        project.part.lower_deviation_um = -40;
+        project.part->upper_deviation_um = 40;
+        project.part->lower_deviation_um = -40;
         const BatchSummary summary = summarise(runBatch(project, {}));
         QCOMPARE(summary.bad.count, std::int64_t{0});
         const BatchVerdict verdict = weigh(summary, runBatch(project, {}));
@@ -180,9 +183,9 @@ private slots:
     /// The nominal part holds, but not all of the batch.
     void oneBadPartOfTheBatchIsEnough() {
         Project project = smallBatch();
-        project.part.upper_deviation_um = 40;
-        project.part.lower_deviation_um = -40;
-        project.part.tolerance.radial_runout_um = 20;
+        project.part->upper_deviation_um = 40;
+        project.part->lower_deviation_um = -40;
+        project.part->tolerance.radial_runout_um = 20;
         QVERIFY(conforms(project));
         const BatchSummary summary = summarise(runBatch(project, {}));
         double most = 0;
@@ -197,7 +200,7 @@ private slots:
             own = c.kind == ConstraintKind::radialRunout ? std::max(own, c.value) : own;
         }
         QVERIFY2(most > own + 1e-6, "the batch scatters");
-        project.part.tolerance.radial_runout_um = (most + own) / 2;
+        project.part->tolerance.radial_runout_um = (most + own) / 2;
         QVERIFY(!conforms(project));
         QVERIFY(textOfHtml(made(project, Format::html)).contains(QStringLiteral("Worst part, ")));
         project.batch.reset();

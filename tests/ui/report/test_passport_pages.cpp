@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pages of the accuracy passport in its three formats: whole, in one language, whatever the
 // batch and the texts.
+#include "core/project/batch.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "tests/check_line.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
@@ -96,8 +102,8 @@ private slots:
         QFETCH(bool, batch);
         m_language.apply(QStringLiteral("ru"));
         Project project = example("30h6-factory");
-        project.title = project.notes = project.author = project.part.name = {};
-        project.machine.name = project.material.grade = project.wheel.marking = {};
+        project.title = project.notes = project.author = project.part->name = {};
+        project.machine->name = project.material->grade = project.wheel->marking = {};
         if (!batch) {
             project.batch.reset();
         }
@@ -136,8 +142,8 @@ private slots:
         } else if (what == u"one part") {
             project.batch->parts = 1;
         } else {
-            project.cycle.stages.back().spark_out = {SparkOut::Mode::count, 1};
-            project.cycle.stages.back().radial_feed_mm.reset();
+            project.cycle->stages.back().spark_out = {SparkOut::Mode::count, 1};
+            project.cycle->stages.back().radial_feed_mm.reset();
         }
         const report::Subject subject = subjectOf(project);
         QVERIFY(subject.outcome->ran() && subject.batch->ran());
@@ -175,7 +181,7 @@ private slots:
 
     void aLongTableRepeatsItsHead() {
         Project project = fixtures::plungeProject(16);
-        project.part.radii_per_section = 12;
+        project.part->radii_per_section = 12;
         project.batch = smallBatch().batch;
         project.batch->parts = 6;
         project.batch->factors.dullness->parts_between_dressings.reset();
@@ -217,8 +223,8 @@ private slots:
     void hostileTextsStayTexts() {
         Project project = smallBatch();
         project.title = "<script>alert(1)</script> | a\nb \x01 & \"q\"";
-        project.part.name = "</title><svg onload=x>";
-        project.machine.name = "a | b <img src=x>";
+        project.part->name = "</title><svg onload=x>";
+        project.machine->name = "a | b <img src=x>";
         project.notes = "<script>alert(2)</script>";
         const report::Report report = report::passport(subjectOf(project));
         const QByteArray html = bytesOf(report, Format::html);

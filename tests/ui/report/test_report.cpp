@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cycle card in its three formats, read back with poppler's tools.
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "tests/ui/support/report_reading.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/charts/verdict_shop_text.h"
@@ -47,7 +53,7 @@ QByteArray made(const OutcomePtr& outcome, Format format, const QDate& date = da
 QStringList numbersOf(const Outcome& outcome) {
     QStringList numbers{verdict::time(outcome.result),
                         shop::value(ShopRow::time, outcome.shop.cycle)};
-    for (const Stage& stage : outcome.result.project.cycle.stages) {
+    for (const Stage& stage : outcome.result.project.cycle->stages) {
         const auto& feed = outcome.result.project.operation == Operation::traverse
                                ? stage.radial_feed_mm
                                : stage.radial_feed_mm_min;
@@ -159,8 +165,8 @@ private slots:
         OutcomePtr outcome = outcomeOf(path);
         QVERIFY(outcome && outcome->ran());
         Project project = outcome->result.project; // without the texts of the user
-        project.title = project.notes = project.author = project.part.name = {};
-        project.machine.name = project.material.grade = project.wheel.marking = {};
+        project.title = project.notes = project.author = project.part->name = {};
+        project.machine->name = project.material->grade = project.wheel->marking = {};
         outcome = evaluate(project, {});
         const QString text = textOfHtml(made(outcome, Format::html));
         static const QRegularExpression english(QStringLiteral("\\b[A-Za-z]{3,}\\b"));
@@ -225,10 +231,10 @@ private slots:
 
     void aLongTableRepeatsItsHeadOnEveryPage() {
         Project project = fixtures::traverseProject();
-        project.gauge.control = Control::position;
-        Stage stage = project.cycle.stages.front();
-        stage.stock_mm = project.part.stock_mm / 120;
-        project.cycle.stages.assign(120, stage);
+        project.gauge->control = Control::position;
+        Stage stage = project.cycle->stages.front();
+        stage.stock_mm = project.part->stock_mm / 120;
+        project.cycle->stages.assign(120, stage);
         const OutcomePtr outcome = fixtures::run(project);
         QVERIFY(outcome->ran());
         const QString text = textOf(made(outcome, Format::pdf));
@@ -257,8 +263,8 @@ private slots:
         project.title = "<script>alert(1)</script> | a\nb \x01 & \"q\" $x^2$ \u202Etxt";
         project.title.push_back('\0');
         project.title += "thereafter";
-        project.part.name = "</title><svg onload=x>";
-        project.machine.name = "a | b <img src=x>";
+        project.part->name = "</title><svg onload=x>";
+        project.machine->name = "a | b <img src=x>";
         project.notes = "<script>alert(2)</script>\n| x | y |\n# no heading\n1. no list\n*no*";
         const OutcomePtr outcome = fixtures::run(project);
         const QByteArray html = made(outcome, Format::html);
@@ -290,12 +296,13 @@ private slots:
             const auto column = table.head.indexOf(QStringLiteral("Stock per side, mm"));
             QVERIFY(column > 0);
             double sum = 0;
-            for (std::size_t z = 0; z < project.cycle.stages.size(); ++z) {
+            for (std::size_t z = 0; z < project.cycle->stages.size(); ++z) {
                 sum += QLocale().toDouble(table.rows.at(z).at(column));
-                sparkOuts += project.cycle.stages[z].spark_out.mode == SparkOut::Mode::none ? 0 : 1;
+                sparkOuts +=
+                    project.cycle->stages[z].spark_out.mode == SparkOut::Mode::none ? 0 : 1;
             }
-            QVERIFY2(std::abs(sum - project.part.stock_mm) < 1e-9, qPrintable(path));
-            QCOMPARE(QLocale().toDouble(table.rows.back().at(column)), project.part.stock_mm);
+            QVERIFY2(std::abs(sum - project.part->stock_mm) < 1e-9, qPrintable(path));
+            QCOMPARE(QLocale().toDouble(table.rows.back().at(column)), project.part->stock_mm);
         }
         QVERIFY(sparkOuts > 1);
     }
@@ -303,9 +310,9 @@ private slots:
     /// Where strips stay uncut the card has no size and no roughness.
     void theCardStatesNoSizeWhereStripsStayUncut() {
         Project project = fixtures::traverseProject();
-        project.part.tolerance.roughness_ra_um = 1.6;
-        project.cycle.stages.back().axial_feed_mm_min =
-            2 * project.wheel.width_mm * project.machine.work_speed_rpm;
+        project.part->tolerance.roughness_ra_um = 1.6;
+        project.cycle->stages.back().axial_feed_mm_min =
+            2 * project.wheel->width_mm * project.machine->work_speed_rpm;
         const OutcomePtr outcome = fixtures::run(project);
         QVERIFY(outcome->ran());
         for (const QStringList& row : report::CycleCard::accuracy(*outcome).rows) {
@@ -322,7 +329,7 @@ private slots:
 
     void aPartThatFailsIsNotGood() {
         Project project = fixtures::traverseProject();
-        project.machine.geometric_runout_um = 10; // of 6 allowed
+        project.machine->geometric_runout_um = 10; // of 6 allowed
         const OutcomePtr outcome = fixtures::run(project);
         const auto holds = std::ranges::all_of(outcome->constraints, &ConstraintResult::holds);
         QVERIFY(!holds);

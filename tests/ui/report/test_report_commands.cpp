@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reports from the window: preview, printing into a file, export, and none without a result.
+#include "core/project/batch.h"
+#include "core/project/part.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
@@ -112,7 +114,7 @@ private slots:
         Bench bench(QStringLiteral("en"));
         QVERIFY(bench.open(examplePaths().front()));
         Project project = bench.window->document().project();
-        project.part.name = "Sleeve 4711";
+        project.part->name = "Sleeve 4711";
         bench.window->document().edit(project, {"Input", "Name"});
         const DialogAnswers answers({QStringLiteral("file:") + path});
         bench.action("markdown-card")->trigger(); // before the run has ended
@@ -215,7 +217,7 @@ private slots:
     void withoutAResultItSaysWhy() {
         Bench bench(QStringLiteral("en"));
         Project project = newProject(Operation::traverse);
-        project.part.diameter_mm = -2;
+        project.part->diameter_mm = -2;
         bench.window->document().startUntitled(project);
         QTRY_VERIFY(bench.window->outcome() && !bench.window->outcome()->ran());
         for (const char* name :

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The numbers of the reports, straight from their tables and figures: those of the outcome, each at
 // its own place.
+#include "core/project/batch.h"
+#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/ui/support/passport_bench.h"
 #include "ui/report/documents/capability_chart.h"
@@ -169,7 +171,7 @@ private slots:
 
     void aLimitIsShownOnTheSideItStandsOn() {
         Project project = fixtures::traverseProject();
-        project.part.tolerance.radial_runout_um = 6;
+        project.part->tolerance.radial_runout_um = 6;
         const Outcome outcome = *fixtures::run(project);
         const std::vector<Characteristic> all = characteristicsOf(project);
         const report::Table table = PassportPrediction::nominal(outcome);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_state.h"
+#include "core/project/batch.h"
+#include "core/project/part.h"
 #include "core/study/batch_edits.h"
 #include "core/study/new_project.h"
 #include "tests/core/support/batch_fixtures.h"
@@ -70,7 +72,7 @@ private slots:
         const Project part = withPart(now, batch, 1);
         QVERIFY(part.runs == now.runs);
         QCOMPARE(part.notes, now.notes);
-        QVERIFY(part.part.stock_mm != project.part.stock_mm);
+        QVERIFY(part.part->stock_mm != project.part->stock_mm);
     }
 
     /// The ends of a law are three deviations from its middle.

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cursor goes through the whole cycle in every unit, and keeps its place in a new run.
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/study/evaluate.h"
 #include "tests/registry.h"
 #include "tests/two_stage_projects.h"
@@ -19,15 +24,15 @@ namespace {
 
 Project traverse() {
     Project p = fixtures::traverseProject();
-    p.part.radii_per_section = 12;
-    p.machine.dwell_exit_s = 0.667;
+    p.part->radii_per_section = 12;
+    p.machine->dwell_exit_s = 0.667;
     return p;
 }
 
 Project plunge() {
     Project p = fixtures::plungeProject(3);
-    p.part.radii_per_section = 12;
-    p.machine.compliance_mm_per_n = std::vector<double>{2e-5, 3e-5, 4e-5};
+    p.part->radii_per_section = 12;
+    p.machine->compliance_mm_per_n = std::vector<double>{2e-5, 3e-5, 4e-5};
     return p;
 }
 
@@ -48,7 +53,7 @@ private slots:
             cursor.setOutcome(outcome);
             QVERIFY(cursor.atEnd() && cursor.count() > 0);
             QCOMPARE(cursor.stroke(), outcome->result.cycleCount);
-            QCOMPARE(cursor.radius(), project.part.radii_per_section - 1);
+            QCOMPARE(cursor.radius(), project.part->radii_per_section - 1);
             QVERIFY(std::abs(cursor.time_s() - outcome->result.time_s)
                     <= 1e-9 * outcome->result.time_s);
             QCOMPARE(cursor.progress().end, outcome->trajectory.passes.size());
@@ -81,7 +86,7 @@ private slots:
                 coarser = there.size();
                 const std::size_t steps = there.size() - 1;
                 if (unit == CursorUnit::stage) {
-                    QCOMPARE(steps, project.cycle.stages.size());
+                    QCOMPARE(steps, project.cycle->stages.size());
                 } else if (unit == CursorUnit::stroke) {
                     QCOMPARE(steps, static_cast<std::size_t>(outcome->result.cycleCount));
                 } else if (unit == CursorUnit::radius) {
@@ -118,7 +123,7 @@ private slots:
             double stock = 0;
             for (const LayerColumn& column : outcome->layers.columns) {
                 stock +=
-                    std::abs(column.blank_mm - column.final_mm) * project.part.radii_per_section;
+                    std::abs(column.blank_mm - column.final_mm) * project.part->radii_per_section;
             }
             QVERIFY(std::abs(cut - stock) < 1e-10);
         }
@@ -173,7 +178,7 @@ private slots:
         cursor.toStroke(4);
         cursor.step(CursorUnit::radius, 7);
         const int radius = cursor.radius();
-        project.material.flow_stress_mpa *= 1.1;
+        project.material->flow_stress_mpa *= 1.1;
         QSignalSpy moved(&cursor, &CycleCursor::moved);
         cursor.setOutcome(run(project));
         QCOMPARE(moved.count(), 1);
@@ -195,7 +200,7 @@ private slots:
         for (const bool refused : {false, true}) {
             if (refused) {
                 Project project = traverse();
-                project.wheel.width_mm = -1;
+                project.wheel->width_mm = -1;
                 cursor.setOutcome(run(project));
             }
             QVERIFY(!cursor.outcome());

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/batch.h"
+#include "core/project/cycle.h"
 #include "core/project/difference.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
 #include "ui/session/document.h"
@@ -26,7 +31,7 @@ namespace {
 constexpr EditText editText{"Input", "Diameter"};
 
 Project withDiameter(Project project, double diameter_mm) {
-    project.part.diameter_mm = diameter_mm;
+    project.part->diameter_mm = diameter_mm;
     return project;
 }
 
@@ -55,7 +60,7 @@ private slots:
         Document document;
         document.startUntitled(newProject(Operation::traverse));
         Project project = document.project();
-        project.part.diameter_mm += 1;
+        project.part->diameter_mm += 1;
         document.edit(project, EditText{"Input", "Diameter"});
         document.markSaved(QStringLiteral("/tmp/part.sparkout"), "hash");
         QVERIFY(document.unsavedEdits().isEmpty());
@@ -71,15 +76,15 @@ private slots:
         document.startUntitled(newProject(Operation::traverse));
         const QString key = QStringLiteral("/part/diameter_mm");
         Project first = document.project();
-        first.part.diameter_mm += 1;
+        first.part->diameter_mm += 1;
         document.edit(first, EditText{"Input", "Diameter"}, key);
         document.undo();
         document.redo();
         Project second = first;
-        second.part.diameter_mm += 1;
+        second.part->diameter_mm += 1;
         document.edit(second, EditText{"Input", "Diameter"}, key);
         document.undo();
-        QCOMPARE(document.project().part.diameter_mm, first.part.diameter_mm);
+        QCOMPARE(document.project().part->diameter_mm, first.part->diameter_mm);
     }
 
     void undoAndRedoAcrossASaveGiveTheSameTextAndModifiedState() {
@@ -118,9 +123,9 @@ private slots:
         document.endMerge();
         document.edit(withDiameter(document.project(), 46), editText, key);
         document.undo();
-        QCOMPARE(document.project().part.diameter_mm, 45.0);
+        QCOMPARE(document.project().part->diameter_mm, 45.0);
         document.undo();
-        QCOMPARE(document.project().part.diameter_mm, 30.0);
+        QCOMPARE(document.project().part->diameter_mm, 30.0);
         QVERIFY(!document.canUndo());
     }
 
@@ -191,9 +196,9 @@ private slots:
         Document document;
         document.startUntitled(newProject(Operation::traverse));
         Project odd = document.project();
-        odd.part.radii_per_section = 35;
-        odd.part.lower_deviation_um = odd.part.upper_deviation_um + 1;
-        odd.part.profile = ProfileForm::measured; // chosen, not read yet
+        odd.part->radii_per_section = 35;
+        odd.part->lower_deviation_um = odd.part->upper_deviation_um + 1;
+        odd.part->profile = ProfileForm::measured; // chosen, not read yet
         document.edit(odd, editText);
         QVERIFY(!document.saveAs(path));
         Document again;
@@ -208,7 +213,7 @@ private slots:
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("dull.sparkout"));
         Project dull = newProject(Operation::traverse);
-        dull.wheel.dullness = 1.5;
+        dull.wheel->dullness = 1.5;
         QFile file(path);
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(QByteArray::fromStdString(writeProject(dull)));
@@ -248,10 +253,10 @@ private slots:
         Project other = withDiameter(project, 31);
         QCOMPARE(firstDifference(project, other), std::string("/part/diameter_mm"));
         other = project;
-        other.cycle.stages.back().stock_mm += 1;
+        other.cycle->stages.back().stock_mm += 1;
         QCOMPARE(firstDifference(project, other),
-                 "/cycle/stages/" + std::to_string(project.cycle.stages.size() - 1) + "/stock_mm");
-        other.cycle.stages.push_back({});
+                 "/cycle/stages/" + std::to_string(project.cycle->stages.size() - 1) + "/stock_mm");
+        other.cycle->stages.push_back({});
         QCOMPARE(firstDifference(project, other), std::string("/cycle/stages"));
         other = project;
         other.batch.emplace(); // an object that appears, or goes
@@ -290,7 +295,7 @@ private slots:
     void aListedComplianceFollowsTheNumberOfSections() {
         const Project plunge = newProject(Operation::plunge);
         const Project more = withSections(plunge, 7);
-        QCOMPARE(std::get<std::vector<double>>(more.machine.compliance_mm_per_n).size(), 7u);
+        QCOMPARE(std::get<std::vector<double>>(more.machine->compliance_mm_per_n).size(), 7u);
         QVERIFY(!hasErrors(validate(more)));
         QVERIFY(!hasErrors(validate(withSections(more, 1))));
     }

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Kept runs of a document: edits that can be undone and are saved; computed again aside.
+#include "core/project/cycle.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "ui/session/kept_runs.h"
 
 #include "core/format/project_file.h"
@@ -24,8 +27,8 @@ struct Desk {
     Desk() { document.startUntitled(newProject(Operation::traverse)); }
     void setStock(double stock_mm) {
         Project project = document.project();
-        project.part.stock_mm = stock_mm;
-        project.cycle.stages.front().stock_mm += stock_mm - document.project().part.stock_mm;
+        project.part->stock_mm = stock_mm;
+        project.cycle->stages.front().stock_mm += stock_mm - document.project().part->stock_mm;
         document.edit(std::move(project), editText);
     }
     [[nodiscard]] OutcomePtr run() const { return evaluate(document.project(), {}); }
@@ -107,7 +110,7 @@ private slots:
     void refusedInputsGiveNoRunToKeep() {
         Desk desk;
         Project project = desk.document.project();
-        project.wheel.width_mm = -5;
+        project.wheel->width_mm = -5;
         desk.document.edit(project, editText);
         QVERIFY(desk.kept.keep(*desk.run()) == KeptRuns::Kept::refused);
         QCOMPARE(desk.kept.count(), 0);

@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Switching the operation and back.
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/study/evaluate.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
@@ -57,7 +63,7 @@ private slots:
             return;
         }
         const bool traverse = project.operation == Operation::traverse;
-        const MachineLimits& limits = project.machine.limits;
+        const MachineLimits& limits = project.machine->limits;
         const auto within = [](const Levels& levels, const auto& range) {
             const std::vector<double> values = levelValues(levels);
             return !values.empty()
@@ -78,8 +84,8 @@ private slots:
         if (!file.contains(QStringLiteral("/examples/"))) {
             return; // parts that nobody grinds
         }
-        if (project.part.profile != ProfileForm::measured) {
-            project.part.radii_per_section = 4; // in a moment
+        if (project.part->profile != ProfileForm::measured) {
+            project.part->radii_per_section = 4; // in a moment
         }
         const SearchSummary found = optimise(project);
         QVERIFY(found.status == (found.best ? SearchStatus::proved : SearchStatus::infeasible));
@@ -123,23 +129,23 @@ private slots:
     void aPlungeKeepsTheWheelAndGrindsWhatItCovers() {
         Document document;
         Project shaft = newProject(Operation::traverse);
-        shaft.part.length_mm = 300;
-        shaft.machine.compliance_mm_per_n = ZoneCompliance{1e-4, 2e-4, 1e-4};
+        shaft.part->length_mm = 300;
+        shaft.machine->compliance_mm_per_n = ZoneCompliance{1e-4, 2e-4, 1e-4};
         document.startUntitled(shaft);
         switchTo(document, Operation::plunge);
         const Project& now = document.project();
-        QCOMPARE(now.wheel.width_mm, shaft.wheel.width_mm);
-        QCOMPARE(now.part.length_mm, shaft.wheel.width_mm);
+        QCOMPARE(now.wheel->width_mm, shaft.wheel->width_mm);
+        QCOMPARE(now.part->length_mm, shaft.wheel->width_mm);
         QVERIFY(!hasErrors(validate(now)));
         // the sections stand at the headstock's end of the length, where the zone is stiff
-        const auto& sections = std::get<std::vector<double>>(now.machine.compliance_mm_per_n);
-        const double share = shaft.wheel.width_mm / 300;
+        const auto& sections = std::get<std::vector<double>>(now.machine->compliance_mm_per_n);
+        const double share = shaft.wheel->width_mm / 300;
         QVERIFY(sections.front() > 1e-4 && sections.back() < 1e-4 + 2e-4 * share);
         const QStringList changes = changesOfOperation(shaft, now);
         QCOMPARE(changes.size(), 2); // and the compliance
         QVERIFY2(changes[0].contains(QStringLiteral("300\u00a0mm → ")), qPrintable(changes[0]));
         switchTo(document, Operation::traverse);
-        QCOMPARE(document.project().part.length_mm, 300.0);
+        QCOMPARE(document.project().part->length_mm, 300.0);
         QCOMPARE(writeProject(document.project()), writeProject(shaft));
         QVERIFY(changesOfOperation(shaft, document.project()).isEmpty());
     }
@@ -160,15 +166,15 @@ private slots:
             count += member != now ? 1 : 0;
             member = now;
         };
-        take(told.part.surface, after.part.surface);
-        take(told.part.length_mm, after.part.length_mm);
-        take(told.wheel.width_mm, after.wheel.width_mm);
-        take(told.machine.overrun_entry_mm, after.machine.overrun_entry_mm);
-        take(told.machine.overrun_exit_mm, after.machine.overrun_exit_mm);
-        take(told.machine.compliance_mm_per_n, after.machine.compliance_mm_per_n);
-        take(told.gauge.section, after.gauge.section);
-        take(told.gauge.position_mm, after.gauge.position_mm);
-        take(told.gauge.compliance_mm_per_n, after.gauge.compliance_mm_per_n);
+        take(told.part->surface, after.part->surface);
+        take(told.part->length_mm, after.part->length_mm);
+        take(told.wheel->width_mm, after.wheel->width_mm);
+        take(told.machine->overrun_entry_mm, after.machine->overrun_entry_mm);
+        take(told.machine->overrun_exit_mm, after.machine->overrun_exit_mm);
+        take(told.machine->compliance_mm_per_n, after.machine->compliance_mm_per_n);
+        take(told.gauge->section, after.gauge->section);
+        take(told.gauge->position_mm, after.gauge->position_mm);
+        take(told.gauge->compliance_mm_per_n, after.gauge->compliance_mm_per_n);
         told.optimisation = after.optimisation; // levels for the new feeds, as the stages have them
         QCOMPARE(lines.size(), count);
         QCOMPARE(writeProject(told), writeProject(after));
@@ -196,19 +202,19 @@ private slots:
         const Project before = document.project();
         switchTo(document, Operation::plunge);
         Project changed = document.project();
-        changed.wheel.dullness = 0.2;
-        changed.cycle.stages[0].stock_mm = 0.09;
-        changed.cycle.stages[0].radial_feed_mm_min = 1.7;
+        changed.wheel->dullness = 0.2;
+        changed.cycle->stages[0].stock_mm = 0.09;
+        changed.cycle->stages[0].radial_feed_mm_min = 1.7;
         document.edit(changed, {});
         switchTo(document, Operation::traverse);
         const Project& now = document.project();
-        QCOMPARE(now.wheel.dullness, 0.2);
-        QCOMPARE(now.cycle.stages[0].stock_mm, 0.09);
-        QCOMPARE(now.cycle.stages[0].radial_feed_mm, before.cycle.stages[0].radial_feed_mm);
-        QCOMPARE(now.cycle.stages[0].axial_feed_mm_min, before.cycle.stages[0].axial_feed_mm_min);
-        QVERIFY(now.machine.compliance_mm_per_n == before.machine.compliance_mm_per_n);
+        QCOMPARE(now.wheel->dullness, 0.2);
+        QCOMPARE(now.cycle->stages[0].stock_mm, 0.09);
+        QCOMPARE(now.cycle->stages[0].radial_feed_mm, before.cycle->stages[0].radial_feed_mm);
+        QCOMPARE(now.cycle->stages[0].axial_feed_mm_min, before.cycle->stages[0].axial_feed_mm_min);
+        QVERIFY(now.machine->compliance_mm_per_n == before.machine->compliance_mm_per_n);
         switchTo(document, Operation::plunge);
-        QCOMPARE(document.project().cycle.stages[0].radial_feed_mm_min.value(), 1.7);
+        QCOMPARE(document.project().cycle->stages[0].radial_feed_mm_min.value(), 1.7);
     }
 
     void aComplianceEnteredMeanwhileIsCarriedOver() {
@@ -216,12 +222,13 @@ private slots:
         document.startUntitled(newProject(Operation::traverse));
         switchTo(document, Operation::plunge);
         Project stiff = document.project();
-        for (double& value : std::get<std::vector<double>>(stiff.machine.compliance_mm_per_n)) {
+        for (double& value : std::get<std::vector<double>>(stiff.machine->compliance_mm_per_n)) {
             value = 5e-5;
         }
         document.edit(stiff, {});
         switchTo(document, Operation::traverse);
-        const auto zones = std::get<ZoneCompliance>(document.project().machine.compliance_mm_per_n);
+        const auto zones =
+            std::get<ZoneCompliance>(document.project().machine->compliance_mm_per_n);
         QCOMPARE(zones, (ZoneCompliance{5e-5, 5e-5, 5e-5}));
     }
 
@@ -230,12 +237,12 @@ private slots:
         document.startUntitled(newProject(Operation::plunge));
         switchTo(document, Operation::traverse);
         Project longer = document.project();
-        longer.part.length_mm = 300;
+        longer.part->length_mm = 300;
         document.edit(longer, {});
         switchTo(document, Operation::plunge);
         QVERIFY(!hasErrors(validate(document.project())));
         Project shorter = document.project();
-        shorter.part.length_mm = 8;
+        shorter.part->length_mm = 8;
         document.edit(shorter, {});
         switchTo(document, Operation::traverse);
         QVERIFY(!hasErrors(validate(document.project())));
@@ -244,15 +251,15 @@ private slots:
     void aStageAddedMeanwhileLeavesTheOthersTheirFeeds() {
         Document document;
         document.startUntitled(newProject(Operation::traverse));
-        const auto before = document.project().cycle.stages;
+        const auto before = document.project().cycle->stages;
         switchTo(document, Operation::plunge);
         Project more = document.project();
-        Stage added = more.cycle.stages[0];
+        Stage added = more.cycle->stages[0];
         added.radial_feed_mm_min = 0.9;
-        more.cycle.stages.insert(more.cycle.stages.begin(), added);
+        more.cycle->stages.insert(more.cycle->stages.begin(), added);
         document.edit(more, {});
         switchTo(document, Operation::traverse);
-        const auto& now = document.project().cycle.stages;
+        const auto& now = document.project().cycle->stages;
         QCOMPARE(now.size(), 3u);
         QVERIFY(now[0].radial_feed_mm && now[0].axial_feed_mm_min);
         for (std::size_t i = 0; i < 2; ++i) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/cycle.h"
+#include "core/project/part.h"
 #include "ui/session/run_controller.h"
 
 #include "core/study/new_project.h"
@@ -22,7 +24,7 @@ namespace {
 
 Project numbered(int number) {
     Project project = newProject(Operation::traverse);
-    project.part.diameter_mm = 30 + number;
+    project.part->diameter_mm = 30 + number;
     return project;
 }
 
@@ -68,7 +70,7 @@ private slots:
         connect(&runs, &RunController::finished, this,
                 [&got](const OutcomePtr& outcome) { got = outcome; });
         Project project = newProject(Operation::traverse);
-        project.cycle.stages.front().radial_feed_mm.reset();
+        project.cycle->stages.front().radial_feed_mm.reset();
         runs.request(project);
         QTRY_VERIFY(got != nullptr);
         QVERIFY(!got->ran());
@@ -80,11 +82,11 @@ private slots:
         std::atomic<int> begun = 0;
         RunController runs(nullptr, [&begun](const Project& project, const std::stop_token& stop) {
             ++begun;
-            return project.part.diameter_mm < 129.5 ? slowRun(project, stop) : outcomeOf(project);
+            return project.part->diameter_mm < 129.5 ? slowRun(project, stop) : outcomeOf(project);
         });
         std::vector<double> shown;
         connect(&runs, &RunController::finished, this, [&shown](const OutcomePtr& outcome) {
-            shown.push_back(outcome->result.project.part.diameter_mm);
+            shown.push_back(outcome->result.project.part->diameter_mm);
         });
         QElapsedTimer clock;
         clock.start();
@@ -104,7 +106,7 @@ private slots:
         });
         std::vector<double> shown;
         connect(&runs, &RunController::finished, this, [&shown](const OutcomePtr& outcome) {
-            shown.push_back(outcome->result.project.part.diameter_mm);
+            shown.push_back(outcome->result.project.part->diameter_mm);
         });
         runs.request(numbered(0));
         std::this_thread::sleep_for(50ms); // done, its delivery is queued
@@ -130,8 +132,8 @@ private slots:
     void closingDuringARealLongRunWaitsLessThanATenthOfASecond() {
         Project project = newProject(Operation::plunge);
         project = withSections(project, 200);
-        project.part.radii_per_section = 360;
-        project.cycle.stages.back().radial_feed_mm_min = 0.01;
+        project.part->radii_per_section = 360;
+        project.cycle->stages.back().radial_feed_mm_min = 0.01;
         auto runs = std::make_unique<RunController>();
         runs->request(project);
         std::this_thread::sleep_for(20ms);

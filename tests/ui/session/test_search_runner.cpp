@@ -3,7 +3,13 @@
 // newest wins.
 #include "core/batch/scenario_source.h"
 #include "core/optimisation/limit.h"
+#include "core/project/batch.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
 #include "core/project/validate.h"
+#include "core/project/wheel.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/simulate.h"
 #include "core/study/search_edits.h"
@@ -91,7 +97,7 @@ private slots:
         Project project = fixtures::searchedShaft();
         const SearchOutcomePtr usual = searched(project);
         project.optimisation->work_speed_rpm =
-            std::vector<double>{project.machine.work_speed_rpm, 260};
+            std::vector<double>{project.machine->work_speed_rpm, 260};
         project.optimisation->unfed_steps = std::vector<double>{0, 1};
         const SearchOutcomePtr outcome = searched(project);
         QVERIFY(usual && outcome && outcome->proved());
@@ -99,7 +105,7 @@ private slots:
         QCOMPARE(outcome->best()->machine.work_speed_rpm, optimise(project).machine.work_speed_rpm);
         for (const FoundCycle& found : outcome->found) {
             Project part = project;
-            part.cycle = found.cycle;
+            *part.cycle = found.cycle;
             setMachine(part, found.machine);
             QVERIFY(holdsAll(part));
             QVERIFY(std::abs(simulate(part).time_s - found.time_s) <= 1e-6);
@@ -116,7 +122,7 @@ private slots:
         double before = 0;
         for (const FoundCycle& found : outcome->found) {
             Project part = project;
-            part.cycle = found.cycle;
+            *part.cycle = found.cycle;
             QVERIFY(holdsAll(part));
             QVERIFY(std::abs(simulate(part).time_s - found.time_s) <= 1e-6);
             QVERIFY(found.time_s >= before);
@@ -157,7 +163,7 @@ private slots:
         const FoundCycle* refined = outcome->refined();
         QVERIFY(refined && refined->time_s < outcome->best()->time_s);
         Project part = project;
-        part.cycle = refined->cycle;
+        *part.cycle = refined->cycle;
         QVERIFY(holdsAll(part));
         QVERIFY(std::abs(simulate(part).time_s - refined->time_s) <= 1e-6);
     }
@@ -208,7 +214,7 @@ private slots:
         project.optimisation->axial_feed_mm_min = {};
         QVERIFY(searched(project)->fault == GridFault::noLevels);
         project = fixtures::searchedShaft();
-        project.cycle.stages.clear();
+        project.cycle->stages.clear();
         const SearchOutcomePtr refused = searched(project);
         QVERIFY(!refused->ran() && !refused->best() && hasErrors(refused->issues));
         project = fixtures::searchedShaft();
@@ -235,7 +241,7 @@ private slots:
         QCOMPARE(outcome->nominal_s(), alone->best()->time_s);
         QCOMPARE(alone->nominal_s(), 0.0);
         Project corners = project;
-        corners.cycle = outcome->best()->cycle;
+        *corners.cycle = outcome->best()->cycle;
         corners.batch->scenarios = Scenarios::corners;
         const ScenarioSource source(corners);
         QCOMPARE(source.parts(), std::int64_t{4});
@@ -248,8 +254,8 @@ private slots:
         for (Project project : {fixtures::traverse(), fixtures::plunge()}) {
             for (const double scale : {0.03, 1.0, 7.0}) {
                 Project scaled = project;
-                scaled.part.stock_mm *= scale;
-                for (Stage& stage : scaled.cycle.stages) {
+                scaled.part->stock_mm *= scale;
+                for (Stage& stage : scaled.cycle->stages) {
                     stage.stock_mm *= scale;
                 }
                 const Project usual = withUsualSearch(scaled);
@@ -267,12 +273,12 @@ private slots:
         for (const auto& range :
              {std::vector<double>{}, {50.0, 1000.0, 1.0}, {900.0, 1000.0, 1.0}}) {
             for (const double feed : {0.5, 80.0, 100.0}) {
-                for (Stage& stage : project.cycle.stages) {
+                for (Stage& stage : project.cycle->stages) {
                     stage.radial_feed_mm_min = feed;
                 }
-                project.machine.limits.plunge_feed_mm_min.reset();
+                project.machine->limits.plunge_feed_mm_min.reset();
                 if (!range.empty()) {
-                    project.machine.limits.plunge_feed_mm_min = range;
+                    project.machine->limits.plunge_feed_mm_min = range;
                 }
                 for (const Issue& issue : validate(withUsualSearch(project))) {
                     QVERIFY2(issue.severity != Severity::error
@@ -287,13 +293,13 @@ private slots:
         const Project project = fixtures::searchedShaft();
         Project other = project;
         other.title = "Another name";
-        other.cycle.stages.pop_back();
+        other.cycle->stages.pop_back();
         other.batch = Batch{};
         QVERIFY(sameSearch(project, other));
         other.optimisation->scenarios = OptimisationScenarios::batch;
         QVERIFY(!sameSearch(project, other));
         other = project;
-        other.wheel.dullness *= 1.01;
+        other.wheel->dullness *= 1.01;
         QVERIFY(!sameSearch(project, other));
     }
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/machine.h"
 #include "ui/session/slider_scale.h"
 
 #include "core/project/member.h"
@@ -116,17 +117,17 @@ private slots:
         SliderScale scale = scaleOf(project, "/machine/work_speed_rpm");
         QCOMPARE(scale.low(), 20.0);
         QCOMPARE(scale.high(), 1500.0);
-        project.machine.work_speed_rpm = 2300;
+        project.machine->work_speed_rpm = 2300;
         QCOMPARE(scaleOf(project, "/machine/work_speed_rpm").high(), 5000.0);
-        project.machine.work_speed_rpm = 7;
+        project.machine->work_speed_rpm = 7;
         QCOMPARE(scaleOf(project, "/machine/work_speed_rpm").low(), 5.0);
-        project.machine.work_speed_rpm = 9999;
+        project.machine->work_speed_rpm = 9999;
         QCOMPARE(scaleOf(project, "/machine/work_speed_rpm").high(), 10000.0);
     }
 
     void theValueStandsWhereItsShareOfTheRangeIs() {
         Project project = newProject(Operation::traverse);
-        project.machine.dwell_entry_s = 0;
+        project.machine->dwell_entry_s = 0;
         for (const auto& [path, field] : sliders(project)) {
             const SliderScale scale = scaleOf(project, path);
             for (const double share : {0.0, 0.2, 0.5, 0.8, 1.0}) {
@@ -173,7 +174,7 @@ private slots:
 
     void theMachinesOwnRangeAndStepAreKept() {
         Project project = newProject(Operation::traverse);
-        project.machine.limits.radial_feed_mm = {{0.0005, 0.03, 0.0005}};
+        project.machine->limits.radial_feed_mm = {{0.0005, 0.03, 0.0005}};
         const SliderScale scale = scaleOf(project, "/cycle/stages/0/radial_feed_mm");
         QCOMPARE(scale.low(), 0.0005);
         QCOMPARE(scale.high(), 0.03);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/format/project_file.h"
+#include "core/project/part.h"
 #include "core/study/new_project.h"
 #include "tests/ui/support/file_trouble.h"
 #include "ui/files/file_guard.h"
@@ -23,13 +24,13 @@ inline QString smallDisk; ///< a file system of 64 KB; empty: not allowed here
 
 inline void setDiameter(Document& document, double diameter_mm) {
     Project project = document.project();
-    project.part.diameter_mm = diameter_mm;
+    project.part->diameter_mm = diameter_mm;
     document.edit(project, editText);
 }
 
 inline QByteArray textWith(double diameter_mm) {
     Project project = newProject(Operation::traverse);
-    project.part.diameter_mm = diameter_mm;
+    project.part->diameter_mm = diameter_mm;
     return QByteArray::fromStdString(writeProject(project));
 }
 

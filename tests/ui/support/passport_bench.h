@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/batch.h"
+#include "core/project/part.h"
 #include "tests/ui/support/report_reading.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/report/documents/passport.h"
@@ -47,7 +49,7 @@ inline QByteArray made(const Project& project, Format format) {
 
 inline Project smallBatch() {
     Project project = fixtures::traverseProject();
-    project.part.radii_per_section = 12;
+    project.part->radii_per_section = 12;
     project.batch.emplace();
     project.batch->parts = 24;
     project.batch->factors.stock_mm.emplace().uniform = {0.14, 0.16};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
 #include "tests/core/support/project_fixtures.h"
 
 namespace fixtures {
@@ -19,7 +21,7 @@ inline Project searchedShaft() {
 /// The same with a grid that takes minutes.
 inline Project endlessSearch() {
     Project project = searchedShaft();
-    project.part.radii_per_section = 360;
+    project.part->radii_per_section = 360;
     project.optimisation->stages = {4, 5};
     project.optimisation->stock_step_mm = 0.002;
     project.optimisation->radial_feed_mm = SteppedLevels{0.0005, 0.012, 0.0005};

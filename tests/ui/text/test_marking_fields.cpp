@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Wheel markings and tolerance classes as a user types them on the pages of the inputs.
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"
 
@@ -31,16 +34,16 @@ private slots:
         QVERIFY(fill->isEnabled());
         const Project before = window.document().project();
         window.press("fillFromMarking");
-        const Wheel& wheel = window.document().project().wheel;
+        const Wheel& wheel = *window.document().project().wheel;
         QCOMPARE(wheel.diameter_mm, 400.0);
         QCOMPARE(wheel.width_mm, 40.0);
         QCOMPARE(wheel.grain_mm, 0.185);
         QCOMPARE(wheel.grain_share, (62 - 2 * 8) / 100.0);
-        QCOMPARE(wheel.dullness, before.wheel.dullness); // it says nothing of it
+        QCOMPARE(wheel.dullness, before.wheel->dullness); // it says nothing of it
         QVERIFY(!fill->isEnabled());
         window.document().undo();
-        QCOMPARE(window.document().project().wheel.diameter_mm, before.wheel.diameter_mm);
-        QCOMPARE(window.document().project().wheel.marking, before.wheel.marking);
+        QCOMPARE(window.document().project().wheel->diameter_mm, before.wheel->diameter_mm);
+        QCOMPARE(window.document().project().wheel->marking, before.wheel->marking);
         line->setFocus();
         line->selectAll();
         QTest::keyClicks(line, QStringLiteral("the old one"));
@@ -51,12 +54,12 @@ private slots:
     void aMarkingBelowTheMachinesSpeedIsSaid() {
         Window window(wheelPage);
         Project project = window.document().project();
-        project.machine.wheel_speed_m_s = 50;
-        project.wheel.marking = "25А F60 L 6 V 35";
+        project.machine->wheel_speed_m_s = 50;
+        project.wheel->marking = "25А F60 L 6 V 35";
         window.document().edit(project, {"Input", "Marking"});
         auto* meaning = window.on<QLabel>("markingMeaning");
         QVERIFY(meaning->text().contains(QStringLiteral("above what the marking allows")));
-        project.machine.wheel_speed_m_s = 35;
+        project.machine->wheel_speed_m_s = 35;
         window.document().edit(project, {"Input", "Wheel speed"});
         QVERIFY(!meaning->text().contains(QStringLiteral("above what the marking allows")));
     }
@@ -80,7 +83,7 @@ private slots:
         QFETCH(double, lower);
         QFETCH(QString, shown);
         Window window(partPage);
-        const Part before = window.document().project().part;
+        const Part before = *window.document().project().part;
         auto* size = window.on<QLineEdit>("sizeField");
         size->setFocus();
         size->selectAll();
@@ -88,15 +91,15 @@ private slots:
         size->setModified(true);
         QVERIFY(window.on<QLabel>("sizeMeaning")->isVisible());
         QTest::keyClick(size, Qt::Key_Return);
-        const Part& part = window.document().project().part;
+        const Part& part = *window.document().project().part;
         QCOMPARE(part.diameter_mm, nominal);
         QCOMPARE(part.upper_deviation_um, upper);
         QCOMPARE(part.lower_deviation_um, lower);
         QCOMPARE(size->text(), shown);
         QVERIFY(!window.on<QLabel>("sizeMeaning")->isVisible());
         window.document().undo();
-        QCOMPARE(window.document().project().part.diameter_mm, before.diameter_mm);
-        QCOMPARE(window.document().project().part.lower_deviation_um, before.lower_deviation_um);
+        QCOMPARE(window.document().project().part->diameter_mm, before.diameter_mm);
+        QCOMPARE(window.document().project().part->lower_deviation_um, before.lower_deviation_um);
         QVERIFY(!window.document().canUndo());
     }
 
@@ -109,7 +112,7 @@ private slots:
         QVERIFY(window.on<QLabel>("sizeMeaning")->isVisible());
         QVERIFY(!window.document().canUndo());
         QTest::keyClick(size, Qt::Key_Tab);
-        const Part& part = window.document().project().part;
+        const Part& part = *window.document().project().part;
         QCOMPARE(part.diameter_mm, 40);
         QCOMPARE(part.upper_deviation_um, 18);
         QCOMPARE(part.lower_deviation_um, 2);
@@ -123,7 +126,7 @@ private slots:
         size->selectAll();
         QTest::keyClicks(size, QStringLiteral("40k6"));
         window.bench.window->inputs().endTyping(); // as Save does first
-        QCOMPARE(window.document().project().part.diameter_mm, 40);
+        QCOMPARE(window.document().project().part->diameter_mm, 40);
         QVERIFY(size->hasFocus());
     }
 
@@ -137,7 +140,7 @@ private slots:
         QTest::keyClick(size, Qt::Key_Return);
         QCOMPARE(size->text(), own);
         Project project = window.document().project();
-        project.part.diameter_mm += 20;
+        project.part->diameter_mm += 20;
         window.document().edit(project, {"Input", "Diameter"});
         QVERIFY2(size->text() != own, qPrintable(own));
         QVERIFY(!window.on<QLabel>("sizeMeaning")->isVisible());
@@ -152,7 +155,7 @@ private slots:
         QTest::keyClick(size, Qt::Key_Tab);
         QCOMPARE(size->text(), QStringLiteral("30H7"));
         Project project = window.document().project();
-        project.part.surface = Surface::internal;
+        project.part->surface = Surface::internal;
         window.document().edit(project, {"Input", "Surface"});
         QVERIFY(!window.on<QLabel>("sizeMeaning")->isVisible());
         QVERIFY(size->text() != QStringLiteral("30H7"));
@@ -160,7 +163,7 @@ private slots:
 
     void aClassThatIsNoneIsExplained() {
         Window window(partPage);
-        const Part before = window.document().project().part;
+        const Part before = *window.document().project().part;
         auto* size = window.on<QLineEdit>("sizeField");
         auto* meaning = window.on<QLabel>("sizeMeaning");
         for (const auto& [typed, said] :
@@ -174,19 +177,19 @@ private slots:
             QTest::keyClick(size, Qt::Key_Return);
             QVERIFY(meaning->isVisible());
         }
-        QCOMPARE(window.document().project().part.diameter_mm, before.diameter_mm);
+        QCOMPARE(window.document().project().part->diameter_mm, before.diameter_mm);
         QVERIFY(!window.document().canUndo());
     }
 
     void limitsOfAClassAreRecognised() {
         Window window(partPage);
         Project project = window.document().project();
-        project.part.diameter_mm = 50;
-        project.part.upper_deviation_um = -9;
-        project.part.lower_deviation_um = -25;
+        project.part->diameter_mm = 50;
+        project.part->upper_deviation_um = -9;
+        project.part->lower_deviation_um = -25;
         window.document().edit(project, {"Input", "Diameter"});
         QCOMPARE(window.on<QLineEdit>("sizeField")->text(), QStringLiteral("50g6"));
-        project.part.lower_deviation_um = -26;
+        project.part->lower_deviation_um = -26;
         window.document().edit(project, {"Input", "Diameter"});
         QCOMPARE(window.on<QLineEdit>("sizeField")->text(), QString());
     }

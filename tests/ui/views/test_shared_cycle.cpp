@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One moment of the cycle for all views of the window: the playback bar and each view move it, all
 // others follow.
+#include "core/project/material.h"
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/support/window_bench.h"
@@ -163,10 +164,10 @@ private slots:
         QVERIFY(bench.openFactory());
         bench.cycle().toStroke(12);
         Project project = bench.window->document().project();
-        project.material.flow_stress_mpa *= 1.05;
+        project.material->flow_stress_mpa *= 1.05;
         bench.window->document().edit(std::move(project), {"Input", "Flow stress"});
-        QTRY_COMPARE(bench.window->outcome()->result.project.material.flow_stress_mpa,
-                     bench.window->document().project().material.flow_stress_mpa);
+        QTRY_COMPARE(bench.window->outcome()->result.project.material->flow_stress_mpa,
+                     bench.window->document().project().material->flow_stress_mpa);
         bench.settle();
         const FeedsPlot& feeds = *bench.view<FeedsView>().plot();
         QVERIFY(std::abs(feeds.moment_s().value_or(0) - feeds.series().strokeEnd_s(12)) < 1e-9);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/format/project_file.h"
+#include "core/project/part.h"
 #include "core/study/new_project.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/file_trouble.h"
@@ -24,7 +25,7 @@ inline constexpr EditText editText{"Input", "Diameter"};
 
 inline QByteArray textWith(double diameter_mm) {
     Project project = newProject(Operation::traverse);
-    project.part.diameter_mm = diameter_mm;
+    project.part->diameter_mm = diameter_mm;
     return QByteArray::fromStdString(writeProject(project));
 }
 
@@ -41,11 +42,11 @@ struct Bench {
     [[nodiscard]] bool open() { return window->files().openFile(path); }
     void edit(double diameter_mm) {
         Project project = document().project();
-        project.part.diameter_mm = diameter_mm;
+        project.part->diameter_mm = diameter_mm;
         document().edit(project, editText);
     }
     [[nodiscard]] Document& document() { return window->document(); }
-    [[nodiscard]] double diameter() { return document().project().part.diameter_mm; }
+    [[nodiscard]] double diameter() { return document().project().part->diameter_mm; }
     [[nodiscard]] QPushButton* noticeButton(const char* key, int index) {
         auto* row = window->findChild<QWidget*>(QStringLiteral("notice ") + QString::fromUtf8(key));
         return row ? row->findChildren<QPushButton*>().value(index) : nullptr;

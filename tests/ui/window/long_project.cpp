@@ -2,6 +2,12 @@
 #include "tests/ui/window/long_project.h"
 
 #include "core/format/project_file.h"
+#include "core/project/batch.h"
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/study/evaluate.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
@@ -12,17 +18,17 @@ namespace sparkout {
 
 Project longProject(int sections) {
     Project project = withSections(newProject(Operation::plunge), sections);
-    project.part.radii_per_section = 360;
-    project.part.stock_mm = 0.2;
-    project.part.initial_runout_mm = 0.05;
-    project.part.profile = ProfileForm::ellipse;
-    project.wheel.dullness = 0.04;
-    project.machine.work_speed_rpm = 500;
-    project.gauge.control = Control::position;
-    project.cycle.stages.resize(1);
-    Stage& stage = project.cycle.stages.front();
+    project.part->radii_per_section = 360;
+    project.part->stock_mm = 0.2;
+    project.part->initial_runout_mm = 0.05;
+    project.part->profile = ProfileForm::ellipse;
+    project.wheel->dullness = 0.04;
+    project.machine->work_speed_rpm = 500;
+    project.gauge->control = Control::position;
+    project.cycle->stages.resize(1);
+    Stage& stage = project.cycle->stages.front();
     stage.radial_feed_mm_min = 0.04;
-    stage.stock_mm = project.part.stock_mm;
+    stage.stock_mm = project.part->stock_mm;
     stage.spark_out = {};
     return project;
 }

@@ -7,6 +7,7 @@
 #include "core/batch/batch_run.h"
 #include "core/format/project_file.h"
 #include "core/optimisation/optimise.h"
+#include "core/project/batch.h"
 #include "tests/check_line.h"
 #include "tests/registry.h"
 #include "tests/tries.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The ways into the window: recent files, a dropped one, faulty and large ones.
+#include "core/project/wheel.h"
 #include "core/study/new_project.h"
 #include "tests/check_line.h"
 #include "tests/registry.h"
@@ -139,7 +140,7 @@ private slots:
         Bench bench;
         Project project = newProject(Operation::traverse);
         Project strange = project;
-        strange.wheel.width_mm = -1;
+        strange.wheel->width_mm = -1;
         project.runs = {{"odd", "2026-01-01T00:00:00Z", "9.9", {writeProject(strange)}, {"{}"}}};
         trouble::write(bench.path, QByteArray::fromStdString(writeProject(project)));
         QVERIFY(bench.open());

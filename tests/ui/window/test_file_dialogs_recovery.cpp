@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Work of a crash, work that was discarded and earlier versions, offered by the window.
+#include "core/project/part.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/window/file_dialogs_bench.h"
@@ -30,7 +31,7 @@ private slots:
         Bench bench(QStringLiteral("en"), state.path());
         Project project = newProject(Operation::traverse);
         project.title = "Lost <b>work</b>";
-        project.part.diameter_mm = 33;
+        project.part->diameter_mm = 33;
         const RecoveryStore store(state.path());
         QVERIFY(makePrivateFolder(store.folder()));
         trouble::write(
@@ -67,7 +68,7 @@ private slots:
             QVERIFY(bench.window->files().save());
             QCOMPARE(bench.diameter(), 33.0);
             QVERIFY(store.left().empty() && store.discarded().empty());
-            QCOMPARE(loadProject(bench.path).project->part.diameter_mm, 33.0);
+            QCOMPARE(loadProject(bench.path).project->part->diameter_mm, 33.0);
         }
     }
 

@@ -4,6 +4,8 @@
 // done again: that one is the window's own. Fails only at four times the target, so that a busy
 // machine does not turn it red.
 #include "core/format/project_file.h"
+#include "core/project/batch.h"
+#include "core/project/cycle.h"
 #include "tests/check_line.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
@@ -191,7 +193,7 @@ void dragFeed(Document& document) {
     clock.start();
     while (clock.elapsed() < drag_ms) {
         Project project = document.project();
-        project.cycle.stages.front().radial_feed_mm = 0.003 + 0.004 * swing(clock.elapsed());
+        project.cycle->stages.front().radial_feed_mm = 0.003 + 0.004 * swing(clock.elapsed());
         document.edit(std::move(project), {"Input", "Radial feed"}, QStringLiteral("drag"));
         QTest::qWait(frame_ms);
     }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every text of the window has room on a small screen, and in a Russian window all are Russian.
+#include "core/project/cycle.h"
+#include "core/project/part.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/text_checks.h"
@@ -177,10 +179,10 @@ private slots:
         for (const char* language : {"en", "ru"}) {
             Bench bench(QString::fromUtf8(language));
             Project project = newProject(Operation::traverse);
-            project.part.stock_mm = 0.2;
-            project.part.diameter_mm = -2;
-            project.part.radii_per_section = 35;
-            project.cycle.stages.front().radial_feed_mm.reset();
+            project.part->stock_mm = 0.2;
+            project.part->diameter_mm = -2;
+            project.part->radii_per_section = 35;
+            project.cycle->stages.front().radial_feed_mm.reset();
             bench.window->document().startUntitled(project);
             QTRY_VERIFY(bench.window->outcome() && !bench.window->outcome()->ran());
             Offenders offenders;
@@ -204,8 +206,8 @@ private slots:
         Bench bench(QStringLiteral("en"));
         if (path.isEmpty()) {
             Project project = newProject(Operation::plunge);
-            project.part.stock_mm = 0.2;
-            project.part.diameter_mm = 2;
+            project.part->stock_mm = 0.2;
+            project.part->diameter_mm = 2;
             bench.window->document().startUntitled(project);
             QTRY_VERIFY(bench.window->outcome() != nullptr);
         } else {

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/forms/stage_table.h"
@@ -85,8 +89,8 @@ private slots:
         QVERIFY(editor);
         QTest::keyClicks(editor, QStringLiteral(",003"));
         QTest::keyClick(editor, Qt::Key_Return);
-        QCOMPARE(bench.window->document().project().cycle.stages[1].radial_feed_mm.value(), 0.003);
-        QTRY_VERIFY(bench.window->outcome()->result.project.cycle.stages[1].radial_feed_mm
+        QCOMPARE(bench.window->document().project().cycle->stages[1].radial_feed_mm.value(), 0.003);
+        QTRY_VERIFY(bench.window->outcome()->result.project.cycle->stages[1].radial_feed_mm
                     == 0.003);
         const OutcomePtr after = bench.window->outcome();
         QVERIFY(after->result.time_s < before->result.time_s);
@@ -131,29 +135,29 @@ private slots:
     void whatAnotherOperationChangesIsTold() {
         Bench bench(QStringLiteral("ru"));
         bench.open(example("shaft-30h6-factory.sparkout"));
-        const Part before = bench.window->document().project().part;
-        const double width_mm = bench.window->document().project().wheel.width_mm;
+        const Part before = *bench.window->document().project().part;
+        const double width_mm = bench.window->document().project().wheel->width_mm;
         QVERIFY(before.length_mm > width_mm);
         auto* box = bench.window->findChild<QComboBox*>(QStringLiteral("/operation"));
         box->setFocus();
         QTest::keyClick(box, Qt::Key_Down);
         const Project& now = bench.window->document().project();
         QCOMPARE(now.operation, Operation::plunge);
-        QCOMPARE(now.wheel.width_mm, width_mm);
-        QCOMPARE(now.part.length_mm, width_mm);
+        QCOMPARE(now.wheel->width_mm, width_mm);
+        QCOMPARE(now.part->length_mm, width_mm);
         const NoticeBar& notices = bench.window->files().notices();
         const QString told = notices.textOf(QStringLiteral("operation"));
         QVERIFY2(told.contains(inputText("Ground length")), qPrintable(told));
         bench.window->document().undo();
         QVERIFY(!notices.holds(QStringLiteral("operation")));
-        QCOMPARE(bench.window->document().project().part.length_mm, before.length_mm);
+        QCOMPARE(bench.window->document().project().part->length_mm, before.length_mm);
     }
 
     void refusedInputsAreListedAndTheMessageLeadsToTheField() {
         Bench bench(QStringLiteral("en"));
         bench.open(example("shaft-30h6-factory.sparkout"));
         Project project = bench.window->document().project();
-        project.part.radii_per_section = 35;
+        project.part->radii_per_section = 35;
         bench.window->document().edit(project, {"Input", "Radii per section"});
         QTRY_VERIFY(!bench.window->outcome()->ran());
         MessagesPanel& messages = bench.window->messages();
@@ -188,8 +192,8 @@ private slots:
     void aRequirementLeadsToWhereItIsSeen() {
         Bench bench(QStringLiteral("en"));
         Project project = loadProject(example("shaft-30h6-factory.sparkout")).project.value();
-        project.machine.limits.work_speed_rpm = std::vector<double>{100, 101, 1};
-        project.machine.wheel_drive_kw = 0.1;
+        project.machine->limits.work_speed_rpm = std::vector<double>{100, 101, 1};
+        project.machine->wheel_drive_kw = 0.1;
         QSignalSpy shown(bench.window.get(), &MainWindow::outcomeShown);
         bench.window->document().startUntitled(project);
         QTRY_COMPARE(shown.count(), 1);
@@ -262,9 +266,9 @@ private slots:
         field->setFocus();
         field->selectAll();
         QTest::keyClicks(field, QStringLiteral("31"));
-        QCOMPARE(bench.window->document().project().part.diameter_mm, 31.0);
+        QCOMPARE(bench.window->document().project().part->diameter_mm, 31.0);
         QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier);
-        QCOMPARE(bench.window->document().project().part.diameter_mm, 30.0);
+        QCOMPARE(bench.window->document().project().part->diameter_mm, 30.0);
         QCOMPARE(field->text(), QStringLiteral("30"));
         bench.window->close();
         QVERIFY(!bench.settings.windowState().isEmpty());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the views have of the window of a small laptop.
+#include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/views/feeds/feeds_view.h"
@@ -127,7 +128,7 @@ private slots:
         QCOMPARE(button->text(), QStringLiteral("No messages"));
         Document& document = bench.window->document();
         Project project = document.project();
-        project.wheel.dullness = 0.4; // unusual
+        project.wheel->dullness = 0.4; // unusual
         document.edit(project, {"Edit", "Dullness"});
         QTRY_VERIFY(messages->isVisible());
         QCOMPARE(button->text(), QStringLiteral("1 message"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How fast the window answers. Prints its figures; fails only at four times the target, so that a
 // busy machine does not turn it red.
+#include "core/project/cycle.h"
 #include "core/study/new_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/fields/value_slider.h"
@@ -140,7 +141,8 @@ private slots:
         }
         QTest::mouseRelease(slider, Qt::LeftButton, {}, slider->handle());
         const double last = slider->value().value();
-        QTRY_COMPARE(window.outcome()->result.project.cycle.stages[0].radial_feed_mm.value(), last);
+        QTRY_COMPARE(window.outcome()->result.project.cycle->stages[0].radial_feed_mm.value(),
+                     last);
         window.document().undo();
         QVERIFY(!window.document().canUndo());
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/editors/factor_lines.h"
 
+#include "core/project/batch.h"
 #include "ui/text/texts.h"
 
 #include <QCoreApplication>

@@ -2,6 +2,7 @@
 #include "ui/inputs/editors/field_editor.h"
 
 #include "core/project/member.h"
+#include "core/project/part.h"
 #include "core/study/operation.h"
 #include "core/study/operation_return.h"
 #include "ui/inputs/editors/choice_editor.h"
@@ -53,7 +54,7 @@ std::optional<Project> FieldEditor::changedProject(const std::function<void(void
         const QString key = QString::fromStdString(m_path);
         return withSections(m_document.beforeEditsOf(key), after.sections);
     }
-    return after.part.surface != before.part.surface ? withComputable(std::move(after)) : after;
+    return after.part->surface != before.part->surface ? withComputable(std::move(after)) : after;
 }
 
 void FieldEditor::change(const std::function<void(void*)>& set) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/editors/spark_out_editor.h"
 
+#include "core/project/cycle.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/editors/choice_editor.h"
 #include "ui/kit/font_size.h"

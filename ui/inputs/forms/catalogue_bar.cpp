@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/forms/catalogue_bar.h"
 
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/wheel.h"
 #include "ui/fields/reason_label.h"
 #include "ui/inputs/forms/catalogue_dialog.h"
 #include "ui/inputs/forms/entry_name_dialog.h"
@@ -78,9 +81,9 @@ void CatalogueBar::choose() {
 
 QString CatalogueBar::proposedName() const {
     const Project& project = m_document.project();
-    const std::string& name = m_kind == CatalogueKind::materials ? project.material.grade
-                              : m_kind == CatalogueKind::wheels  ? project.wheel.marking
-                                                                 : project.machine.name;
+    const std::string& name = m_kind == CatalogueKind::materials ? project.material->grade
+                              : m_kind == CatalogueKind::wheels  ? project.wheel->marking
+                                                                 : project.machine->name;
     return QString::fromStdString(name);
 }
 

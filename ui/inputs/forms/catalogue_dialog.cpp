@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/forms/catalogue_dialog.h"
 
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/wheel.h"
 #include "ui/files/catalogue_changes.h"
 #include "ui/inputs/forms/entry_name_dialog.h"
 #include "ui/kit/help_topic.h"
@@ -327,7 +330,7 @@ void CatalogueDialog::showChosen() {
                    : tr("%n inputs change (in bold); the others stay as they are.", nullptr, count);
     QStringList said{note.isEmpty() ? QString() : note + u'.', changes};
     if (m_store.kind() == CatalogueKind::machines
-        && !std::holds_alternative<std::monostate>(m_project.machine.compliance_mm_per_n)) {
+        && !std::holds_alternative<std::monostate>(m_project.machine->compliance_mm_per_n)) {
         said += tr("The compliance is given on this page, so the stiffness is not read.");
     }
     said.removeAll(QString());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/forms/compliance_box.h"
 
+#include "core/project/machine.h"
 #include "core/study/operation.h"
 #include "ui/fields/reason_label.h"
 #include "ui/fields/value_slider.h"
@@ -142,7 +143,7 @@ void ComplianceBox::connectLine(std::size_t index) {
 
 void ComplianceBox::store(std::size_t index, double value) {
     Project project = m_document.project();
-    auto& given = project.machine.compliance_mm_per_n;
+    auto& given = project.machine->compliance_mm_per_n;
     if (index < keysOf(given).size()) {
         valueAt(given, index) = value;
         m_document.edit(std::move(project), {"Input", m_field.label},
@@ -152,7 +153,7 @@ void ComplianceBox::store(std::size_t index, double value) {
 
 void ComplianceBox::showProject(bool replaced) {
     const Project& project = m_document.project();
-    GivenCompliance given = project.machine.compliance_mm_per_n;
+    GivenCompliance given = project.machine->compliance_mm_per_n;
     const auto keys = keysOf(given);
     const bool same =
         std::equal(keys.begin(), keys.end(), m_lines.begin(), m_lines.end(),
@@ -187,7 +188,7 @@ void ComplianceBox::showComputed() {
     QStringList values;
     if (m_computed->isChecked() && m_good
         && std::holds_alternative<std::monostate>(
-            m_good->result.project.machine.compliance_mm_per_n)) {
+            m_good->result.project.machine->compliance_mm_per_n)) {
         const std::vector<SectionResult>& sections = m_good->result.sections;
         const auto value = [&](std::size_t i) {
             return tr("%1: %2", "zone: compliance")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/forms/correlation_box.h"
 
+#include "core/project/batch.h"
 #include "core/project/given_factors.h"
 #include "core/study/batch_edits.h"
 #include "ui/fields/reason_label.h"

@@ -3,6 +3,7 @@
 
 #include "core/files/safe_file.h"
 #include "core/format/blanks_csv.h"
+#include "core/project/batch.h"
 #include "ui/fields/reason_label.h"
 #include "ui/inputs/editors/choice_editor.h"
 #include "ui/inputs/editors/factor_lines.h"

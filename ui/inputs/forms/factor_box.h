@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/batch.h"
 #include "core/study/batch_edits.h"
 #include "ui/fields/mark.h"
 #include "ui/inputs/forms/input_box.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/forms/form_page.h"
 
+#include "core/project/batch.h"
+#include "core/project/cycle.h"
 #include "core/project/member.h"
 #include "core/study/batch_edits.h"
 #include "core/study/search_edits.h"

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/forms/row_helper.h"
 
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/study/batch_edits.h"
 #include "core/study/search_edits.h"
 #include "ui/inputs/editors/form_metrics.h"
@@ -98,19 +101,19 @@ MarkingHelper::MarkingHelper(Document& document, QWidget* parent)
 
 void MarkingHelper::showMarking() {
     const Project& project = m_document.project();
-    const auto marking = readWheelMarking(project.wheel.marking);
+    const auto marking = readWheelMarking(project.wheel->marking);
     QString text;
     QString changes;
     if (marking) {
         text = markingExplained(*marking) + u'.';
-        changes = markingChanges(*marking, project.wheel);
+        changes = markingChanges(*marking, *project.wheel);
         if (!changes.isEmpty()) {
             text += u'\n' + tr("To fill in: %1.").arg(changes);
         }
-        if (marking->speed_m_s && *marking->speed_m_s < project.machine.wheel_speed_m_s) {
+        if (marking->speed_m_s && *marking->speed_m_s < project.machine->wheel_speed_m_s) {
             text += u'\n' + tr("The machine's wheel speed is above what the marking allows.");
         }
-    } else if (!project.wheel.marking.empty()) {
+    } else if (!project.wheel->marking.empty()) {
         text = tr("Not understood as a marking; written like 500×50×203 25А F60 L 6 V 35 it fills "
                   "the wheel's values.");
     }
@@ -122,8 +125,8 @@ void MarkingHelper::showMarking() {
 
 void MarkingHelper::fill() {
     Project project = m_document.project();
-    if (const auto marking = readWheelMarking(project.wheel.marking)) {
-        applyMarking(*marking, project.wheel);
+    if (const auto marking = readWheelMarking(project.wheel->marking)) {
+        applyMarking(*marking, *project.wheel);
         m_document.endMerge();
         m_document.edit(std::move(project),
                         {"Edit", QT_TRANSLATE_NOOP("Edit", "Wheel from its marking")});
@@ -201,14 +204,14 @@ void SizeHelper::showPart() {
     const bool unfinished = m_size->isModified() && !m_size->text().trimmed().isEmpty() && typed
                             && (m_size->hasFocus() || !typed->size);
     if (!unfinished) {
-        m_size->setText(fieldOf(m_document.project().part));
+        m_size->setText(fieldOf(*m_document.project().part));
     }
     showTyped();
 }
 
 /// The size that is typed, as far as the part has another.
 std::optional<TypedSize> SizeHelper::toFill() const {
-    const Part& part = m_document.project().part;
+    const Part& part = *m_document.project().part;
     const TypedSize typed = readSize(m_size->text(), part);
     const bool same = typed.size && typed.size->nominal_mm == part.diameter_mm
                       && typed.deviations.upper_um == part.upper_deviation_um
@@ -229,9 +232,9 @@ void SizeHelper::fill() {
         return;
     }
     Project project = m_document.project();
-    project.part.diameter_mm = typed->size->nominal_mm;
-    project.part.upper_deviation_um = typed->deviations.upper_um;
-    project.part.lower_deviation_um = typed->deviations.lower_um;
+    project.part->diameter_mm = typed->size->nominal_mm;
+    project.part->upper_deviation_um = typed->deviations.upper_um;
+    project.part->lower_deviation_um = typed->deviations.lower_um;
     m_size->setModified(false);
     m_document.endMerge();
     m_document.edit(std::move(project),
@@ -241,8 +244,8 @@ void SizeHelper::fill() {
 void SizeHelper::retranslate() {
     m_label->setText(tr("Tolerance class"));
     m_size->setPlaceholderText(tr("e.g. %1").arg(
-        m_document.project().part.surface == Surface::internal ? QStringLiteral("30H7")
-                                                               : QStringLiteral("30h6")));
+        m_document.project().part->surface == Surface::internal ? QStringLiteral("30H7")
+                                                                : QStringLiteral("30h6")));
     m_size->setAccessibleName(tr("Size with its tolerance class"));
     m_size->setToolTip(tr("ISO 286: 30h6 fills diameter and limits; h6 keeps the diameter"));
     m_meaning->setAccessibleName(tr("What the tolerance class means"));

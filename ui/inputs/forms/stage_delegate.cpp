@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/forms/stage_delegate.h"
 
+#include "core/project/cycle.h"
 #include "ui/inputs/editors/form_metrics.h"
 #include "ui/inputs/editors/spark_out_editor.h"
 #include "ui/inputs/forms/stage_model.h"

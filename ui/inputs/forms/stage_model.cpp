@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/forms/stage_model.h"
 
+#include "core/project/cycle.h"
+#include "core/project/part.h"
 #include "ui/inputs/forms/column_header.h"
 #include "ui/session/document.h"
 
@@ -33,7 +35,7 @@ QString timeText(double time_s) {
 } // namespace
 
 const Stage& StageModel::stage(const QModelIndex& index) const {
-    return document().project().cycle.stages[std::size_t(index.row())];
+    return document().project().cycle->stages[std::size_t(index.row())];
 }
 
 bool StageModel::relevant(const QModelIndex& index) const {
@@ -45,14 +47,14 @@ bool StageModel::relevant(const QModelIndex& index) const {
 
 void StageModel::setSparkOut(const QModelIndex& index, Stage edited) {
     Project project = document().project();
-    Stage& to = project.cycle.stages[std::size_t(index.row())];
+    Stage& to = project.cycle->stages[std::size_t(index.row())];
     const Stage before = std::exchange(to, std::move(edited));
     if (!to.feeds()) { // a spark-out feeds nothing
         to.radial_feed_mm.reset();
         to.radial_feed_mm_min.reset();
     } else if (!before.feeds()) {
         const auto& started =
-            document().beforeEditsOf(QString::fromStdString(path(index))).cycle.stages;
+            document().beforeEditsOf(QString::fromStdString(path(index))).cycle->stages;
         if (std::size_t(index.row()) < started.size()) { // what this edit took away
             to.radial_feed_mm = started[std::size_t(index.row())].radial_feed_mm;
             to.radial_feed_mm_min = started[std::size_t(index.row())].radial_feed_mm_min;
@@ -89,19 +91,20 @@ bool StageModel::isStock(const QModelIndex& index) const {
 
 bool StageModel::known(int row) const {
     return m_run && m_run->result.timeByStage_s.size() == std::size_t(rowCount())
-           && m_run->result.project.cycle.stages.size() == std::size_t(rowCount()) && row >= 0;
+           && m_run->result.project.cycle->stages.size() == std::size_t(rowCount()) && row >= 0;
 }
 
 /// The stock a stage takes of the part's: the first one what the later ones leave [MODEL-7].
 double StageModel::stockShare(int row) const {
     const Project& project = m_run->result.project;
-    const auto& stages = project.cycle.stages;
+    const auto& stages = project.cycle->stages;
     double later = 0;
     for (std::size_t i = 1; i < stages.size(); ++i) {
         later += stages[i].stock_mm;
     }
-    const double own = row == 0 ? project.part.stock_mm - later : stages[std::size_t(row)].stock_mm;
-    return std::clamp(own / project.part.stock_mm, 0.0, 1.0);
+    const double own =
+        row == 0 ? project.part->stock_mm - later : stages[std::size_t(row)].stock_mm;
+    return std::clamp(own / project.part->stock_mm, 0.0, 1.0);
 }
 
 double StageModel::timeShare(int row) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/forms/stage_table.h"
 
+#include "core/project/cycle.h"
 #include "ui/inputs/forms/stage_delegate.h"
 #include "ui/inputs/forms/stage_model.h"
 #include "ui/kit/help_topic.h"
@@ -52,12 +53,12 @@ void StageTable::setOutcome(const OutcomePtr& outcome) {
 
 void StageTable::applyStages(std::vector<Stage> stages, EditText text, int selected) {
     Project project = document().project();
-    project.cycle.stages = std::move(stages);
+    project.cycle->stages = std::move(stages);
     apply(std::move(project), text, selected);
 }
 
 void StageTable::addRow() {
-    auto stages = document().project().cycle.stages;
+    auto stages = document().project().cycle->stages;
     if (stages.empty()) {
         applyStages({Stage{}}, {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a stage")}, 0);
         return;
@@ -86,7 +87,7 @@ void StageTable::addRow() {
 }
 
 void StageTable::removeRow() {
-    auto stages = document().project().cycle.stages;
+    auto stages = document().project().cycle->stages;
     const int at = currentRow();
     if (at < 0 || stages.size() < 2) {
         return;
@@ -113,7 +114,7 @@ void StageTable::clearCell() {
 }
 
 bool StageTable::canMove(int by) const {
-    const auto& stages = document().project().cycle.stages;
+    const auto& stages = document().project().cycle->stages;
     const int from = currentRow();
     const int to = from + by;
     const int count = static_cast<int>(stages.size());
@@ -125,7 +126,7 @@ void StageTable::moveRow(int by) {
     if (!canMove(by)) {
         return;
     }
-    auto stages = document().project().cycle.stages;
+    auto stages = document().project().cycle->stages;
     const int from = currentRow();
     std::swap(stages[std::size_t(from)], stages[std::size_t(from + by)]);
     applyStages(std::move(stages), {"Edit", QT_TRANSLATE_NOOP("Edit", "Move a stage")}, from + by);

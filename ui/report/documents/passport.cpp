@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/documents/passport.h"
 
+#include "core/project/batch.h"
 #include "ui/report/documents/capability_chart.h"
 #include "ui/report/documents/outcome_remarks.h"
 #include "ui/report/documents/passport_figures.h"

@@ -2,6 +2,7 @@
 #include "ui/report/documents/passport_inputs.h"
 
 #include "core/batch/scenario_source.h"
+#include "core/project/batch.h"
 #include "core/project/leaves.h"
 #include "core/project/member.h"
 #include "core/study/batch_edits.h"

@@ -2,6 +2,7 @@
 #include "ui/report/documents/passport_prediction.h"
 
 #include "core/batch/scenario_source.h"
+#include "core/project/batch.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/documents/passport_verdict.h"
 
+#include "core/project/batch.h"
 #include "ui/charts/verdict_model.h"
 #include "ui/text/names.h"
 #include "ui/views/batch/batch_text.h"

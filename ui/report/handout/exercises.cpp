@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/handout/exercises.h"
 
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/units.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/text/names.h"
@@ -59,18 +63,18 @@ QString mm(double value) {
 }
 
 ChangeWords duller(const Project& project, const ExerciseRun& run) {
-    return {
-        ExerciseText::tr("The wheel has become dull: η rises from %1 to %2.")
-            .arg(printedNumber(project.wheel.dullness), printedNumber(run.changed.wheel.dullness)),
-        {{Asked::stepFeed_um, false, ExerciseText::tr("at the same lag less is cut")},
-         {Asked::stepForce_n, true,
-          ExerciseText::tr("the friction of the wear flats, kr·√a, grows with η")}},
-        true};
+    return {ExerciseText::tr("The wheel has become dull: η rises from %1 to %2.")
+                .arg(printedNumber(project.wheel->dullness),
+                     printedNumber(run.changed.wheel->dullness)),
+            {{Asked::stepFeed_um, false, ExerciseText::tr("at the same lag less is cut")},
+             {Asked::stepForce_n, true,
+              ExerciseText::tr("the friction of the wear flats, kr·√a, grows with η")}},
+            true};
 }
 
 ChangeWords softer(const Project& project, const ExerciseRun&) {
     const bool isComputed =
-        std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n);
+        std::holds_alternative<std::monostate>(project.machine->compliance_mm_per_n);
     const QString statement =
         isComputed
             ? ExerciseText::tr("The units of the machine yield %1 times as much under the same "
@@ -92,7 +96,7 @@ ChangeWords softer(const Project& project, const ExerciseRun&) {
 ChangeWords slower(const Project& project, const ExerciseRun& run) {
     const StageFeed& radial = project.operation->radial();
     const auto feedOf = [&](const Project& of) {
-        return (of.cycle.stages[run.stage].*radial.value).value_or(0);
+        return (of.cycle->stages[run.stage].*radial.value).value_or(0);
     };
     return {ExerciseText::tr("The radial feed of stage %1 is halved, from %2 to %3.")
                 .arg(QString::number(run.stage + 1), printedNumber(feedOf(project)),
@@ -109,7 +113,7 @@ ChangeWords slower(const Project& project, const ExerciseRun& run) {
 }
 
 ChangeWords rounder(const Project& project, const ExerciseRun&) {
-    const double runout = project.part.initial_runout_mm;
+    const double runout = project.part->initial_runout_mm;
     return {ExerciseText::tr("The blanks come with twice the runout, %1 instead of %2.")
                 .arg(mm(runout * moreRunoutBy), mm(runout)),
             {{Asked::runout_um, true,
@@ -124,8 +128,8 @@ ChangeWords rounder(const Project& project, const ExerciseRun&) {
 ChangeWords thicker(const Project& project, const ExerciseRun& run) {
     return {ExerciseText::tr("The stock is larger by a fifth: %1 instead of %2 per side, and the "
                              "first stage takes the rest off.")
-                .arg(mm(std::round(run.changed.part.stock_mm * digitsKept) / digitsKept),
-                     mm(project.part.stock_mm)),
+                .arg(mm(std::round(run.changed.part->stock_mm * digitsKept) / digitsKept),
+                     mm(project.part->stock_mm)),
             {{Asked::count, true, ExerciseText::tr("the first stage has more metal to take off")}}};
 }
 

@@ -3,6 +3,8 @@
 
 #include "core/process/system_compliance.h"
 #include "core/project/leaves.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/simulation/progress.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/report/parts/input_fact.h"
@@ -57,7 +59,7 @@ Facts HandoutTask::header(const Project& project, const QString& file, const QDa
 
 QString HandoutTask::task(const Outcome& outcome) {
     const Project& project = outcome.result.project;
-    const Part& part = project.part;
+    const Part& part = *project.part;
     const QString ground =
         part.surface == Surface::external
             ? tr("A shaft of %1 is ground over a length of %2 mm. Its blank has at least %3 mm of "
@@ -101,7 +103,7 @@ Table HandoutTask::inputs(const Outcome& outcome, const std::optional<HandoutSte
     }
     if (at) {
         const bool given =
-            !std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n);
+            !std::holds_alternative<std::monostate>(project.machine->compliance_mm_per_n);
         const double gamma = compliantPoints(project)[sectionOf(*at)].gamma_mm_n;
         add("γ", formulaNumber({"γ", gamma, "mm/N"}).replace(u'-', QChar(0x2212)), "mm/N",
             tr("Compliance of the system, %1").arg(Names::zone(at->zone, at->section)),

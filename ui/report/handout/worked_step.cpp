@@ -5,6 +5,9 @@
 #include "core/limits/cutting.h"
 #include "core/process/coupled_sections.h"
 #include "core/process/profile.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
 #include "core/quality/depth_limits.h"
 #include "core/quality/power.h"
 #include "core/quality/roughness.h"
@@ -35,7 +38,7 @@ struct StepNumbers {
 };
 
 StepNumbers numbersOf(const Outcome& outcome, const HandoutStep& step) {
-    const Part& part = outcome.result.project.part;
+    const Part& part = *outcome.result.project.part;
     const Visit& visit = *visitAt(outcome.trajectory, step);
     const double side = part.surface == Surface::external ? 1 : -1;
     return {outcome.trajectory.passes[step.pass], visit,
@@ -45,10 +48,10 @@ StepNumbers numbersOf(const Outcome& outcome, const HandoutStep& step) {
 /// The limits of the depth of cut at the step, each with its formulas.
 std::vector<FormulaSheet> limitSheets(const Project& project, double b, double stock) {
     std::vector<FormulaSheet> sheets;
-    if (const auto& U = project.material.burn_rise_k) {
+    if (const auto& U = project.material->burn_rise_k) {
         sheets.push_back(burnLimitSheet(project, *U, std::max(0.0, stock)));
     }
-    if (const auto& Ra = project.part.tolerance.roughness_ra_um;
+    if (const auto& Ra = project.part->tolerance.roughness_ra_um;
         Ra && isRoughnessCalibrated(project)) {
         sheets.push_back(roughnessLimitSheet(project, *Ra / units::umPerMm));
     }
@@ -58,10 +61,10 @@ std::vector<FormulaSheet> limitSheets(const Project& project, double b, double s
     if (isCoupled(project)) {
         return sheets; // the sections share the power
     }
-    if (const auto& N = project.machine.wheel_drive_kw) {
+    if (const auto& N = project.machine->wheel_drive_kw) {
         sheets.push_back(wheelPowerLimitSheet(project, b, *N * milliwattsPerKilowatt));
     }
-    if (const auto& N = project.machine.work_drive_kw) {
+    if (const auto& N = project.machine->work_drive_kw) {
         sheets.push_back(workPowerLimitSheet(project, b, *N * milliwattsPerKilowatt));
     }
     return sheets;
@@ -111,7 +114,7 @@ StepBlocks WorkedStep::formulas(const Outcome& outcome, const HandoutStep& step,
     formulas.add(visitSheet(outcome.result, outcome.trajectory, step.pass, step.radius));
     formulas.add(Heading{tr("What limits the feed at this step")});
     const std::vector<FormulaSheet> sheets = limitSheets(project, b, stock);
-    const bool limitsRa = project.part.tolerance.roughness_ra_um.has_value();
+    const bool limitsRa = project.part->tolerance.roughness_ra_um.has_value();
     const bool calibrated = isRoughnessCalibrated(project);
     if (limitsRa && !calibrated) {
         formulas.say(LimitNames::guessed());
@@ -151,7 +154,7 @@ Table WorkedStep::limits(const Outcome& outcome, const HandoutStep& step) {
         table.rows.push_back(
             {Names::constraint(limit.kind),
              Names::significant(limit.depth_mm * units::umPerMm, resultDigits),
-             Names::significant(limit.depth_mm * project.machine.work_speed_rpm, resultDigits),
+             Names::significant(limit.depth_mm * project.machine->work_speed_rpm, resultDigits),
              Names::significant(visit.actual_mm * units::umPerMm, resultDigits),
              limit.depth_mm > 0 ? Names::significant(share) : tr("not met at any depth")});
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/parts/begun_report.h"
 
+#include "core/project/part.h"
 #include "core/version.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/text/example_texts.h"
@@ -15,7 +16,7 @@ Report begunReport(const QString& title, const Project& project, const QString& 
     Report report;
     report.title = title;
     QStringList subject{manyLines(exampleTitle(project.title)).simplified(),
-                        oneLine(project.part.name)};
+                        oneLine(project.part->name)};
     subject.removeAll(QString());
     subject.removeDuplicates();
     report.subject = subject.join(QStringLiteral(" · "));

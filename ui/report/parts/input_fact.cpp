@@ -3,6 +3,7 @@
 
 #include "core/project/iso286.h"
 #include "core/project/member.h"
+#include "core/project/part.h"
 #include "core/units.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/text/number_text.h"

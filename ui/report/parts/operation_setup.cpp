@@ -2,6 +2,12 @@
 #include "ui/report/parts/operation_setup.h"
 
 #include "core/process/system_compliance.h"
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/units.h"
 #include "ui/charts/verdict_shop_text.h"
 #include "ui/report/parts/cell_text.h"
@@ -17,19 +23,19 @@ namespace sparkout::report {
 QString OperationSetup::operation(const Project& project) {
     return project.operation.match([](Traverse) { return tr("Cylindrical traverse grinding"); },
                                    [&project](Plunge) {
-                                       return project.part.surface == Surface::internal
+                                       return project.part->surface == Surface::internal
                                                   ? tr("Internal plunge grinding")
                                                   : tr("Cylindrical plunge grinding");
                                    });
 }
 
 Facts OperationSetup::header(const Project& project, const QDate& date) {
-    const Part& part = project.part;
+    const Part& part = *project.part;
     return {{{tr("Operation"), operation(project)},
              {tr("Part"), cell(oneLine(part.name))},
-             {tr("Equipment"), cell(oneLine(project.machine.name))},
+             {tr("Equipment"), cell(oneLine(project.machine->name))},
              {tr("Size by the drawing"), drawnSize(part)},
-             {tr("Material"), cell(oneLine(project.material.grade))},
+             {tr("Material"), cell(oneLine(project.material->grade))},
              {tr("Hardness"), inputFact(project, "/material/hardness_hrc").second},
              inputFact(project, "/part/length_mm"),
              inputFact(project, "/part/stock_mm"),
@@ -39,7 +45,7 @@ Facts OperationSetup::header(const Project& project, const QDate& date) {
 
 Facts OperationSetup::settings(const Outcome& outcome) {
     const Project& project = outcome.result.project;
-    const Wheel& wheel = project.wheel;
+    const Wheel& wheel = *project.wheel;
     Facts facts{{{tr("Grinding wheel, marking"), cell(oneLine(wheel.marking))},
                  {tr("Wheel diameter × width"),
                   withUnit(printedNumber(wheel.diameter_mm) + QStringLiteral(" × ")
@@ -52,8 +58,8 @@ Facts OperationSetup::settings(const Outcome& outcome) {
                  inputFact(project, "/machine/work_speed_rpm"),
                  {tr("Work surface speed"),
                   tr("%1 m/min")
-                      .arg(Names::significant(std::numbers::pi * project.part.diameter_mm
-                                              * project.machine.work_speed_rpm / units::mmPerM))},
+                      .arg(Names::significant(std::numbers::pi * project.part->diameter_mm
+                                              * project.machine->work_speed_rpm / units::mmPerM))},
                  inputFact(project, "/part/initial_runout_mm")}};
     if (project.operation->travels) {
         for (const char* path :
@@ -63,14 +69,14 @@ Facts OperationSetup::settings(const Outcome& outcome) {
         }
     }
     QString control = tr("by the position of the wheel head");
-    if (project.gauge.control == Control::gauge) {
+    if (project.gauge->control == Control::gauge) {
         const auto section = static_cast<std::size_t>(gaugeSection(project));
         const SectionResult& at = outcome.result.sections.at(section);
-        const double place = project.gauge.position_mm.value_or(at.position_mm);
+        const double place = project.gauge->position_mm.value_or(at.position_mm);
         control = tr("in-process gauge: %1, %2 from the headstock end of the ground length")
                       .arg(Names::zone(at.zone, static_cast<int>(section)),
-                           withUnit(project.gauge.position_mm ? printedNumber(place)
-                                                              : Names::significant(place),
+                           withUnit(project.gauge->position_mm ? printedNumber(place)
+                                                               : Names::significant(place),
                                     "mm"));
     }
     facts.facts.emplace_back(tr("Size control"), control);
@@ -92,7 +98,7 @@ Table OperationSetup::stages(const Outcome& outcome) {
                << tr("Machining time, min") << tr("Spark-out") << tr("Largest power, kW")
                << tr("Largest force Py, N");
     double stock = 0;
-    const auto count = project.cycle.stages.size();
+    const auto count = project.cycle->stages.size();
     const auto rest = [&table](QStringList row, const ShopColumn& shop, const QString& sparkOut) {
         row << shop::value(ShopRow::count, shop) << shop::value(ShopRow::time, shop) << sparkOut
             << shop::value(ShopRow::peakPower, shop) << shop::value(ShopRow::normalForce, shop);
@@ -102,7 +108,7 @@ Table OperationSetup::stages(const Outcome& outcome) {
         return value ? printedNumber(*value) : cell({});
     };
     for (std::size_t z = 0; z < count; ++z) {
-        const Stage& stage = project.cycle.stages[z];
+        const Stage& stage = project.cycle->stages[z];
         const auto steps = stage.sparkOutSteps();
         QStringList row{QString::number(z + 1),
                         stage.feeds() ? feed(stage.*radial.value) : printedNumber(0)};

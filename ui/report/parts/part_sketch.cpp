@@ -2,6 +2,8 @@
 #include "ui/report/parts/part_sketch.h"
 
 #include "core/process/system_compliance.h"
+#include "core/project/gauge.h"
+#include "core/project/part.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/report/parts/input_fact.h"
 #include "ui/text/names.h"
@@ -56,7 +58,7 @@ std::vector<Stretch> stretches(const Outcome& outcome) {
                               : zone == Zone::nz ? zones.nz
                               : zone == Zone::rz2
                                   ? zones.rz2
-                                  : project.part.length_mm / static_cast<double>(sections.size());
+                                  : project.part->length_mm / static_cast<double>(sections.size());
         const double middle = sections[i].position_mm;
         all.push_back({middle - length / 2, middle + length / 2,
                        zone == Zone::section ? QString::number(i) : Names::zone(zone)});
@@ -67,19 +69,19 @@ std::vector<Stretch> stretches(const Outcome& outcome) {
 double gaugePlace(const Outcome& outcome) {
     const Project& project = outcome.result.project;
     const auto section = static_cast<std::size_t>(gaugeSection(project));
-    return project.gauge.position_mm ? *project.gauge.position_mm
-                                     : outcome.result.sections.at(section).position_mm;
+    return project.gauge->position_mm ? *project.gauge->position_mm
+                                      : outcome.result.sections.at(section).position_mm;
 }
 
 QString Sketch::description(const Outcome& outcome) {
-    const Part& part = outcome.result.project.part;
+    const Part& part = *outcome.result.project.part;
     QStringList parts{tr("ground diameter %1").arg(length(part.diameter_mm)),
                       tr("ground length %1").arg(length(part.length_mm))};
     for (const Stretch& s : stretches(outcome)) {
         parts << tr("%1: %2 to %3", "zone or section, from, to")
                      .arg(s.name, length(s.from_mm), length(s.to_mm));
     }
-    if (outcome.result.project.gauge.control == Control::gauge) {
+    if (outcome.result.project.gauge->control == Control::gauge) {
         parts << tr("gauge at %1").arg(length(gaugePlace(outcome)));
     }
     return parts.join(QStringLiteral("; "));
@@ -118,7 +120,7 @@ private:
 Drawing::Drawing(QPainter& painter, const Outcome& outcome)
     : m_painter(painter)
     , m_outcome(outcome)
-    , m_part(outcome.result.project.part)
+    , m_part(*outcome.result.project.part)
     , m_whole_mm(m_part.length_mm)
     , m_largest_mm(m_part.diameter_mm) {
     if (!m_part.shaft.segments.empty() && m_part.surface == Surface::external) {
@@ -225,7 +227,7 @@ void Drawing::drawStretches() {
 }
 
 void Drawing::drawGauge() {
-    if (m_outcome.result.project.gauge.control != Control::gauge) {
+    if (m_outcome.result.project.gauge->control != Control::gauge) {
         return;
     }
     const double at = x(m_from_mm + gaugePlace(m_outcome));

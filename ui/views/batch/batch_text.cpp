@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/batch/batch_text.h"
 
+#include "core/project/batch.h"
 #include "core/quality/constraints.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"

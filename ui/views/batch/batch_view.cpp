@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/batch/batch_view.h"
 
+#include "core/project/batch.h"
 #include "core/study/batch_edits.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/kit/tool_row.h"

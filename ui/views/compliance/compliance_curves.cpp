@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/compliance/compliance_curves.h"
 
+#include "core/project/part.h"
 #include "ui/text/names.h"
 
 #include <algorithm>
@@ -151,7 +152,7 @@ LegendEntries ComplianceCurves::legendEntries() const {
     for (const CompliancePart part : stacked) {
         if (has(part)) {
             const bool quill = part == CompliancePart::bending && m_outcome
-                               && m_outcome->result.project.part.surface == Surface::internal;
+                               && m_outcome->result.project.part->surface == Surface::internal;
             entries.push_back(entry(static_cast<int>(part), colourOf(part), Qt::NoPen,
                                     quill ? tr("bending of the quill") : nameOf(part)));
         }

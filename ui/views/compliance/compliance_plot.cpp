@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/compliance/compliance_plot.h"
 
+#include "core/project/gauge.h"
+#include "core/project/part.h"
 #include "core/study/length_lines.h"
 #include "ui/charts/longitudinal_layers.h"
 #include "ui/plot/band_layer.h"
@@ -53,8 +55,8 @@ void CompliancePlot::setContent(ComplianceContent content) {
 double CompliancePlot::gaugePlace_mm() const {
     const SimulationResult& result = m_outcome->result;
     const Project& project = result.project;
-    if (!project.operation->hasZones && project.gauge.position_mm) {
-        return *project.gauge.position_mm;
+    if (!project.operation->hasZones && project.gauge->position_mm) {
+        return *project.gauge->position_mm;
     }
     return result.sections.at(static_cast<std::size_t>(gaugeSection(project))).position_mm;
 }
@@ -87,14 +89,14 @@ void CompliancePlot::build() {
 
 void CompliancePlot::setRun(OutcomePtr outcome) {
     const auto shape = [](const OutcomePtr& o) {
-        const Part& part = o->result.project.part;
+        const Part& part = *o->result.project.part;
         return std::pair(part.length_mm, part.shaft.ground_from_mm);
     };
     const bool same = m_outcome && shape(m_outcome) == shape(outcome);
     m_outcome = std::move(outcome);
     const Project& project = m_outcome->result.project;
-    m_body->setBody(shaftSteps(project), project.part.length_mm, project.part.diameter_mm / 2,
-                    project.part.surface == Surface::internal);
+    m_body->setBody(shaftSteps(project), project.part->length_mm, project.part->diameter_mm / 2,
+                    project.part->surface == Surface::internal);
     m_scene->setProject(project, m_body->bounds(), gaugePlace_mm());
     fillBands();
     m_gamma->show(m_outcome);
@@ -115,7 +117,7 @@ void CompliancePlot::fillBands() {
         }
     } else {
         Band band;
-        band.to = project.part.length_mm;
+        band.to = project.part->length_mm;
         band.colour = style::colour(Drawn::endZone, palette());
         band.colour.setAlpha(28);
         band.name = tr("ground length");
@@ -227,7 +229,7 @@ ReadCurves CompliancePlot::readCurves() const {
 }
 
 QCPRange CompliancePlot::readSpan() const {
-    return {0, m_outcome ? m_outcome->result.project.part.length_mm : 0};
+    return {0, m_outcome ? m_outcome->result.project.part->length_mm : 0};
 }
 
 QString CompliancePlot::valuesAt(const QPointF& at) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/compliance/compliance_view.h"
 
+#include "core/project/gauge.h"
 #include "ui/plot/cursor_strip.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/plot_cursors.h"
@@ -116,8 +117,8 @@ bool ComplianceView::canPutGauge() const {
         return false;
     }
     const Project& project = good()->result.project;
-    return !project.operation->hasZones && project.gauge.control == Control::gauge
-           && project.gauge.position_mm != m_plot->gauge().best()->position_mm;
+    return !project.operation->hasZones && project.gauge->control == Control::gauge
+           && project.gauge->position_mm != m_plot->gauge().best()->position_mm;
 }
 
 void ComplianceView::buildTools(QWidget* bar) {
@@ -161,7 +162,7 @@ QString ComplianceView::remark() const {
                    "stiffness and shaft\" on the page Machine to see what it is made of.")
                                                 : QString();
     case ComplianceContent::gauge:
-        if (project.gauge.control == Control::position) {
+        if (project.gauge->control == Control::position) {
             return tr("Stages end by the position of the wheel head: the gauge has no say, and all "
                       "its places are alike.");
         }

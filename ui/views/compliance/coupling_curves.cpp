@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/compliance/coupling_curves.h"
 
+#include "core/project/part.h"
 #include "core/units.h"
 #include "ui/text/names.h"
 
@@ -27,12 +28,12 @@ CouplingCurves::CouplingCurves(ViewPlot& plot, QCPAxisRect& rect)
     , m_difference(addGraph(differenceKey)) {}
 
 double CouplingCurves::middle_um() const {
-    const Part& part = m_comparison->independent.project.part;
+    const Part& part = *m_comparison->independent.project.part;
     return (part.upper_deviation_um + part.lower_deviation_um) / 2;
 }
 
 double CouplingCurves::fromMiddle_um(const SectionResult& section) const {
-    return meanDiameterDeviation(section, m_comparison->independent.project.part) * units::umPerMm
+    return meanDiameterDeviation(section, *m_comparison->independent.project.part) * units::umPerMm
            - middle_um();
 }
 
@@ -49,7 +50,7 @@ void CouplingCurves::show(CouplingPtr comparison) {
     m_coupled->setData(x, coupled, true);
     m_difference->setData(x, difference, true);
     if (m_comparison) {
-        drawLimits(m_comparison->independent.project.part);
+        drawLimits(*m_comparison->independent.project.part);
     } else {
         clearLimits();
     }

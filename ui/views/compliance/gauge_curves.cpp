@@ -2,6 +2,7 @@
 #include "ui/views/compliance/gauge_curves.h"
 
 #include "core/process/system_compliance.h"
+#include "core/project/part.h"
 #include "core/units.h"
 #include "ui/text/names.h"
 
@@ -33,7 +34,7 @@ GaugeCurves::GaugeCurves(ViewPlot& plot, QCPAxisRect& rect)
 }
 
 double GaugeCurves::middle_um() const {
-    const Part& part = m_outcome->result.project.part;
+    const Part& part = *m_outcome->result.project.part;
     return (part.upper_deviation_um + part.lower_deviation_um) / 2;
 }
 
@@ -105,7 +106,7 @@ void GaugeCurves::show(GaugePlacementPtr placement, OutcomePtr outcome, double p
     m_best->setData(best ? QVector<double>{best->position_mm} : QVector<double>(),
                     best ? QVector<double>{farthest_um(*best)} : QVector<double>(), true);
     m_present->setData({present_mm}, {farthestNow_um()}, true);
-    drawLimits(m_outcome->result.project.part);
+    drawLimits(*m_outcome->result.project.part);
     restyle();
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/compliance/shaft_scene.h"
 
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "ui/charts/profiles_look.h"
 #include "ui/plot/quantity_colour.h"
 #include "ui/text/texts.h"
@@ -31,7 +34,7 @@ void ShaftScene::setProject(const Project& project, const QRectF& body, double g
     m_from_mm = body.left();
     m_to_mm = body.right();
     m_high_mm = body.height() / 2;
-    const Part& part = project.part;
+    const Part& part = *project.part;
     const bool bore = part.surface == Surface::internal;
     const double length = body.width();
     const double right = bore && part.shaft.quill ? part.shaft.quill->length_mm : holder * length;
@@ -57,11 +60,11 @@ QRectF ShaftScene::box(double from_mm, double to_mm, double low_mm, double high_
 }
 
 QString ShaftScene::stiffness(double Stiffness::*unit, const QString& name) const {
-    if (!m_project.machine.stiffness_n_um) {
+    if (!m_project.machine->stiffness_n_um) {
         return name;
     }
     return QStringLiteral("%1 %2 %3")
-        .arg(name, stiffnessText((*m_project.machine.stiffness_n_um).*unit), unitText("N/µm"));
+        .arg(name, stiffnessText((*m_project.machine->stiffness_n_um).*unit), unitText("N/µm"));
 }
 
 void ShaftScene::note(QCPPainter* painter, const QPointF& where, int flags, const QString& text) {
@@ -90,7 +93,7 @@ void ShaftScene::note(QCPPainter* painter, const QPointF& where, int flags, cons
 
 /// A centre, or the jaws of a chuck.
 void ShaftScene::drawSupport(QCPPainter* painter, bool tailstock) {
-    const Part& part = m_project.part;
+    const Part& part = *m_project.part;
     const bool bore = part.surface == Surface::internal;
     const bool chuck = bore || part.shaft.mounting == Mounting::chuck;
     if (tailstock && chuck) {
@@ -120,12 +123,12 @@ void ShaftScene::drawSupport(QCPPainter* painter, bool tailstock) {
 }
 
 void ShaftScene::drawRests(QCPPainter* painter) {
-    const Shaft& shaft = m_project.part.shaft;
-    if (m_project.part.surface == Surface::internal) {
+    const Shaft& shaft = m_project.part->shaft;
+    if (m_project.part->surface == Surface::internal) {
         return;
     }
     for (const SteadyRest& rest : shaft.steady_rests) {
-        double reached = 0, radius = m_project.part.diameter_mm / 2;
+        double reached = 0, radius = m_project.part->diameter_mm / 2;
         for (const ShaftSegment& segment : shaft.segments) {
             radius = segment.diameter_mm / 2;
             reached += segment.length_mm;
@@ -144,16 +147,16 @@ void ShaftScene::drawRests(QCPPainter* painter) {
 
 /// At the entry reversal where it travels, else over the middle.
 void ShaftScene::drawWheel(QCPPainter* painter) {
-    const Part& part = m_project.part;
-    const double width = m_project.wheel.width_mm, radius = part.diameter_mm / 2;
+    const Part& part = *m_project.part;
+    const double width = m_project.wheel->width_mm, radius = part.diameter_mm / 2;
     double from = (part.length_mm - width) / 2;
     if (m_project.operation->travels) {
-        from = m_project.machine.entry_side == EntrySide::headstock
-                   ? -m_project.machine.overrun_entry_mm
-                   : part.length_mm + m_project.machine.overrun_entry_mm - width;
+        from = m_project.machine->entry_side == EntrySide::headstock
+                   ? -m_project.machine->overrun_entry_mm
+                   : part.length_mm + m_project.machine->overrun_entry_mm - width;
     }
     const bool bore = part.surface == Surface::internal;
-    const double D = m_project.wheel.diameter_mm;
+    const double D = m_project.wheel->diameter_mm;
     painter->drawRect(bore ? box(from, from + width, radius - D, radius)
                            : box(from, from + width, radius, radius + D));
     QPointF where = at(from + width, m_high_mm * (1 + (above - 1) * 0.7)) + QPointF(noteGap, 0);

@@ -11,6 +11,8 @@
 
 namespace sparkout {
 
+struct Stiffness;
+
 /// What holds and what cuts the part, around the body that ShaftLayer draws, to the same scale:
 /// centres or chuck, steady rests, the wheel, a quill; each with its stiffness, and the gauge.
 class ShaftScene : public QCPLayerable {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/layers/side_plot.h"
 
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/units.h"
 #include "ui/text/names.h"
 #include "ui/views/layers/side_scene.h"
@@ -54,11 +57,11 @@ void SidePlot::fit() {
         return;
     }
     const Project& project = m_outcome->result.project;
-    const double L = project.part.length_mm, B = project.wheel.width_mm;
+    const double L = project.part->length_mm, B = project.wheel->width_mm;
     const bool travels = project.operation->travels;
-    double left = travels ? project.machine.overrun_entry_mm : (B - L) / 2;
-    double right = travels ? project.machine.overrun_exit_mm : left;
-    if (project.machine.entry_side == EntrySide::tailstock) {
+    double left = travels ? project.machine->overrun_entry_mm : (B - L) / 2;
+    double right = travels ? project.machine->overrun_exit_mm : left;
+    if (project.machine->entry_side == EntrySide::tailstock) {
         std::swap(left, right);
     }
     const double margin = endRoom * (L + left + right);

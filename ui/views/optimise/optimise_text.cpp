@@ -3,6 +3,8 @@
 
 #include "core/optimisation/limit.h"
 #include "core/optimisation/robust.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
 #include "core/units.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"

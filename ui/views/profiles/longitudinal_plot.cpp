@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/profiles/longitudinal_plot.h"
 
+#include "core/project/part.h"
 #include "core/units.h"
 #include "ui/charts/longitudinal_layers.h"
 #include "ui/plot/band_layer.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/sweep/sweep_axis_box.h"
 
+#include "core/project/sweep.h"
 #include "ui/fields/number_field.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/project/number_input.h"
+#include "core/project/sweep.h"
 
 #include <QWidget>
 

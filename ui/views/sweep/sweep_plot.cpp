@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/sweep/sweep_plot.h"
 
+#include "core/project/sweep.h"
 #include "ui/plot/number_ticker.h"
 
 #include <QMouseEvent>

@@ -3,6 +3,7 @@
 
 #include "core/format/project_file.h"
 #include "core/project/number_input.h"
+#include "core/project/sweep.h"
 #include "core/study/sweep_edits.h"
 #include "ui/kit/tool_row.h"
 #include "ui/plot/legend_strip.h"

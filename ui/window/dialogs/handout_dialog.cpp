@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/dialogs/handout_dialog.h"
 
+#include "core/project/cycle.h"
 #include "ui/kit/help_topic.h"
 #include "ui/session/cycle_cursor.h"
 #include "ui/session/settings.h"
@@ -98,7 +99,7 @@ void HandoutDialog::offerSteps(const OutcomePtr& outcome, const CycleCursor& cyc
         }
     }
     const int standing = m_step->count();
-    const auto stages = static_cast<int>(outcome->result.project.cycle.stages.size());
+    const auto stages = static_cast<int>(outcome->result.project.cycle->stages.size());
     for (int stage = 1; stage <= stages; ++stage) {
         report::StepWish wish;
         wish.stage = stage;

@@ -2,6 +2,11 @@
 // The view "Batch": its figures are the engine's, a stop keeps what was done, the newest wins, the
 // worst part is reproduced by its inputs.
 #include "core/batch/batch_check.h"
+#include "core/project/batch.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/study/batch_edits.h"
 #include "core/study/evaluate.h"
 #include "tests/core/support/batch_fixtures.h"
@@ -207,7 +212,7 @@ private slots:
         connect(&bench.view, &BatchView::runWanted, this,
                 [&taken, &refused](const auto& inputs, const QString&) {
                     Project other = taken;
-                    other.part.stock_mm *= 1.5;
+                    other.part->stock_mm *= 1.5;
                     refused = !inputs(other);
                     taken = inputs(taken).value_or(Project{});
                 });
@@ -225,8 +230,8 @@ private slots:
             std::ranges::find(result.statistics.rows, result.statistics.worst.part, &PartRow::part);
         QVERIFY(row != result.statistics.rows.end());
         // Its numbers are short, so it is the same part to what can be seen of it.
-        QCOMPARE(QString::number(taken.part.stock_mm, 'g', 6).toDouble(), taken.part.stock_mm);
-        QCOMPARE(QString::number(taken.wheel.dullness, 'g', 6).toDouble(), taken.wheel.dullness);
+        QCOMPARE(QString::number(taken.part->stock_mm, 'g', 6).toDouble(), taken.part->stock_mm);
+        QCOMPARE(QString::number(taken.wheel->dullness, 'g', 6).toDouble(), taken.wheel->dullness);
         QCOMPARE(alone.values.size(), row->values.size());
         for (std::size_t i = 0; i < alone.values.size(); ++i) {
             QVERIFY(std::abs(alone.values[i] - row->values[i]) < 0.005);
@@ -245,7 +250,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(window.window->document().project().runs.size(),
                                   before.runs.size() + 1, patience_ms);
         const Project after = window.window->document().project();
-        QCOMPARE(after.part.stock_mm, before.part.stock_mm);
+        QCOMPARE(after.part->stock_mm, before.part->stock_mm);
         QVERIFY(QString::fromStdString(after.runs.back().name)
                     .startsWith(QStringLiteral("Worst part")));
         QCOMPARE(window.window->viewTabs().currentView()->objectName(), QStringLiteral("compare"));
@@ -280,9 +285,9 @@ private slots:
         };
         show(project);
         QCOMPARE(count(), 0);
-        for (Stage& stage : project.cycle.stages) {
+        for (Stage& stage : project.cycle->stages) {
             stage.axial_feed_mm_min =
-                1.25 * project.wheel.width_mm * project.machine.work_speed_rpm;
+                1.25 * project.wheel->width_mm * project.machine->work_speed_rpm;
         }
         show(project);
         QCOMPARE(count(), 3);
@@ -345,8 +350,8 @@ private slots:
 
     void rejectsAreShownByCauseTheMostFrequentFirst() {
         Project project = fixtures::shaftBatch(60);
-        project.part.tolerance.roundness_um = 1e-6;
-        project.part.tolerance.radial_runout_um = 1e-6;
+        project.part->tolerance.roundness_um = 1e-6;
+        project.part->tolerance.radial_runout_um = 1e-6;
         Bench bench(project);
         QVERIFY(bench.settled());
         bench.part<QComboBox>("batchContent").setCurrentIndex(3);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/cycle.h"
+#include "core/project/wheel.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/charts/compare_plot.h"
 #include "ui/charts/run_table_model.h"
@@ -80,8 +82,8 @@ struct Desk {
 };
 
 inline void quicker(Project& project) {
-    project.cycle.stages[0].axial_feed_mm_min = 2400;
-    project.wheel.dullness = 0.03;
+    project.cycle->stages[0].axial_feed_mm_min = 2400;
+    project.wheel->dullness = 0.03;
 }
 
 } // namespace compare_bench

@@ -2,6 +2,8 @@
 // The view "Compare": the table holds what differs and nothing else, and the list keeps, restores,
 // renames and deletes.
 #include "core/format/project_file.h"
+#include "core/project/cycle.h"
+#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/ui/views/compare/compare_bench.h"
@@ -47,8 +49,8 @@ private slots:
         QCOMPARE(inputs, (QStringList{QStringLiteral("Wheel › Dullness"),
                                       QStringLiteral("Cycle › Stages › Stage 1 › Axial feed")}));
         const RunRow* feed = desk.find(inputs[1]);
-        QCOMPARE(std::get<double>(feed->cells[0]), *now.cycle.stages[0].axial_feed_mm_min);
-        QCOMPARE(std::get<double>(feed->cells[1]), *first.cycle.stages[0].axial_feed_mm_min);
+        QCOMPARE(std::get<double>(feed->cells[0]), *now.cycle->stages[0].axial_feed_mm_min);
+        QCOMPARE(std::get<double>(feed->cells[1]), *first.cycle->stages[0].axial_feed_mm_min);
         QCOMPARE(feed->unit, QStringLiteral("mm/min"));
         const RunRow* time = desk.find(QStringLiteral("Cycle time"));
         QVERIFY(time && time->isResult);
@@ -63,11 +65,11 @@ private slots:
         Desk desk;
         desk.keep();
         desk.change([](Project& project) {
-            Stage last = project.cycle.stages.back();
-            project.cycle.stages.back().stock_mm /= 2;
-            last.stock_mm = project.cycle.stages.back().stock_mm;
+            Stage last = project.cycle->stages.back();
+            project.cycle->stages.back().stock_mm /= 2;
+            last.stock_mm = project.cycle->stages.back().stock_mm;
             last.axial_feed_mm_min = 250;
-            project.cycle.stages.push_back(last);
+            project.cycle->stages.push_back(last);
         });
         const RunRow* feed = desk.find(QStringLiteral("Cycle › Stages › Stage 3 › Axial feed"));
         QVERIFY(feed);
@@ -86,7 +88,7 @@ private slots:
         QVERIFY(!table->isVisible());
         desk.change(quicker);
         desk.keep();
-        desk.change([](Project& project) { project.cycle.stages[1].axial_feed_mm_min = 450; });
+        desk.change([](Project& project) { project.cycle->stages[1].axial_feed_mm_min = 450; });
         QVERIFY(table->isVisible() && curves->height() < alone - 80);
         const QHeaderView* head = table->horizontalHeader();
         QCOMPARE(head->count(), 4); // what, present, two kept
@@ -197,7 +199,7 @@ private slots:
         QCOMPARE(desk.kept.all()[0].name, std::string("slow"));
         QCOMPARE(desk.plot().runs()[1].name, QStringLiteral("slow"));
         QTest::keyClick(list, Qt::Key_Return, Qt::ControlModifier);
-        QCOMPARE(*desk.document.project().cycle.stages[0].axial_feed_mm_min, 1800.0);
+        QCOMPARE(*desk.document.project().cycle->stages[0].axial_feed_mm_min, 1800.0);
         QCOMPARE(desk.kept.count(), 1);
         QTest::keyClick(list, Qt::Key_Delete);
         desk.settle();
@@ -221,14 +223,14 @@ private slots:
         QVERIFY(bench.open(examplePaths().front()));
         Project project = bench.window->document().project();
         const std::size_t before = project.runs.size();
-        project.part.initial_runout_mm *= 0.5;
+        project.part->initial_runout_mm *= 0.5;
         bench.window->document().edit(project, editText);
         QVERIFY(bench.window->runs().running());
         bench.action("keepRun")->trigger();
         QTRY_COMPARE(bench.window->document().project().runs.size(), before + 1);
         const ReadResult kept =
             readProject(bench.window->document().project().runs.back().inputs.text);
-        QCOMPARE(kept.project->part.initial_runout_mm, project.part.initial_runout_mm);
+        QCOMPARE(kept.project->part->initial_runout_mm, project.part->initial_runout_mm);
     }
 
     /// The summary was kept by another version and one value of it is another.

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // "Where to put the gauge" and "coupled against independent" in the view "Compliance".
 #include "core/process/system_compliance.h"
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/simulation/simulate.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
@@ -39,18 +43,18 @@ Project example(const char* name) {
 /// A stepped shaft between centres, ground by plunge in sections that can be coupled.
 Project steppedShaft() {
     Project project = example("plunge-shaft-two-stage");
-    project.machine.compliance_mm_per_n = std::monostate{};
-    project.machine.stiffness_n_um = Stiffness{15, 5, 50}; // soft, and unlike at its ends
-    project.cycle.stages.back().radial_feed_mm_min = 0.4;
-    project.part.shaft.segments = {{60, 25}, {60, 40}, {50, 25}};
-    project.part.shaft.ground_from_mm = 70;
-    project.gauge.section = 3;
+    project.machine->compliance_mm_per_n = std::monostate{};
+    project.machine->stiffness_n_um = Stiffness{15, 5, 50}; // soft, and unlike at its ends
+    project.cycle->stages.back().radial_feed_mm_min = 0.4;
+    project.part->shaft.segments = {{60, 25}, {60, 40}, {50, 25}};
+    project.part->shaft.ground_from_mm = 70;
+    project.gauge->section = 3;
     return project;
 }
 
 /// The greatest distance of a diameter from the middle of the field [µm], by the engine.
 double farthest_um(const SimulationResult& result) {
-    const Part& part = result.project.part;
+    const Part& part = *result.project.part;
     const double middle = (part.upper_deviation_um + part.lower_deviation_um) / 2;
     double farthest = 0;
     for (const SectionResult& section : result.sections) {
@@ -118,8 +122,8 @@ private slots:
         QCOMPARE(gauge.bestGraph()->data()->at(0)->value, least);
         QCOMPARE(gauge.bestGraph()->data()->at(0)->key, best->position_mm);
         Project there = steppedShaft();
-        there.gauge.section.reset();
-        there.gauge.position_mm = best->position_mm;
+        there.gauge->section.reset();
+        there.gauge->position_mm = best->position_mm;
         QVERIFY(std::abs(farthest_um(simulate(there)) - least) < 1e-9);
         QVERIFY(least < farthest_um(simulate(steppedShaft()))); // there was something to gain
         QVERIFY(std::abs(gauge.presentGraph()->data()->at(0)->value
@@ -137,15 +141,15 @@ private slots:
         window.put().setFocus();
         QTest::keyClick(&window.put(), Qt::Key_Space);
         Document& document = window.bench.window->document();
-        QVERIFY(document.project().gauge.position_mm == best);
-        QVERIFY(!document.project().gauge.section);
+        QVERIFY(document.project().gauge->position_mm == best);
+        QVERIFY(!document.project().gauge->section);
         QTRY_VERIFY(shown.count() > 0);
         QVERIFY(std::abs(farthest_um(window.bench.window->outcome()->result) - promised) < 1e-9);
         QTRY_VERIFY(window.plot().gauge().presentGraph()->dataCount() == 1
                     && window.plot().gauge().presentGraph()->data()->at(0)->key == best);
         QTRY_VERIFY(!window.put().isEnabled()); // it is there
         document.undo();
-        QVERIFY(document.project().gauge.section == 3);
+        QVERIFY(document.project().gauge->section == 3);
         QVERIFY(!document.canUndo());
     }
 
@@ -162,7 +166,7 @@ private slots:
         const CsvTable table = gauge.table();
         const auto& positions = gauge.placement()->positions;
         const double middle =
-            (steppedShaft().part.upper_deviation_um + steppedShaft().part.lower_deviation_um) / 2;
+            (steppedShaft().part->upper_deviation_um + steppedShaft().part->lower_deviation_um) / 2;
         const qsizetype sections = steppedShaft().sections;
         QCOMPARE(sections, qsizetype{4});
         for (qsizetype j = 0; j < sections; ++j) {
@@ -218,7 +222,7 @@ private slots:
         const QCPGraph& curve = *gauge.farthestGraph();
         QCOMPARE(curve.dataCount(), 6);
         QCOMPARE(curve.data()->at(0)->key, 0.0);
-        QCOMPARE(curve.data()->at(5)->key, example("shaft-30h6-factory").part.length_mm);
+        QCOMPARE(curve.data()->at(5)->key, example("shaft-30h6-factory").part->length_mm);
     }
 
     void coupledAndIndependentAreDrawnWithTheirDifference() {
@@ -256,7 +260,7 @@ private slots:
         box->setCurrentIndex(static_cast<int>(ComplianceContent::gauge));
         for (int i = 0; i < 5; ++i) {
             const double edit_ms = leastOfTries_ms(200, [&] { // four times 50 ms
-                project.part.stock_mm += 0.001;
+                project.part->stock_mm += 0.001;
                 QElapsedTimer clock;
                 clock.start();
                 window.bench.window->document().edit(project, {"Input", "Stock per side"});

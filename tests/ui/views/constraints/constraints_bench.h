@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/charts/margin_model.h"
 #include "ui/dialogs/copy_table.h"
@@ -21,29 +25,29 @@ using fixtures::traverseProject;
 
 inline Project limitedProject() {
     Project p = traverseProject();
-    p.material.burn_rise_k = 700;
-    p.machine.wheel_drive_kw = 4;
-    p.part.tolerance.roughness_ra_um = 0.8;
-    p.wheel.roughness_factor = 1.5; // calibrated
+    p.material->burn_rise_k = 700;
+    p.machine->wheel_drive_kw = 4;
+    p.part->tolerance.roughness_ra_um = 0.8;
+    p.wheel->roughness_factor = 1.5; // calibrated
     return p;
 }
 
 /// All that is evaluated.
 inline Project fullyLimitedProject() {
     Project p = limitedProject();
-    p.machine.work_drive_kw = 1;
-    p.wheel.grain_surface_energy_j_m2 = 1800;
-    p.wheel.grain_modulus_gpa = 390;
-    p.wheel.bond_surface_energy_j_m2 = 400;
-    p.wheel.bond_modulus_gpa = 65;
-    p.part.tolerance = {4, 6, 5, 8, 0.8};
+    p.machine->work_drive_kw = 1;
+    p.wheel->grain_surface_energy_j_m2 = 1800;
+    p.wheel->grain_modulus_gpa = 390;
+    p.wheel->bond_surface_energy_j_m2 = 400;
+    p.wheel->bond_modulus_gpa = 65;
+    p.part->tolerance = {4, 6, 5, 8, 0.8};
     return p;
 }
 
 inline Project unlimited(Project p) {
-    p.material.burn_rise_k.reset();
-    p.machine.wheel_drive_kw.reset();
-    p.machine.work_drive_kw.reset();
+    p.material->burn_rise_k.reset();
+    p.machine->wheel_drive_kw.reset();
+    p.machine->work_drive_kw.reset();
     return p;
 }
 

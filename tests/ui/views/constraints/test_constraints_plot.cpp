@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The plot of the view "Constraints": the cuts and limits it draws are the engine's.
+#include "core/project/cycle.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/ui/views/constraints/constraints_bench.h"
@@ -135,13 +139,13 @@ private slots:
         };
         QCOMPARE(named().count(name), 3);
         QVERIFY(!shown.part<QLabel>("limitsOff").text().contains(words));
-        project.wheel.roughness_factor = 1;
+        project.wheel->roughness_factor = 1;
         shown.show(run(project));
         QCOMPARE(named().count(name), 0);
         QVERIFY(named().contains(QStringLiteral("burn")));
         QVERIFY(shown.part<QLabel>("limitsOff").isVisible());
         QVERIFY(shown.part<QLabel>("limitsOff").text().contains(words));
-        project.part.tolerance.roughness_ra_um.reset();
+        project.part->tolerance.roughness_ra_um.reset();
         shown.show(run(project));
         QVERIFY(!shown.part<QLabel>("limitsOff").text().contains(words));
     }
@@ -149,9 +153,9 @@ private slots:
     void anEditAndItsUndoLeadToTheSameAxes() {
         const OutcomePtr first = run(limitedProject());
         Project edited = limitedProject();
-        edited.cycle.stages.front().radial_feed_mm =
-            *edited.cycle.stages.front().radial_feed_mm * 3;
-        edited.part.stock_mm *= 1.5;
+        edited.cycle->stages.front().radial_feed_mm =
+            *edited.cycle->stages.front().radial_feed_mm * 3;
+        edited.part->stock_mm *= 1.5;
         const OutcomePtr second = run(edited);
         Shown shown(first);
         shown.plot().setRun(first, shown.plot().group());
@@ -167,7 +171,7 @@ private slots:
     void whatTheUserZoomedStaysOverAnEditAndItsUndo() {
         const OutcomePtr first = run(limitedProject());
         Project edited = limitedProject();
-        edited.part.stock_mm *= 1.5;
+        edited.part->stock_mm *= 1.5;
         const OutcomePtr second = run(edited);
         Shown shown(first);
         shown.view.tools()->navigation().zoom(0.5);
@@ -196,7 +200,7 @@ private slots:
         Project project = limitedProject();
         Shown held(run(project));
         QCOMPARE(held.plot().exceeded()->data()->size(), 0);
-        project.material.burn_rise_k = 60;
+        project.material->burn_rise_k = 60;
         const OutcomePtr outcome = run(project);
         Shown shown(outcome);
         const LimitGroup& group =
@@ -221,7 +225,7 @@ private slots:
             return shown.plot().actual()->getValueRange(found).upper;
         };
         const auto feedTimes = [&project](double times) {
-            for (Stage& stage : project.cycle.stages) {
+            for (Stage& stage : project.cycle->stages) {
                 *stage.radial_feed_mm_min *= times;
             }
             return run(project);
@@ -266,10 +270,10 @@ private slots:
 
     void aLogarithmicAxisShowsTheSparkingOut() {
         Project project = limitedProject();
-        Stage spark = project.cycle.stages.back();
+        Stage spark = project.cycle->stages.back();
         spark.spark_out = {SparkOut::Mode::count, 10};
         spark.stock_mm = 0;
-        project.cycle.stages.push_back(spark);
+        project.cycle->stages.push_back(spark);
         Shown shown(run(project));
         const auto sight = [&] { return shown.plot().feedAxis()->range(); };
         const auto reaches = [&](const QCPRange& range) { // the least of the limits
@@ -286,13 +290,13 @@ private slots:
 
     void everySectionCanBeChosen() {
         Project project = plungeProject(6);
-        project.material.burn_rise_k = 700;
+        project.material->burn_rise_k = 700;
         Shown shown(run(project));
         auto& zones = shown.part<QComboBox>("constraintsZone");
         QCOMPARE(zones.count(), 6);
         zones.setCurrentIndex(4);
         QCOMPARE(shown.plot().group(), 4);
-        project.cycle.stages[0].radial_feed_mm_min = 0.4;
+        project.cycle->stages[0].radial_feed_mm_min = 0.4;
         shown.show(run(project)); // the choice stays
         QCOMPARE(shown.plot().group(), 4);
         QCOMPARE(zones.currentIndex(), 4);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view "Constraints": a row leads to its place and its formula, and what is off to its field.
 #include "core/limits/formula.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/quality/constraint_sheet.h"
 #include "core/quality/power.h"
 #include "tests/registry.h"
@@ -57,9 +60,9 @@ private slots:
 
     void aSettingIsToldByTheEndsOfItsRange() {
         Project project = limitedProject();
-        const double feed = *project.cycle.stages.front().radial_feed_mm;
-        project.machine.limits.radial_feed_mm = {feed / 2, feed * 50, 0};
-        for (Stage& stage : project.cycle.stages) {
+        const double feed = *project.cycle->stages.front().radial_feed_mm;
+        project.machine->limits.radial_feed_mm = {feed / 2, feed * 50, 0};
+        for (Stage& stage : project.cycle->stages) {
             stage.radial_feed_mm = stage.radial_feed_mm ? std::optional(feed) : std::nullopt;
         }
         const Shown shown(run(project));
@@ -145,7 +148,7 @@ private slots:
         Shown shown(run(project));
         shown.click(shown.rowOf(ConstraintKind::wheelPower));
         const QString before = shown.sheet();
-        project.machine.wheel_speed_m_s *= 1.2;
+        project.machine->wheel_speed_m_s *= 1.2;
         const OutcomePtr outcome = run(project);
         shown.show(outcome);
         QVERIFY(shown.sheet() != before);
@@ -181,15 +184,15 @@ private slots:
         const auto zone = [](const Shown& shown) {
             return shown.part<QComboBox>("constraintsZone").itemText(0);
         };
-        project.machine.compliance_mm_per_n = std::monostate{};
-        project.machine.stiffness_n_um.emplace();
-        project.part.shaft.ground_from_mm = 20;
-        project.part.shaft.segments = {{80, project.part.diameter_mm}};
+        project.machine->compliance_mm_per_n = std::monostate{};
+        project.machine->stiffness_n_um.emplace();
+        project.part->shaft.ground_from_mm = 20;
+        project.part->shaft.segments = {{80, project.part->diameter_mm}};
         project.sections_coupled = true;
         Shown shown(run(project));
         auto& notice = shown.part<QLabel>("constraintsNotice");
         QVERIFY(notice.text().startsWith(QStringLiteral("No limit of the feed is on")));
-        project.machine.wheel_drive_kw = 4;
+        project.machine->wheel_drive_kw = 4;
         shown.show(run(project));
         QVERIFY(shown.rowOf(ConstraintKind::wheelPower) >= 0);
         QVERIFY2(notice.text().startsWith(QStringLiteral("Coupled sections share")),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The times that the feeds view has in sight: one for all columns, chosen by wheel, drag, keys and
 // lists, in the overview, and gone back to.
+#include "core/project/machine.h"
 #include "tests/registry.h"
 #include "tests/ui/views/feeds/feeds_bench.h"
 #include "ui/plot/plot_tools.h"
@@ -147,7 +148,7 @@ void TestFeedsTimes::theRangeChosenOutlivesANewOutcome() {
     show(view, m_traverse);
     view.findChild<QSpinBox*>(QStringLiteral("stroke"))->setValue(20);
     Project project = traverseProject();
-    project.machine.dwell_entry_s = 1;
+    project.machine->dwell_entry_s = 1;
     show(view, run(project));
     QCOMPARE(view.plot()->visibleFrom_s(), view.plot()->series().strokeStart_s[19]);
     QCOMPARE(view.plot()->visibleTo_s(), view.plot()->series().strokeEnd_s(20));

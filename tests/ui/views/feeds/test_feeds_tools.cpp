@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The feeds view's legend, hair line, room, note and table, and how long it takes.
+#include "core/project/cycle.h"
+#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/views/feeds/feeds_bench.h"
@@ -274,9 +276,9 @@ void TestFeedsTools::theTableHoldsTheCurvesData() {
 void TestFeedsTools::aLongPlungeDoesNotStallTheWindow() {
     constexpr double target_ms = 50;
     Project project = plungeProject(4);
-    project.part.radii_per_section = 360;
-    project.cycle.stages[0].radial_feed_mm_min = 0.1;
-    project.cycle.stages[1].radial_feed_mm_min = 0.012;
+    project.part->radii_per_section = 360;
+    project.cycle->stages[0].radial_feed_mm_min = 0.1;
+    project.cycle->stages[1].radial_feed_mm_min = 0.012;
     const OutcomePtr outcome = run(project);
     QElapsedTimer clock;
     clock.start();

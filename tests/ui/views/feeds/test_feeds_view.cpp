@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the feeds view draws: its curves, bands and columns, in every state and language.
+#include "core/project/cycle.h"
 #include "tests/registry.h"
 #include "tests/ui/views/feeds/feeds_bench.h"
 #include "ui/plot/band_layer.h"
@@ -179,9 +180,9 @@ void TestFeedsView::stagesAreNamedOverTheWholeCycle() {
 
 void TestFeedsView::namesOfBandsStandInOneLineOverTheirBands() {
     Project project = traverseProject();
-    project.cycle.stages.insert(project.cycle.stages.begin(), project.cycle.stages[0]);
-    project.cycle.stages[0].stock_mm = 0.02;
-    project.cycle.stages[1].stock_mm = 0.09;
+    project.cycle->stages.insert(project.cycle->stages.begin(), project.cycle->stages[0]);
+    project.cycle->stages[0].stock_mm = 0.02;
+    project.cycle->stages[1].stock_mm = 0.09;
     FeedsView view;
     show(view, run(project));
     for (int width : {380, 520, 700, 1100}) {

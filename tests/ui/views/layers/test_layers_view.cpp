@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view "Layers": what is painted adds up to the stock, the cursor cuts it off, the surface
 // turns.
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/plot/legend_strip.h"
@@ -70,8 +72,8 @@ class TestLayersView : public QObject {
 private slots:
     void theLayersLieOnEachOtherFromBlankToFinal() {
         Project bore = fixtures::plungeProject(2);
-        bore.part.surface = Surface::internal;
-        bore.wheel.diameter_mm = 20;
+        bore.part->surface = Surface::internal;
+        bore.wheel->diameter_mm = 20;
         for (const Project& project :
              {fixtures::traverseProject(), fixtures::plungeProject(3), bore}) {
             const OutcomePtr outcome = fixtures::run(project);
@@ -225,8 +227,8 @@ private slots:
     /// The wheel's edge lies on what it cuts, and goes along the part with the radii of a stroke.
     void theWheelTouchesWhatItCuts() {
         Project bore = fixtures::plungeProject(2);
-        bore.part.surface = Surface::internal;
-        bore.wheel.diameter_mm = 20;
+        bore.part->surface = Surface::internal;
+        bore.wheel->diameter_mm = 20;
         for (const Project& project :
              {fixtures::traverseProject(), fixtures::plungeProject(3), bore}) {
             Bench bench(fixtures::run(project));

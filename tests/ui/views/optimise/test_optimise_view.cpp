@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view "Optimise" by mouse and keys: what it shows is the engine's, a cycle is taken by one
 // edit, and it says when it is of other inputs.
+#include "core/project/cycle.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/study/search_edits.h"
 #include "tests/registry.h"
 #include "tests/ui/support/search_fixtures.h"
@@ -107,15 +111,15 @@ private slots:
     void aCycleIsTakenByOneEditAndUndone() {
         const Desk desk(fixtures::searchedShaft());
         QVERIFY(desk.searched());
-        const Cycle before = desk.project().cycle;
+        const Cycle before = *desk.project().cycle;
         const Cycle best = desk.view->search()->best()->cycle;
         desk.click("optimiseTake");
         desk.bench.settle();
-        QCOMPARE(OptimiseText::cycle(desk.project().cycle), OptimiseText::cycle(best));
+        QCOMPARE(OptimiseText::cycle(*desk.project().cycle), OptimiseText::cycle(best));
         QVERIFY(!desk.view->stale()); // another cycle is no other search
         desk.bench.window->document().undo();
         desk.bench.settle();
-        QCOMPARE(OptimiseText::cycle(desk.project().cycle), OptimiseText::cycle(before));
+        QCOMPARE(OptimiseText::cycle(*desk.project().cycle), OptimiseText::cycle(before));
     }
 
     void theCycleBeforeStaysForComparisonUntilTheNextSearch() {
@@ -133,7 +137,7 @@ private slots:
         QCOMPARE(desk.cell(0, FoundModel::change), gained);
         QCOMPARE(desk.told(), told);
         Project larger = desk.project();
-        larger.part.stock_mm += 0.05;
+        larger.part->stock_mm += 0.05;
         desk.bench.window->document().edit(larger, {"Edit", ""});
         desk.bench.settle();
         desk.bench.window->document().undo();
@@ -165,14 +169,14 @@ private slots:
                     < 1e-5);
         QTest::keyClick(&table, Qt::Key_Return);
         desk.bench.settle();
-        QCOMPARE(OptimiseText::cycle(desk.project().cycle), OptimiseText::cycle(second.cycle));
+        QCOMPARE(OptimiseText::cycle(*desk.project().cycle), OptimiseText::cycle(second.cycle));
     }
 
     void afterAnEditTheAnswerIsOfOtherInputsAndCannotBeTaken() {
         const Desk desk(fixtures::searchedShaft());
         QVERIFY(desk.searched());
         Project duller = desk.project();
-        duller.wheel.dullness *= 1.5;
+        duller.wheel->dullness *= 1.5;
         desk.bench.window->document().edit(duller, {"Edit", ""});
         desk.bench.settle();
         QTRY_VERIFY(desk.view->stale());
@@ -191,7 +195,7 @@ private slots:
         table.selectRow(1);
         const QString before = desk.cell(1, FoundModel::change);
         Project other = desk.project();
-        other.cycle.stages.back().axial_feed_mm_min.value() *= 0.9;
+        other.cycle->stages.back().axial_feed_mm_min.value() *= 0.9;
         desk.bench.window->document().edit(other, {"Edit", ""});
         QTRY_VERIFY(desk.cell(1, FoundModel::change) != before);
         QCOMPARE(table.currentIndex().row(), 1);
@@ -292,7 +296,7 @@ private slots:
         desk.click("optimiseRun");
         QVERIFY(desk.view->busy());
         Project edited = desk.project();
-        edited.wheel.dullness *= 1.5;
+        edited.wheel->dullness *= 1.5;
         desk.bench.window->document().edit(edited, {"Edit", ""});
         desk.bench.settle();
         QTRY_VERIFY_WITH_TIMEOUT(!desk.view->busy(), patience_ms);
@@ -300,7 +304,7 @@ private slots:
 
     void whenNothingHoldsTheRequirementThatCutMostIsNamed() {
         Project project = fixtures::searchedShaft();
-        project.part.tolerance.radial_runout_um = 1e-6;
+        project.part->tolerance.radial_runout_um = 1e-6;
         const Desk desk(project);
         desk.click("optimiseRun");
         QTRY_VERIFY_WITH_TIMEOUT(desk.view->search() && !desk.view->busy(), patience_ms);

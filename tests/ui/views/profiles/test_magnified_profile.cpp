@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The magnified drawing of a profile, held against geometry.
 #include "core/process/profile.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "tests/core/study/profile_series_bench.h"
 #include "tests/registry.h"
 #include "ui/charts/magnified_profile.h"
@@ -46,7 +48,7 @@ void TestMagnifiedProfile::theDrawnLineIsClosedAndPassesOnlyThroughSamples_data(
 void TestMagnifiedProfile::theDrawnLineIsClosedAndPassesOnlyThroughSamples() {
     QFETCH(int, radii);
     Project p = plungeProject(1);
-    p.part.radii_per_section = radii;
+    p.part->radii_per_section = radii;
     const ProfileSeries s = series(p);
     const PolarScale scale = polarScale(s, s.profiles[0], RadiusReference::target, 1000);
     const std::vector<ProfilePoint> line = closedLine(s.profiles[0].radii_mm, scale);
@@ -91,9 +93,9 @@ void TestMagnifiedProfile::deviationsGrowWithTheMagnification() {
 void TestMagnifiedProfile::theChordOfAnEllipseIsStraight() {
     // Four samples of an ellipse: the line between them is the chord, well inside the ellipse.
     Project p = plungeProject(1);
-    p.part.radii_per_section = 4;
-    p.part.initial_runout_mm = 1;
-    const std::vector<double> ellipse = profileRadii(p.part, 16);
+    p.part->radii_per_section = 4;
+    p.part->initial_runout_mm = 1;
+    const std::vector<double> ellipse = profileRadii(*p.part, 16);
     const PolarScale scale{16, 16, 1};
     const std::vector<ProfilePoint> line = closedLine(ellipse, scale);
     const ProfilePoint middle{(line[0].x + line[1].x) / 2, (line[0].y + line[1].y) / 2};
@@ -139,13 +141,13 @@ void TestMagnifiedProfile::circlesAreDrawnAboutTheirCentres() {
 void TestMagnifiedProfile::aLobedSectionHasItsReferenceCircles() {
     for (const int lobes : {2, 3, 5}) {
         Project project = plungeProject(1);
-        project.part.profile = ProfileForm::lobes;
-        project.part.lobes = lobes;
-        project.part.radii_per_section = 60;
+        project.part->profile = ProfileForm::lobes;
+        project.part->lobes = lobes;
+        project.part->radii_per_section = 60;
         ProfileSeries s = series(project, 0);
         addMinimumZones(s, {0});
         const Profile& p = s.profiles[0];
-        const double form = project.part.initial_runout_mm;
+        const double form = project.part->initial_runout_mm;
         QVERIFY(close(p.leastSquares.deviation(), form, 1e-9));
         QVERIFY(close(p.minimumZone.deviation(), form, 1e-9));
         QVERIFY(close(p.leastSquares.reference_mm, p.mean_mm, 1e-9));
@@ -188,8 +190,8 @@ void TestMagnifiedProfile::noSampleIsEverDrawnThroughTheCentre() {
     for (int stroke : {0, 1, 20, 69}) {
         for (const Surface surface : {Surface::external, Surface::internal}) {
             Project p = plungeProject(3);
-            p.part.surface = surface;
-            p.wheel.diameter_mm = surface == Surface::internal ? 20 : 400;
+            p.part->surface = surface;
+            p.wheel->diameter_mm = surface == Surface::internal ? 20 : 400;
             const ProfileSeries s = series(p, stroke);
             for (const auto reference : {RadiusReference::target, RadiusReference::mean}) {
                 const Reach reach = reachOf(s, {0, 1, 2}, reference, true);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Form in the view "Zone profiles": magnification, reference circles, spectrum.
+#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/ui/views/profiles/profiles_bench.h"
 #include "ui/plot/plot_tools.h"
@@ -42,8 +43,8 @@ namespace {
 /// A part with some form left: lobes, and an eccentricity besides by its measured profile.
 Project outOfRound() {
     Project p = plungeProject(2);
-    p.part.profile = ProfileForm::measured;
-    p.part.radii_per_section = 48;
+    p.part->profile = ProfileForm::measured;
+    p.part->radii_per_section = 48;
     std::vector<double> radii;
     for (int k = 0; k < 48; ++k) {
         const double phi = angleOf(k, 48);
@@ -53,7 +54,7 @@ Project outOfRound() {
     for (double& radius : radii) {
         radius -= highest;
     }
-    p.part.radii_um = radii;
+    p.part->radii_um = radii;
     return p;
 }
 
@@ -213,9 +214,9 @@ void TestProfilesForm::theCirclesAreChosen() {
 void TestProfilesForm::aLobedBlankIsOneBar() {
     for (const int lobes : {2, 3, 7}) {
         Project project = plungeProject(3);
-        project.part.profile = ProfileForm::lobes;
-        project.part.lobes = lobes;
-        project.part.radii_per_section = 42;
+        project.part->profile = ProfileForm::lobes;
+        project.part->lobes = lobes;
+        project.part->radii_per_section = 42;
         ProfilesView view;
         show(view, run(project));
         part<QComboBox>(view, "parts")->setCurrentIndex(3);
@@ -224,7 +225,7 @@ void TestProfilesForm::aLobedBlankIsOneBar() {
         QCOMPARE(blank->size(), 21);
         for (const QCPBarsData& bar : *blank) {
             const bool one = qRound(bar.key) == lobes;
-            const double amplitude = one ? project.part.initial_runout_mm * 1000 / 2 : 0;
+            const double amplitude = one ? project.part->initial_runout_mm * 1000 / 2 : 0;
             QVERIFY(std::abs(bar.value - amplitude) < 1e-8);
         }
         view.setStroke(0); // what is left is the blank still
@@ -264,7 +265,7 @@ void TestProfilesForm::barsThatOutgrowTheSpectrumBringItAlong() {
     part<QComboBox>(view, "parts")->setCurrentIndex(4);
     const auto sight = [&] { return view.spectrum()->cell(1)->axis(QCPAxis::atLeft)->range(); };
     const auto higherBlank = [&] {
-        project.part.initial_runout_mm *= 4;
+        project.part->initial_runout_mm *= 4;
         show(view, run(project));
         return view.spectrum()->bars(1, ProfileLine::blank)->data()->at(1)->value;
     };
@@ -319,7 +320,7 @@ void TestProfilesForm::radiiUpToThirtySixAreMarked() {
     };
     QVERIFY(style() != QCPScatterStyle::ssNone);
     Project fine = traverseProject();
-    fine.part.radii_per_section = 72;
+    fine.part->radii_per_section = 72;
     show(view, run(fine));
     QVERIFY(style() == QCPScatterStyle::ssNone);
     QCOMPARE(view.across()->curve(0, ProfileLine::profile)->data()->size(), 73);

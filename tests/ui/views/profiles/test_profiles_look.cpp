@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view "Zone profiles" along the axis, and what every view owes: texts, colours, exports,
 // speed.
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "tests/check_line.h"
 #include "tests/registry.h"
 #include "tests/ui/views/profiles/profiles_bench.h"
@@ -75,7 +78,7 @@ void TestProfilesLook::theFieldIsABandAlongTheAxis() {
 
 void TestProfilesLook::theEntryAtTheTailstockIsDrawnAtTheRight() {
     Project p = traverseProject();
-    p.machine.entry_side = EntrySide::tailstock;
+    p.machine->entry_side = EntrySide::tailstock;
     ProfilesView view;
     show(view, run(p));
     const auto& bands = view.along()->bands()->bands();
@@ -103,8 +106,8 @@ void TestProfilesLook::diametersReplaceRadii() {
 
 void TestProfilesLook::toScaleNothingIsExaggerated() {
     Project p = traverseProject();
-    p.part.shaft.segments = {{25, 20}, {120, 30}, {25, 20}};
-    p.part.shaft.ground_from_mm = 30;
+    p.part->shaft.segments = {{25, 20}, {120, 30}, {25, 20}};
+    p.part->shaft.ground_from_mm = 30;
     ProfilesView view;
     show(view, run(p));
     auto* box = part<QCheckBox>(view, "toScale");
@@ -134,8 +137,8 @@ void TestProfilesLook::toScaleNothingIsExaggerated() {
 
 void TestProfilesLook::toScaleInternalShowsTheBore() {
     Project p = plungeProject(4);
-    p.part.surface = Surface::internal;
-    p.wheel.diameter_mm = 20;
+    p.part->surface = Surface::internal;
+    p.wheel->diameter_mm = 20;
     ProfilesView view;
     show(view, run(p));
     part<QCheckBox>(view, "toScale")->click();
@@ -360,7 +363,7 @@ void TestProfilesLook::anExportedPictureTellsWhatItShows() {
 
 void TestProfilesLook::aNewOutcomeIsDrawnQuickly() {
     Project p = plungeProject(4);
-    p.part.radii_per_section = 360;
+    p.part->radii_per_section = 360;
     const OutcomePtr outcome = run(p);
     double first = 1e9, again = 1e9, scrub = 1e9;
     for (int i = 0; i < 5; ++i) {
@@ -382,7 +385,7 @@ void TestProfilesLook::aNewOutcomeIsDrawnQuickly() {
     QVERIFY(first < 200); // four times the bound, for a busy machine
 
     p.sections = 200;
-    p.machine.compliance_mm_per_n = std::vector<double>(200, 2e-5);
+    p.machine->compliance_mm_per_n = std::vector<double>(200, 2e-5);
     const OutcomePtr largest = run(p, false);
     QVERIFY(largest->ran());
     double most = 1e9;

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view "Zone profiles", worked with mouse and keys: cells, moments, sections.
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/views/profiles/profiles_bench.h"
 #include "ui/text/names.h"
@@ -224,7 +227,7 @@ void TestProfilesView::theMomentOutlivesANewOutcome() {
     show(view, m_of.traverse);
     view.setStroke(20);
     Project longer = traverseProject();
-    longer.machine.dwell_entry_s = 1;
+    longer.machine->dwell_entry_s = 1;
     show(view, run(longer));
     QCOMPARE(view.across()->series().stroke, 20);
     view.setStroke(100000);
@@ -337,8 +340,8 @@ void TestProfilesView::aChangeOfOperationRebuildsTheCells() {
 
 void TestProfilesView::internalGrindingDrawsTheBlankInside() {
     Project p = plungeProject(4);
-    p.part.surface = Surface::internal;
-    p.wheel.diameter_mm = 20;
+    p.part->surface = Surface::internal;
+    p.wheel->diameter_mm = 20;
     ProfilesView view;
     show(view, run(p));
     clickLegend(view, QStringLiteral("blank"));

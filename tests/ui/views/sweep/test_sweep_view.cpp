@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view "Sweep": chosen, run, stopped and taken from with mouse and keys; its curves are the
 // engine's; a project from which the varied stage has gone does no harm.
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
 #include "core/project/number_input.h"
+#include "core/project/part.h"
+#include "core/project/sweep.h"
+#include "core/project/wheel.h"
 #include "core/study/evaluate.h"
 #include "core/study/sweep_edits.h"
 #include "tests/check_line.h"
@@ -40,7 +45,7 @@ const std::string dullness = "/wheel/dullness";
 
 Project shaft() {
     Project project = fixtures::traverse();
-    project.part.tolerance.radial_runout_um = 6;
+    project.part->tolerance.radial_runout_um = 6;
     return project;
 }
 
@@ -52,7 +57,7 @@ Project swept(Project project, std::vector<SweepAxis> axes) {
 /// Too many points to run by itself.
 Project endless() {
     Project project = shaft();
-    project.part.radii_per_section = 180;
+    project.part->radii_per_section = 180;
     return swept(project, {{dullness, 0.005, 0.06, 101}, {"/part/stock_mm", 0.1, 0.3, 101}});
 }
 
@@ -211,7 +216,7 @@ private slots:
         QVERIFY(bench.part<QLabel>("sweepValues").text().contains(QStringLiteral("0.04")));
         const SweepOutcomePtr shown = bench.view.sweep();
         bench.click("sweepTake");
-        QCOMPARE(bench.document.project().wheel.dullness, 0.04);
+        QCOMPARE(bench.document.project().wheel->dullness, 0.04);
         QTest::qWait(50);
         // The sweep is the same: only the present value has moved.
         QVERIFY(!bench.view.stale());
@@ -228,7 +233,7 @@ private slots:
         QTest::keyClick(&box, Qt::Key_Up);
         QTest::keyClick(&box, Qt::Key_Up);
         QTest::keyClick(&bench.part<QPushButton>("sweepTake"), Qt::Key_Space);
-        QCOMPARE(bench.document.project().wheel.dullness, 0.015);
+        QCOMPARE(bench.document.project().wheel->dullness, 0.015);
     }
 
     void twoInputsGiveAMapWithItsLimit() {
@@ -261,9 +266,9 @@ private slots:
                  static_cast<int>(sweep.index(3, 5)) + 1);
         bench.click("sweepTake");
         const auto& taken =
-            std::get<ZoneCompliance>(bench.document.project().machine.compliance_mm_per_n);
+            std::get<ZoneCompliance>(bench.document.project().machine->compliance_mm_per_n);
         QCOMPARE(taken.nz, sweep.inputs[1].values[5]);
-        QCOMPARE(bench.document.project().wheel.dullness, sweep.inputs[0].values[3]);
+        QCOMPARE(bench.document.project().wheel->dullness, sweep.inputs[0].values[3]);
         const CsvTable table = bench.view.map()->table();
         QCOMPARE(table.rows.size(), std::size_t{96});
     }
@@ -309,9 +314,9 @@ private slots:
         Project project = swept(shaft(), {{dullness, 0.01, 0.05, 5}});
         Project named = project;
         named.title = "Another";
-        named.wheel.dullness = 0.033; // which the sweep varies
+        named.wheel->dullness = 0.033; // which the sweep varies
         QVERIFY(sameSweep(project, named));
-        named.part.stock_mm = 0.2;
+        named.part->stock_mm = 0.2;
         QVERIFY(!sameSweep(project, named));
     }
 
@@ -323,7 +328,7 @@ private slots:
         QTest::qWait(100);
         QVERIFY(bench.view.busy());
         Project shorter = bench.document.project();
-        shorter.cycle.stages.pop_back();
+        shorter.cycle->stages.pop_back();
         bench.document.edit(shorter, {"Edit", "delete the stage"});
         QTRY_VERIFY(!bench.view.busy());
         auto& notice = bench.part<QLabel>("sweepNotice");

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The requirements in the verdict panel: chosen, explained, led to their input.
 #include "core/format/project_file.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/study/profile_series.h"
 #include "tests/registry.h"
 #include "tests/ui/views/verdict/verdict_bench.h"
@@ -63,15 +68,15 @@ private slots:
             QCOMPARE(asked.takeFirst().first().value<std::string>(), each.path);
         }
         Project whole = traverseProject();
-        whole.part.tolerance = {6, 4, 5, 8, 1.25};
-        whole.material.burn_rise_k = 600;
-        whole.wheel.grain_surface_energy_j_m2 = whole.wheel.bond_surface_energy_j_m2 = 10;
-        whole.wheel.grain_modulus_gpa = whole.wheel.bond_modulus_gpa = 300;
-        whole.machine.wheel_drive_kw = 10;
+        whole.part->tolerance = {6, 4, 5, 8, 1.25};
+        whole.material->burn_rise_k = 600;
+        whole.wheel->grain_surface_energy_j_m2 = whole.wheel->bond_surface_energy_j_m2 = 10;
+        whole.wheel->grain_modulus_gpa = whole.wheel->bond_modulus_gpa = 300;
+        whole.machine->wheel_drive_kw = 10;
         bench.show(run(whole));
         QVERIFY(off.text().contains(QStringLiteral("work drive")));
         QVERIFY(!off.text().contains(QStringLiteral("burn")));
-        whole.machine.work_drive_kw = 1;
+        whole.machine->work_drive_kw = 1;
         bench.show(run(whole));
         QVERIFY(!off.isVisible());
     }
@@ -91,8 +96,8 @@ private slots:
         QFETCH(double, speed);
         QFETCH(QString, text);
         Project project = traverseProject();
-        project.machine.limits.work_speed_rpm = std::vector<double>{150, 250, 1};
-        project.machine.work_speed_rpm = speed;
+        project.machine->limits.work_speed_rpm = std::vector<double>{150, 250, 1};
+        project.machine->work_speed_rpm = speed;
         const OutcomePtr outcome = run(project);
         const auto found = std::ranges::find(outcome->constraints, ConstraintKind::rangeWorkSpeed,
                                              &ConstraintResult::kind);
@@ -102,8 +107,8 @@ private slots:
 
     void whatFailsIsExplainedWithSharesThatAddUp() {
         Project project = traverseProject();
-        project.part.upper_deviation_um = 0;
-        project.part.lower_deviation_um = -2;
+        project.part->upper_deviation_um = 0;
+        project.part->lower_deviation_um = -2;
         const OutcomePtr outcome = run(project);
         const ConstraintResult* worst = verdict::worst(*outcome);
         QVERIFY(worst && !worst->holds);
@@ -125,10 +130,10 @@ private slots:
         for (const Operation operation : {Operation::traverse, Operation::plunge}) {
             Project project =
                 operation == Operation::traverse ? traverseProject() : plungeProject(3);
-            project.machine.limits.radial_feed_mm = std::vector<double>{0, 1, 0.001};
-            project.machine.limits.axial_feed_mm_min = std::vector<double>{0, 1e4, 1};
-            project.machine.limits.plunge_feed_mm_min = std::vector<double>{0, 10, 0.01};
-            project.machine.limits.work_speed_rpm = std::vector<double>{10, 1000, 1};
+            project.machine->limits.radial_feed_mm = std::vector<double>{0, 1, 0.001};
+            project.machine->limits.axial_feed_mm_min = std::vector<double>{0, 1e4, 1};
+            project.machine->limits.plunge_feed_mm_min = std::vector<double>{0, 10, 0.01};
+            project.machine->limits.work_speed_rpm = std::vector<double>{10, 1000, 1};
             const OutcomePtr outcome = run(project);
             QVERIFY(outcome->ran());
             const auto file = nlohmann::json::parse(writeProject(project));
@@ -152,10 +157,10 @@ private slots:
     // Where strips stay uncut, the verdict says so, and no number stands for the surface.
     void stripsAreSaidAndTheSurfaceHasNoNumbers() {
         Project project = traverseProject();
-        project.part.upper_deviation_um = 900;
-        project.part.lower_deviation_um = -900;
-        project.cycle.stages.front().axial_feed_mm_min =
-            1.25 * project.wheel.width_mm * project.machine.work_speed_rpm;
+        project.part->upper_deviation_um = 900;
+        project.part->lower_deviation_um = -900;
+        project.cycle->stages.front().axial_feed_mm_min =
+            1.25 * project.wheel->width_mm * project.machine->work_speed_rpm;
         const OutcomePtr outcome = run(project);
         QVERIFY(outcome->ran());
         QCOMPARE(verdict::worst(*outcome)->kind, ConstraintKind::overlap);
@@ -203,16 +208,16 @@ private slots:
 
     void aRowThatHoldsIsExplainedWhenChosen() {
         Project project = traverseProject();
-        project.part.upper_deviation_um = 100;
-        project.part.lower_deviation_um = -100;
-        project.part.tolerance.radial_runout_um = 100;
+        project.part->upper_deviation_um = 100;
+        project.part->lower_deviation_um = -100;
+        project.part->tolerance.radial_runout_um = 100;
         Bench bench(run(project), {320, 1400});
         QVERIFY(bench.label("why").text().isEmpty());
         CopyTable& table = bench.requirements();
         QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, middleOfRow(table, 3));
         const QString text = bench.label("why").text();
         QVERIFY2(text.contains(QStringLiteral("Radial runout")), qPrintable(text));
-        QVERIFY(text.contains(Names::micrometres(project.part.initial_runout_mm * 1e3)));
+        QVERIFY(text.contains(Names::micrometres(project.part->initial_runout_mm * 1e3)));
     }
 
     void refusedTextsInTheInputsAreSaid() {

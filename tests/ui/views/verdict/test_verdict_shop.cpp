@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The shop's numbers in the verdict panel: stage by stage, marked, explained, copied.
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/views/verdict/verdict_bench.h"
@@ -117,8 +120,8 @@ private slots:
 
     void numbersOutsideTheirBandCarryAnIconAndWords() {
         Project p = traverseProject();
-        p.wheel.dullness = 0; // the shear alone, 5.6 J/mm³
-        p.cycle.stages[1].axial_feed_mm_min = 1.2 * p.wheel.width_mm * p.machine.work_speed_rpm;
+        p.wheel->dullness = 0; // the shear alone, 5.6 J/mm³
+        p.cycle->stages[1].axial_feed_mm_min = 1.2 * p.wheel->width_mm * p.machine->work_speed_rpm;
         Bench bench(run(p));
         for (int column = 0; column < 3; ++column) {
             QVERIFY(bench.marked(ShopRow::energy, column));
@@ -139,8 +142,8 @@ private slots:
 
     void wholeRotationRatioIsMarked() {
         Project p = plungeProject(1);
-        p.machine.work_speed_rpm =
-            p.machine.wheel_speed_m_s * 60e3 / (std::numbers::pi * p.wheel.diameter_mm) / 8;
+        p.machine->work_speed_rpm =
+            p.machine->wheel_speed_m_s * 60e3 / (std::numbers::pi * p.wheel->diameter_mm) / 8;
         Bench bench(run(p));
         QVERIFY(bench.marked(ShopRow::rotationRatio, 2));
         QVERIFY(!bench.marked(ShopRow::rotationRatio, 0));
@@ -188,7 +191,7 @@ private slots:
 
     void anotherLanguageReachesEveryTextOfTheTable() {
         Project p = traverseProject();
-        p.wheel.dullness = 0;
+        p.wheel->dullness = 0;
         Bench bench(run(p));
         Marking marking;
         QApplication::installTranslator(&marking);

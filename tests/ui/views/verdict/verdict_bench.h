@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/study/evaluate.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/views/verdict/verdict_panel.h"
@@ -24,15 +27,15 @@ using namespace sparkout;
 
 inline Project traverseProject(int stages = 2) {
     Project p;
-    p.part.tolerance.radial_runout_um = 6;
-    p.machine.compliance_mm_per_n = ZoneCompliance{1.2e-4, 1.7e-4, 1.5e-4};
-    p.machine.dwell_entry_s = 0.333;
+    p.part->tolerance.radial_runout_um = 6;
+    p.machine->compliance_mm_per_n = ZoneCompliance{1.2e-4, 1.7e-4, 1.5e-4};
+    p.machine->dwell_entry_s = 0.333;
     for (int z = 0; z < stages; ++z) {
         Stage stage;
         stage.radial_feed_mm = 0.004 / (1 + z);
         stage.axial_feed_mm_min = 1800 / (1 + z);
-        stage.stock_mm = p.part.stock_mm / stages;
-        p.cycle.stages.push_back(stage);
+        stage.stock_mm = p.part->stock_mm / stages;
+        p.cycle->stages.push_back(stage);
     }
     return p;
 }
@@ -41,14 +44,14 @@ inline Project plungeProject(int sections, int stages = 2) {
     Project p = traverseProject();
     p.operation = Operation::plunge;
     p.sections = sections;
-    p.part.length_mm = 40;
-    p.machine.compliance_mm_per_n = std::vector<double>(static_cast<std::size_t>(sections), 2e-5);
-    p.cycle.stages.clear();
+    p.part->length_mm = 40;
+    p.machine->compliance_mm_per_n = std::vector<double>(static_cast<std::size_t>(sections), 2e-5);
+    p.cycle->stages.clear();
     for (int z = 0; z < stages; ++z) {
         Stage stage;
         stage.radial_feed_mm_min = 0.6 / (1 + z);
-        stage.stock_mm = p.part.stock_mm / stages;
-        p.cycle.stages.push_back(stage);
+        stage.stock_mm = p.part->stock_mm / stages;
+        p.cycle->stages.push_back(stage);
     }
     return p;
 }

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/conditions.h"
+
+#include "core/project/part.h"
+
+namespace sparkout::conditions {
+
+bool external(const Project& p, const void*) {
+    return p.part->surface == Surface::external;
+}
+
+bool internal(const Project& p, const void*) {
+    return p.part->surface == Surface::internal;
+}
+
+} // namespace sparkout::conditions
