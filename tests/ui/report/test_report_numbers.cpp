@@ -90,8 +90,8 @@ private slots:
         QCOMPARE(report::drawnSize(part), QStringLiteral("⌀30 (+0") + point
                                               + QStringLiteral("018; ") + minus + u'0' + point
                                               + QStringLiteral("016)"));
-        QCOMPARE(report::printedNumber(-2.5), minus + QStringLiteral("2") + point + u'5');
-        QCOMPARE(report::printedNumber(2.5), QStringLiteral("2") + point + u'5');
+        QCOMPARE(printedNumber(-2.5), minus + QStringLiteral("2") + point + u'5');
+        QCOMPARE(printedNumber(2.5), QStringLiteral("2") + point + u'5');
     }
 
     void theCardGivesEachZoneItsOwnDeviationsAndRoughness() {
@@ -181,11 +181,11 @@ private slots:
         for (std::size_t i = 0; i < all.size(); ++i) {
             const QString& shown = table.rows[i][2];
             if (all[i].low && all[i].high) {
-                QCOMPARE(shown, report::printedNumber(*all[i].low) + QStringLiteral("…")
-                                    + report::printedNumber(*all[i].high));
+                QCOMPARE(shown, printedNumber(*all[i].low) + QStringLiteral("…")
+                                    + printedNumber(*all[i].high));
                 ++between;
             } else if (all[i].high) {
-                QCOMPARE(shown, QStringLiteral("≤ ") + report::printedNumber(*all[i].high));
+                QCOMPARE(shown, QStringLiteral("≤ ") + printedNumber(*all[i].high));
                 ++above;
             }
         }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/project/operation.h"
+#include "core/project/spark_out.h"
 
 #include <QWidget>
 
