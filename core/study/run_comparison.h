@@ -61,10 +61,12 @@ inline constexpr int worstDigits = 2; ///< significant, of the worst margin in p
 
 /// The inputs that the model reads, in the order of the tables; neither kept runs nor the sweep.
 [[nodiscard]] std::vector<RunValue> inputsRead(const Project& project);
+std::vector<RunValue> inputsRead(Project&&) = delete; // its leaves would be gone
 
 /// What a summary says of a run, in the order of its table, then its margins, the worst of them and
 /// the verdict. What is missing is left out; where strips stay uncut, all that is of the surface.
 [[nodiscard]] std::vector<RunValue> resultsStated(const ReadSummary& summary);
+std::vector<RunValue> resultsStated(ReadSummary&&) = delete;
 
 /// The inputs, then the results, in which the runs differ, in the order of the tables: inputs in
 /// any digit, results in those to which they are stated. A value that only some runs have differs;

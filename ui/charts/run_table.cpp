@@ -245,7 +245,8 @@ CsvTable cycleTable(const RunSummary& summary) {
     CsvTable table;
     table.ownUnits = true;
     table.header << RunTable::tr("Quantity") << RunTable::tr("Unit") << RunTable::tr("Value");
-    for (const RunValue& value : resultsStated({summary, {}})) {
+    const ReadSummary whole{summary, {}};
+    for (const RunValue& value : resultsStated(whole)) {
         const bool elsewhere = value.path.starts_with("/requirements")
                                || value.path.starts_with("/zones")
                                || value.path.starts_with("/counts_by_stage");

@@ -281,11 +281,11 @@ private slots:
         QVERIFY(!largestDifference({1}, {1, 2}));
     }
 
-    /// The middle of a part in zones is the middle section of any number of them.
+    /// A zone of another part belongs to the section whose slice holds its middle.
     void anotherKindOfRunIsMatchedAlongThePart() {
         const Ran zones(traverse());
-        Project plunge = samples::project("smallest-plunge");
-        for (const int sections : {1, 3, 5}) {
+        const Project plunge = samples::project("smallest-plunge");
+        for (const int sections : {1, 3, 5, 40}) {
             RunSummary along;
             along.zones.resize(static_cast<std::size_t>(sections));
             for (int i = 0; i < sections; ++i) {
@@ -294,11 +294,12 @@ private slots:
             }
             const RunPlaces other{plunge, along};
             QVERIFY(!haveSamePlaces(zones.places(), other));
-            QCOMPARE(matchingPlace(zones.places(), 1, other),
-                     static_cast<std::size_t>(sections / 2));
-            QCOMPARE(matchingPlace(zones.places(), 0, other), 0u);
-            QCOMPARE(matchingPlace(zones.places(), 2, other),
-                     static_cast<std::size_t>(sections - 1));
+            for (std::size_t zone = 0; zone < 3; ++zone) {
+                const double share =
+                    zones.summary.summary.zones[zone].position_mm / zones.project.part->length_mm;
+                QCOMPARE(matchingPlace(zones.places(), zone, other),
+                         static_cast<std::size_t>(share * sections));
+            }
         }
         QVERIFY(haveSamePlaces(zones.places(), zones.places()));
         for (const std::size_t zone : {0u, 1u, 2u}) {

@@ -36,6 +36,7 @@ private slots:
     void theChosenMagnificationIsTheLargestThatFits();
     void noSampleIsEverDrawnThroughTheCentre();
     void theNearestSampleIsFoundAtAnyAngle();
+    void aBoreIsDrawnOutsideItsBlank();
 };
 
 void TestMagnifiedProfile::theDrawnLineIsClosedAndPassesOnlyThroughSamples_data() {
@@ -215,6 +216,19 @@ void TestMagnifiedProfile::theNearestSampleIsFoundAtAnyAngle() {
     QCOMPARE(nearestRadius(-angleOf(1, 36), 36), 35);
     QCOMPARE(nearestRadius(2 * std::numbers::pi - 0.01, 36), 0);
     QCOMPARE(nearestRadius(-std::numbers::pi / 2, 4), 3);
+}
+
+void TestMagnifiedProfile::aBoreIsDrawnOutsideItsBlank() {
+    Project p = plungeProject(2);
+    p.part->surface = Surface::internal;
+    p.wheel->diameter_mm = 20;
+    const ProfileSeries s = series(p);
+    QVERIFY(!s.profiles.empty());
+    for (const Profile& profile : s.profiles) {
+        const PolarScale scale = polarScale(s, profile, RadiusReference::target, 50);
+        QVERIFY(distance(closedLine(s.blank_mm, scale)[0])
+                < distance(closedLine(profile.radii_mm, scale)[0]));
+    }
 }
 
 } // namespace test_magnified_profile
