@@ -3,6 +3,7 @@
 #include "app/cli_io.h"
 #include "app/cli_optimise.h"
 #include "app/cli_options.h"
+#include "app/cli_remedies.h"
 #include "app/cli_report.h"
 #include "app/cli_sweep.h"
 #include "app/examples.h"
@@ -30,6 +31,7 @@ constexpr const char* helpText =
     R"(sparkout-cli: cylindrical grinding cycles, computed pass by pass
 
   sparkout-cli simulate FILE [--json] [--check] [--trace OUT.csv]
+  sparkout-cli remedies FILE [--json]
   sparkout-cli optimize FILE [--robust] [--refine] [--method search|full|dp|labels]
                         [--stages N,…] [--time-limit S] [--threads N] [--json]
                         [-o OUT.sparkout]
@@ -44,6 +46,10 @@ simulate   runs the cycle of a project file
   --json     prints one JSON object
   --check    exit status 4 when a requirement fails
   --trace    writes a row for every visit of a radius
+remedies   finds changes of one setting after which a cycle that fails holds everything, or
+           one that is close to a limit has room: up to three, each run, the quickest
+           first; where none helps, the two requirements that pull against each other
+  --json     prints one JSON object
 optimize   finds the quickest cycle of the file's grid that holds every requirement
   --robust   it must hold for stocks between the steps of the feeds, too: tried on 500 of
              them drawn afresh, with the confidence stated; a file whose
@@ -193,8 +199,9 @@ int run(const std::vector<std::string>& arguments) {
         return failed;
     }
     const std::string& command = options.command;
-    if (command != "simulate" && command != "validate" && command != "batch"
-        && command != "batch-merge" && command != "sweep" && command != "examples") {
+    if (command != "simulate" && command != "validate" && command != "remedies"
+        && command != "batch" && command != "batch-merge" && command != "sweep"
+        && command != "examples") {
         return usageError(command.empty() ? "a command is needed" : "unknown command " + command);
     }
     if (options.operand.empty()) {
@@ -202,6 +209,9 @@ int run(const std::vector<std::string>& arguments) {
     }
     if (command == "simulate") {
         return runSimulate(options);
+    }
+    if (command == "remedies") {
+        return runRemediesCommand(options);
     }
     if (command == "batch") {
         return runBatchCommand(options);

@@ -122,8 +122,8 @@ const ValueOption* valueOption(const std::string& command, const std::string& na
 bool* switchOf(const std::string& name, Options& options) {
     const bool simulates = options.command == "simulate", runs = options.command == "batch";
     const bool batch = runs || options.command == "batch-merge";
-    const bool sweeps = options.command == "sweep";
-    return (simulates || batch || sweeps) && name == "--json"             ? &options.json
+    const bool sweeps = options.command == "sweep", mends = options.command == "remedies";
+    return (simulates || mends || batch || sweeps) && name == "--json"    ? &options.json
            : (simulates || batch) && name == "--check"                    ? &options.check
            : (batch || sweeps) && name == "--csv"                         ? &options.csv
            : (runs || sweeps) && name == "--progress"                     ? &options.progress

@@ -11,6 +11,7 @@
 #include "ui/kit/theme.h"
 #include "ui/report/format/report_text.h"
 #include "ui/session/program_log.h"
+#include "ui/session/remedy_finder.h"
 #include "ui/text/language.h"
 #include "ui/text/texts.h"
 #include "ui/views/batch/batch_view.h"
@@ -276,8 +277,9 @@ int makePicture(QApplication& app, MainWindow& window, const Options& options) {
     int quietTicks = 0;
     QTimer ticks;
     QObject::connect(&ticks, &QTimer::timeout, &app, [&] {
-        const bool busy =
-            window.findChild<BatchView*>()->busy() || window.findChild<SweepView*>()->busy();
+        const bool busy = window.findChild<BatchView*>()->busy()
+                          || window.findChild<SweepView*>()->busy()
+                          || window.findChild<RemedyFinder*>()->running();
         quietTicks = busy ? 0 : quietTicks + 1;
         if (quietTicks == 2) {
             app.exit(writePicture(window, options.picture) ? 0 : exitRefused);

@@ -2,7 +2,7 @@
 #pragma once
 
 // The public face of the core: a project read and checked, its cycle simulated, held against the
-// drawing and evaluated, its batch, its sweep, its search.
+// drawing and evaluated, what would help, its batch, its sweep, its search.
 
 #include "core/batch/batch_check.h"
 #include "core/batch/batch_run.h"
@@ -22,6 +22,7 @@
 #include "core/quality/constraints.h"
 #include "core/quality/result_json.h"
 #include "core/quality/shop_numbers.h"
+#include "core/remedies/remedies.h"
 #include "core/simulation/simulate.h"
 #include "core/study/evaluate.h"
 #include "core/study/grid_search.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "python/project_object.h"
+#include "python/remedy_objects.h"
 #include "python/study_objects.h"
 
 #include "core/version.h"
@@ -9,4 +10,5 @@ PYBIND11_MODULE(sparkout, module) {
     module.attr("__version__") = sparkout::version;
     sparkout::python::bindProject(module);
     sparkout::python::bindStudies(module);
+    sparkout::python::bindRemedies(module);
 }

@@ -11929,6 +11929,152 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>Remedy</name>
+        <message>
+            <source>{feed} of stage {stage} {is}</source>
+            <translation>Подача {feed} ступени {stage} {is}</translation>
+        </message>
+        <message>
+            <source>Stock of stage {stage} {is} (stage {other}: {rest})</source>
+            <translation>Припуск ступени {stage} {is} (ступени {other}: {rest})</translation>
+        </message>
+        <message>
+            <source>Double strokes of spark-out {is}</source>
+            <translation>Число двойных ходов выхаживания {is}</translation>
+        </message>
+        <message>
+            <source>Revolutions of spark-out {is}</source>
+            <translation>Число оборотов выхаживания {is}</translation>
+        </message>
+        <message>
+            <source>One more stage after stage {stage}: {feed} {is}, stock {stock}</source>
+            <translation>Ещё одна ступень после ступени {stage}: {feed} {is}, припуск {stock}</translation>
+        </message>
+        <message>
+            <source>Spark-out as one more stage: double strokes {is}</source>
+            <translation>Выхаживание дополнительной ступенью: число двойных ходов {is}</translation>
+        </message>
+        <message>
+            <source>Spark-out as one more stage: revolutions {is}</source>
+            <translation>Выхаживание дополнительной ступенью: число оборотов {is}</translation>
+        </message>
+        <message>
+            <source>{time} s</source>
+            <translation>{time} с</translation>
+        </message>
+        <message>
+            <source>{time} min</source>
+            <translation>{time} мин</translation>
+        </message>
+        <message>
+            <source>in the same time</source>
+            <translation>время прежнее</translation>
+        </message>
+        <message>
+            <source>{change}: {cost}</source>
+            <translation>{change}: {cost}</translation>
+        </message>
+        <message>
+            <source>Run with {value}: nothing is close to its limit; the cycle takes {time}.</source>
+            <translation>Расчёт при значении {value}: все требования выполнены с запасом; время цикла {time}.</translation>
+        </message>
+        <message>
+            <source>Run with {value}: everything holds; the cycle takes {time}.</source>
+            <translation>Расчёт при значении {value}: все требования выполнены; время цикла {time}.</translation>
+        </message>
+        <message>
+            <source>With {value}, a step nearer to the present {before}, it does not do yet.</source>
+            <translation>При {value}, на шаг ближе к нынешнему значению {before}, этого ещё нет.</translation>
+        </message>
+        <message>
+            <source>Found among the values that were tried; between them others may hold, too.</source>
+            <translation>Найдено среди проверенных значений; между ними могут подойти и другие.</translation>
+        </message>
+        <message>
+            <source>No single setting lets the cycle end by itself.</source>
+            <translation>Ни одна настройка в отдельности не даёт циклу завершиться.</translation>
+        </message>
+        <message>
+            <source>No single setting gives “{first}” more room.</source>
+            <translation>Ни одна настройка в отдельности не прибавит запаса требованию «{first}».</translation>
+        </message>
+        <message>
+            <source>No single setting mends “{first}”.</source>
+            <translation>Ни одна настройка в отдельности не устраняет нарушение требования «{first}».</translation>
+        </message>
+        <message>
+            <source>No single setting helps: with {change} the cycle ends by itself, but “{second}” fails.</source>
+            <translation>Изменение одной настройки не помогает: {change} — цикл завершается, но нарушено требование «{second}».</translation>
+        </message>
+        <message>
+            <source>No single setting gives room: with {change} “{first}” has it, but “{second}” has not.</source>
+            <translation>Изменение одной настройки запаса не даёт: {change} — у требования «{first}» запас есть, у требования «{second}» нет.</translation>
+        </message>
+        <message>
+            <source>No single setting helps, as “{first}” and “{second}” pull against each other: with {change} the first holds and the second begins to fail.</source>
+            <translation>Изменение одной настройки не помогает: требования «{first}» и «{second}» противоречат друг другу. {change} — первое выполнено, второе нарушено.</translation>
+        </message>
+        <message>
+            <source>No single setting mends all that fails: with {change} “{first}” holds, but “{second}” still fails.</source>
+            <translation>Изменение одной настройки не устраняет всех нарушений: {change} — требование «{first}» выполнено, «{second}» по-прежнему нарушено.</translation>
+        </message>
+        <message>
+            <source>The time was up after {tried} of {all} settings.</source>
+            <translation>Время поиска вышло; проверено настроек: {tried} из {all}.</translation>
+        </message>
+        <message>
+            <source>Stopped after {tried} of {all} settings.</source>
+            <translation>Поиск остановлен; проверено настроек: {tried} из {all}.</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::RemedySection</name>
+        <message>
+            <source>Take the change</source>
+            <translation>Принять изменение</translation>
+        </message>
+        <message>
+            <source>Change that helps</source>
+            <translation>Изменение, которое поможет</translation>
+        </message>
+        <message>
+            <source>What would give more room</source>
+            <translation>Что добавит запаса</translation>
+        </message>
+        <message>
+            <source>What would help</source>
+            <translation>Что поможет</translation>
+        </message>
+        <message>
+            <source>Take</source>
+            <translation>Принять</translation>
+        </message>
+        <message>
+            <source>Take the change: %1</source>
+            <translation>Принять изменение: %1</translation>
+        </message>
+        <message>
+            <source>%1 of %2 settings tried.</source>
+            <translation>Проверено настроек: %1 из %2.</translation>
+        </message>
+        <message>
+            <source>Settings that help: %1; shown are those with the shortest cycles.</source>
+            <translation>Подходящих настроек: %1; показаны те, с которыми цикл короче.</translation>
+        </message>
+        <message>
+            <source>What was tried</source>
+            <translation>Что проверено</translation>
+        </message>
+        <message>
+            <source>Stop</source>
+            <translation>Стоп</translation>
+        </message>
+        <message>
+            <source>Stop looking for changes that help</source>
+            <translation>Остановить поиск изменений</translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::VerdictPanel</name>
         <message>
             <source>The inputs are refused; the numbers are those of the last accepted ones.</source>

@@ -2,16 +2,28 @@
 #include "core/quality/light.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace sparkout {
+
+bool isClose(const ConstraintResult& constraint) {
+    return constraint.holds && constraint.relativeMargin < closeMargin
+           && requirementOf(constraint.kind).scope != ConstraintScope::setting;
+}
+
+const ConstraintResult* worstRequirement(const std::vector<ConstraintResult>& constraints) {
+    const auto worst = std::ranges::min_element(constraints, {}, [](const ConstraintResult& c) {
+        return std::tuple(c.holds, c.holds || c.kind != ConstraintKind::overlap, !c.isWhole,
+                          !isClose(c), c.relativeMargin);
+    });
+    return worst == constraints.end() ? nullptr : &*worst;
+}
 
 Light lightOf(const ConstraintResult& constraint) {
     if (!constraint.holds) {
         return Light::fails;
     }
-    const bool close = constraint.relativeMargin < closeMargin
-                       && requirementOf(constraint.kind).scope != ConstraintScope::setting;
-    return close ? Light::close : Light::holds;
+    return isClose(constraint) ? Light::close : Light::holds;
 }
 
 Light verdictOf(RunStatus status, const std::vector<ConstraintResult>& constraints) {

@@ -14,6 +14,15 @@ enum class Light { holds, close, fails };
 
 inline constexpr double closeMargin = 0.1;
 
+/// Whether it holds, but with little room. A setting of the machine holds up to the end of its
+/// range.
+[[nodiscard]] bool isClose(const ConstraintResult& constraint);
+
+/// The one to speak of first: the worst that fails, else the closest; null without any. Where
+/// strips stay uncut that is the overlap, on which the others wait.
+[[nodiscard]] const ConstraintResult*
+worstRequirement(const std::vector<ConstraintResult>& constraints);
+
 [[nodiscard]] Light lightOf(const ConstraintResult& constraint);
 
 /// Of a run as a whole: the worst of its requirements; one that does not end by itself fails.

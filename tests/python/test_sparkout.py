@@ -198,6 +198,20 @@ class Studies(unittest.TestCase):
         self.assertTrue(found.holds)
         self.assertAlmostEqual(found.time_s, search.time_s, delta=1e-6)
 
+    def test_remedies_are_those_of_the_command_line_and_hold(self):
+        file = EXAMPLES / "slender-shaft.sparkout"
+        found = sparkout.remedies(sparkout.Project.read(file))
+        stated = cli("remedies", file, "--json")
+        self.assertEqual(found.goal, stated["goal"])
+        self.assertIsNone(found.opposed)
+        self.assertEqual([each.value for each in found.remedies],
+                         [each["value"] for each in stated["remedies"]])
+        self.assertGreater(len(found.remedies), 0)
+        for each in found.remedies:
+            changed = sparkout.evaluate(each.project)
+            self.assertTrue(changed.holds)
+            self.assertEqual(changed.time_s, each.time_s)
+
     def test_what_cannot_be_searched_is_refused(self):
         project = sparkout.Project.read(FACTORY).with_values({"/optimisation": None})
         with self.assertRaises(sparkout.ProjectError) as raised:

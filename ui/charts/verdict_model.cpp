@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/verdict_model.h"
 
+#include "core/quality/light.h"
 #include "ui/charts/margin_model.h"
 #include "ui/charts/result_tables.h"
 #include "ui/text/estimate_names.h"

@@ -5,8 +5,8 @@
 #include "core/project/machine.h"
 #include "core/project/wheel.h"
 #include "core/quality/diameter_shares.h"
+#include "core/quality/light.h"
 #include "core/units.h"
-#include "ui/charts/verdict_model.h"
 #include "ui/text/names.h"
 
 #include <QCoreApplication>
@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <tuple>
 
 namespace sparkout::verdict {
 
@@ -145,12 +144,7 @@ std::string inputPath(const ConstraintResult& requirement) {
 }
 
 const ConstraintResult* worst(const Outcome& outcome) {
-    const auto it =
-        std::ranges::min_element(outcome.constraints, {}, [](const ConstraintResult& c) {
-            return std::tuple(c.holds, c.holds || c.kind != ConstraintKind::overlap, !c.isWhole,
-                              lightOf(c) != Light::close, c.relativeMargin);
-        });
-    return it == outcome.constraints.end() ? nullptr : &*it;
+    return worstRequirement(outcome.constraints);
 }
 
 } // namespace sparkout::verdict

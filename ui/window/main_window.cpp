@@ -30,6 +30,7 @@
 #include "ui/window/operation_notice.h"
 #include "ui/window/playback_bar.h"
 #include "ui/window/recent_files_menu.h"
+#include "ui/window/remedy_offers.h"
 #include "ui/window/report_commands.h"
 #include "ui/window/run_keeper.h"
 #include "ui/window/status_line.h"
@@ -65,6 +66,9 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
     , m_sheet(new StepSheet(m_cursor, this))
     , m_actions(new Actions(*this))
     , m_files(new FileCommands(m_document, settings, this))
+    , m_remedies(new RemedyOffers(
+          m_document, m_verdict->remedies(),
+          [this](const std::string& path) { m_inputs->revealPath(path); }, this))
     , m_help(new HelpDesk(*this, settings, *m_inputs, *m_tabs, *m_actions))
     , m_runs(nullptr, std::move(runner)) {
     ToolTips::install();
@@ -376,6 +380,7 @@ void MainWindow::showOutcome(const OutcomePtr& outcome) {
         view->setOutcome(outcome);
     }
     m_verdict->setOutcome(outcome);
+    m_remedies->setOutcome(outcome);
     m_keeper->setOutcome(outcome);
     showStatus();
     emit outcomeShown();

@@ -26,6 +26,7 @@ class KeptRuns;
 class MessagesPanel;
 class PlaybackBar;
 class ProfilesView;
+class RemedyOffers;
 class RunKeeper;
 class StatusLine;
 class StepSheet;
@@ -102,6 +103,7 @@ private:
     Actions* m_actions;
     FileCommands* m_files;
     RunKeeper* m_keeper = nullptr;
+    RemedyOffers* m_remedies;
     HelpDesk* m_help;
     QTimer m_recolour;
     QTimer m_refusalsTimer; ///< gathers many remarks of one edit

@@ -25,15 +25,19 @@ WindowHead::WindowHead(QWidget* parent)
 
 void WindowHead::fitNames() {
     m_tools->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_named = m_tools->sizeHint().width();
+    fit();
+}
+
+void WindowHead::fit() {
     const int room = width() - m_menus->sizeHint().width() - metrics::wide;
-    if (m_tools->sizeHint().width() > room) {
-        m_tools->setToolButtonStyle(Qt::ToolButtonIconOnly);
-    }
+    m_tools->setToolButtonStyle(m_named > room ? Qt::ToolButtonIconOnly
+                                               : Qt::ToolButtonTextBesideIcon);
 }
 
 void WindowHead::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    fitNames();
+    fit();
 }
 
 } // namespace sparkout

@@ -24,8 +24,11 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void fit();
+
     QMenuBar* m_menus;
     QToolBar* m_tools;
+    int m_named = 0; ///< width of the tools with their names
 };
 
 } // namespace sparkout

@@ -2,6 +2,7 @@
 #include "ui/inputs/forms/stage_table.h"
 
 #include "core/project/cycle.h"
+#include "core/study/stage_edits.h"
 #include "ui/inputs/forms/stage_delegate.h"
 #include "ui/inputs/forms/stage_model.h"
 #include "ui/kit/help_topic.h"
@@ -10,7 +11,6 @@
 #include <QTableView>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace sparkout {
@@ -18,11 +18,6 @@ namespace sparkout {
 namespace {
 
 const std::string stagesPath = "/cycle/stages";
-
-/// Sums of stocks stay free of last bits such as 0.30000000000000004.
-double tidy(double stock_mm) {
-    return std::round(stock_mm * 1e9) / 1e9;
-}
 
 const Field& stagesField() {
     return *tableOf<Cycle>().find("stages");
@@ -69,21 +64,17 @@ void StageTable::addRow() {
     if (beforeSparkOut && at > 0) {
         --at;
     }
-    Stage added = stages[at];
-    added.dropSparkOut();
     if (!stages[at].feeds()) {
+        Stage added = stages[at];
+        added.dropSparkOut();
         const Operation& operation = document().project().operation;
         added.*operation->radial().value = operation->usualRadial;
         stages.insert(stages.begin(), added);
         applyStages(std::move(stages), {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a stage")}, 0);
         return;
     }
-    const double micrometres = std::round(stages[at].stock_mm * 500); // of half the stock
-    added.stock_mm = micrometres > 0 ? micrometres / 1000 : tidy(stages[at].stock_mm / 2);
-    stages[at].stock_mm = tidy(stages[at].stock_mm - added.stock_mm);
-    stages.insert(stages.begin() + static_cast<std::ptrdiff_t>(at) + 1, added);
-    applyStages(std::move(stages), {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a stage")},
-                static_cast<int>(at) + 1);
+    apply(withStageAfter(document().project(), at),
+          {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a stage")}, static_cast<int>(at) + 1);
 }
 
 void StageTable::removeRow() {
@@ -94,7 +85,7 @@ void StageTable::removeRow() {
     }
     const auto index = static_cast<std::size_t>(at);
     Stage& heir = stages[index > 0 ? index - 1 : 1]; // the sum of the stocks stays
-    heir.stock_mm = tidy(heir.stock_mm + stages[index].stock_mm);
+    heir.stock_mm = tidyStock(heir.stock_mm + stages[index].stock_mm);
     stages.erase(stages.begin() + at);
     applyStages(std::move(stages), {"Edit", QT_TRANSLATE_NOOP("Edit", "Remove a stage")},
                 std::min(at, static_cast<int>(stages.size()) - 1));

@@ -11,6 +11,7 @@
 #include "ui/kit/metrics.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
+#include "ui/views/verdict/remedy_section.h"
 #include "ui/views/verdict/verdict_shop.h"
 #include "ui/views/verdict/verdict_text.h"
 
@@ -70,6 +71,8 @@ void VerdictPanel::build() {
     m_layout = new QVBoxLayout(page);
     m_layout->setContentsMargins(0, metrics::tight, 0, metrics::gap);
     m_layout->setSpacing(metrics::gap);
+    m_remedies = new RemedySection(page);
+    m_layout->addWidget(m_remedies);
     m_status = addText(m_layout, "status");
     m_off = addText(m_layout, "notChecked");
     m_off->setTextFormat(Qt::RichText);
@@ -283,6 +286,7 @@ void VerdictPanel::retranslate() {
     m_table->setAccessibleName(tr("Requirements of the drawing"));
     m_table->retranslate();
     m_refused->setAccessibleName(tr("Fields that hold a refused text"));
+    m_remedies->retranslate();
     m_shop->retranslate();
     m_model->retranslate();
     showRefusedFields();

@@ -14,13 +14,14 @@ class QVBoxLayout;
 namespace sparkout {
 
 class CopyTable;
+class RemedySection;
 class Settings;
 class ShopSection;
 class VerdictModel;
 
 /// What the cycle comes to: machining time and light, always in sight; below them, on a page that
-/// scrolls, each requirement of the drawing with its predicted value, limit and margin, and the
-/// shop's numbers. Works from 300 px width on.
+/// scrolls, what would help, each requirement of the drawing with its predicted value, limit and
+/// margin, and the shop's numbers. Works from 300 px width on.
 class VerdictPanel : public QWidget {
     Q_OBJECT
 public:
@@ -28,6 +29,7 @@ public:
 
     [[nodiscard]] VerdictModel* model() const { return m_model; }
     [[nodiscard]] ShopSection* shop() const { return m_shop; }
+    [[nodiscard]] RemedySection& remedies() const { return *m_remedies; }
     [[nodiscard]] QSize sizeHint() const override { return {320, 620}; }
 
 public slots:
@@ -70,6 +72,7 @@ private:
     QLabel* m_why = nullptr;
     QLabel* m_off = nullptr; ///< what is not checked
     QVBoxLayout* m_layout = nullptr;
+    RemedySection* m_remedies = nullptr;
     CopyTable* m_table = nullptr;
     VerdictModel* m_model = nullptr;
     ShopSection* m_shop = nullptr;

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli_remedies.h"
+
+#include "app/batch_watch.h"
+#include "app/cli_io.h"
+#include "app/stop_signals.h"
+#include "core/format/project_file.h"
+#include "core/quality/light.h"
+#include "core/quality/result_names.h"
+#include "core/remedies/remedies.h"
+#include "core/simulation/simulate.h"
+#include "core/units.h"
+#include "words/remedy_words.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace sparkout::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::array goals{"none", "holds", "room"};
+constexpr std::array conflicts{"opposed", "several", "unmended"};
+
+const char* goalOf(const RemedyResult& found) {
+    return goals[static_cast<std::size_t>(found.goal)];
+}
+
+ordered_json requirementJson(const ConstraintResult& constraint) {
+    return {{"name", requirementOf(constraint.kind).key},
+            {"unit", requirementOf(constraint.kind).unit},
+            {"limit", constraint.limit},
+            {"value", constraint.value},
+            {"margin", constraint.margin},
+            {"relative_margin", constraint.relativeMargin},
+            {"where", whereText(constraint)},
+            {"ok", constraint.holds}};
+}
+
+/// The change of the project file, as RFC 6902 has it.
+ordered_json patchOf(const Project& before, const Project& after) {
+    return ordered_json::parse(nlohmann::json::diff(nlohmann::json::parse(writeProject(before)),
+                                                    nlohmann::json::parse(writeProject(after)))
+                                   .dump());
+}
+
+ordered_json remedyJson(const Project& project, const Remedy& remedy) {
+    ordered_json json = {
+        {"path", remedy.setting.path(project)},
+        {"before",
+         remedy.setting.addsStage() ? ordered_json() : ordered_json(remedy.setting.before)},
+        {"value", remedy.value},
+        {"failing", remedy.failing ? ordered_json(*remedy.failing) : ordered_json()},
+        {"holds_beyond", remedy.holdsBeyond},
+        {"time_min", remedy.time_s / units::secondsPerMinute},
+        {"time_change_min", remedy.timeChange_s / units::secondsPerMinute},
+        {"patch", patchOf(project, remedy.applied(project))},
+        {"requirements", ordered_json::array()}};
+    for (const ConstraintResult& each : remedy.requirements) {
+        json["requirements"].push_back(requirementJson(each));
+    }
+    return json;
+}
+
+ordered_json conflictJson(const Project& project, const RemedyConflict& conflict) {
+    ordered_json json = {{"kind", conflicts[static_cast<std::size_t>(conflict.kind)]},
+                         {"first", nullptr},
+                         {"second", nullptr}};
+    if (conflict.first) {
+        json["first"] = requirementOf(conflict.first->kind).key;
+    }
+    if (conflict.second) {
+        json["second"] = requirementOf(conflict.second->kind).key;
+        json["path"] = conflict.setting->path(project);
+        json["value"] = conflict.value;
+    }
+    return json;
+}
+
+std::string remediesJson(const Project& project, const RemedyResult& found) {
+    ordered_json json = {{"goal", goalOf(found)},
+                         {"status", found.isComplete() ? "completed" : "stopped"},
+                         {"settings", found.settings},
+                         {"tried", found.tried},
+                         {"runs", found.runs},
+                         {"found", found.found},
+                         {"remedies", ordered_json::array()},
+                         {"conflict", nullptr}};
+    for (const Remedy& remedy : found.remedies) {
+        json["remedies"].push_back(remedyJson(project, remedy));
+    }
+    if (found.conflict) {
+        json["conflict"] = conflictJson(project, *found.conflict);
+    }
+    return json.dump(2) + '\n';
+}
+
+/// What fails, or is close.
+std::string stateText(const SimulationResult& result, const RemedyResult& found,
+                      const std::vector<ConstraintResult>& constraints) {
+    if (found.goal == RemedyGoal::none) {
+        return "everything holds, with room\n";
+    }
+    if (result.status != RunStatus::completed) {
+        return "the cycle does not end by itself\n";
+    }
+    const ConstraintResult& worst = *worstRequirement(constraints);
+    return std::string(requirementOf(worst.kind).key)
+           + (worst.holds ? " is close to its limit in " : " fails in ") + whereText(worst) + '\n';
+}
+
+std::string remediesText(const Project& project, const RemedyResult& found) {
+    if (found.goal == RemedyGoal::none) {
+        return {};
+    }
+    const RemedyWording wording;
+    std::string text;
+    for (const Remedy& remedy : found.remedies) {
+        text += "  " + wording.line(project, remedy) + '\n';
+        text += "    " + wording.proof(project, found.goal, remedy) + '\n';
+    }
+    if (found.conflict) {
+        text += "  " + wording.conflict(project, found.goal, *found.conflict) + '\n';
+    }
+    return text + std::to_string(found.tried) + " of " + std::to_string(found.settings)
+           + " settings tried in " + std::to_string(found.runs) + " runs; "
+           + std::to_string(found.found) + (found.found == 1 ? " helps\n" : " help\n");
+}
+
+} // namespace
+
+int runRemediesCommand(const Options& options) {
+    const auto project = load(options.operand);
+    if (!project) {
+        return refused;
+    }
+    SimulationResult result;
+    RemedyResult found;
+    std::vector<ConstraintResult> constraints;
+    {
+        BatchWatch watch(static_cast<std::int64_t>(remedySettings(*project).size()), false,
+                         "settings");
+        result = simulate(*project, nullptr, watch.stop());
+        constraints = evaluateConstraints(result);
+        RemedyOptions run;
+        run.stop = watch.stop();
+        run.progress = [&watch](const RemedyResult& sofar) {
+            *watch.done() = static_cast<std::int64_t>(sofar.tried);
+        };
+        found = findRemedies(result, constraints, run);
+    }
+    if (result.status == RunStatus::stopped) {
+        return interrupted + caughtSignal();
+    }
+    print(stdout, options.json
+                      ? remediesJson(*project, found)
+                      : stateText(result, found, constraints) + remediesText(*project, found));
+    return caughtSignal() == 0 ? done : interrupted + caughtSignal();
+}
+
+} // namespace sparkout::cli

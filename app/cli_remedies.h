@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli_options.h"
+
+namespace sparkout::cli {
+
+/// `remedies`: which change of one setting makes a failing cycle hold. Returns the exit status.
+[[nodiscard]] int runRemediesCommand(const Options& options);
+
+} // namespace sparkout::cli

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/quality/constraints.h"
+#include "core/remedies/remedy_setting.h"
+#include "core/simulation/result.h"
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+/// Changes of one setting after which a cycle that fails holds everything, or one that is close to
+/// a limit has room.
+///
+/// Each setting is tried at values ever farther from where it is, the distance doubled each time
+/// and to both sides, until all holds; between the last value that did not and the first that did
+/// the edge is found by bisection. All values are such as can be set, and every one is run in full:
+/// the value offered holds, and the next one towards the present value does not. Between the values
+/// that were tried a nearer one may hold, too; that is not excluded, since a cycle does not answer
+/// evenly.
+namespace sparkout {
+
+/// What a remedy is to reach.
+enum class RemedyGoal {
+    none,  ///< all holds, with room: nothing is looked for
+    holds, ///< every requirement holds, and the cycle ends by itself
+    room,  ///< none is close to its limit, either
+};
+
+/// What the outcome of a valid project that ran asks for.
+[[nodiscard]] RemedyGoal remedyGoal(const SimulationResult& result,
+                                    const std::vector<ConstraintResult>& constraints);
+
+struct Remedy {
+    RemedySetting setting;
+    double value = 0;                ///< that the setting is to have
+    std::optional<double> failing{}; ///< the next one towards the present value; run, and it fails
+    bool holdsBeyond = false;        ///< of the values tried, the next one farther off holds, too
+    double time_s = 0;               ///< of the cycle
+    double timeChange_s = 0;         ///< against the cycle as it is
+    std::vector<ConstraintResult> requirements{}; ///< the worst of each kind
+
+    [[nodiscard]] Project applied(Project project) const {
+        return setting.applied(std::move(project), value);
+    }
+};
+
+/// Why no single setting helps.
+struct RemedyConflict {
+    enum class Kind {
+        opposed,  ///< what mends the first breaks the second, which holds as it is
+        several,  ///< both fail; what mends the first does not mend the second, nor does any mend
+                  ///< all
+        unmended, ///< no setting mends the first
+    };
+    Kind kind = Kind::unmended;
+    std::optional<ConstraintResult> first;  ///< as it is; nothing: the cycle does not end by itself
+    std::optional<ConstraintResult> second; ///< with the setting below
+    std::optional<RemedySetting> setting;   ///< with which the first holds and the second fails
+    double value = 0;                       ///< of the setting
+};
+
+struct RemedyResult {
+    static constexpr std::size_t most = 3;
+
+    RemedyGoal goal = RemedyGoal::none;
+    std::vector<Remedy> remedies;           ///< at most three; that with the shortest cycle first
+    std::size_t found = 0;                  ///< settings that help
+    std::size_t tried = 0;                  ///< settings that were tried
+    std::size_t settings = 0;               ///< that there are to try
+    long long runs = 0;                     ///< of cycles
+    bool stopped = false;                   ///< before all were tried, by a stop
+    bool outOfTime = false;                 ///< or as the time was up
+    std::optional<RemedyConflict> conflict; ///< all were tried, and none helps
+
+    [[nodiscard]] bool isComplete() const { return tried == settings; }
+};
+
+struct RemedyOptions {
+    std::stop_token stop; ///< ends it within a revolution of the cycle that runs
+    /// Looked at before every run of a cycle; nothing: until all is tried.
+    std::optional<std::chrono::steady_clock::duration> budget;
+    /// Called after each setting with what was found so far.
+    std::function<void(const RemedyResult&)> progress;
+};
+
+/// Of a cycle that ran, with its requirements. The answer does not depend on how fast the computer
+/// is, unless the time is up.
+[[nodiscard]] RemedyResult findRemedies(const SimulationResult& result,
+                                        const std::vector<ConstraintResult>& constraints,
+                                        const RemedyOptions& options = {});
+
+} // namespace sparkout

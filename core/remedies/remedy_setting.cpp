@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/remedies/remedy_setting.h"
+
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/member.h"
+#include "core/study/stage_edits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+// How far a setting may go from where it is.
+constexpr double slowestFeed = 1.0 / 20, fastestFeed = 10;
+constexpr double slowestSpeed = 1.0 / 4, fastestSpeed = 4;
+constexpr double mostStrokes = 64, mostRevolutions = 512;
+
+/// Stocks are moved by so much [mm], those of two stages that have little by a tenth of it.
+constexpr double stockStep_mm = 1e-3, littleStock_mm = 0.02;
+
+std::string pathOfStage(std::size_t stage) {
+    return "/cycle/stages/" + std::to_string(stage);
+}
+
+/// A machine's step, or a tenfold of it that is still fine for such a value.
+double stepFor(double value, double step) {
+    constexpr double fineEnough = 500;
+    while (step * 10 * fineEnough <= std::abs(value)) {
+        step *= 10;
+    }
+    return step;
+}
+
+/// Lists the settings of a project.
+class SettingList {
+public:
+    explicit SettingList(const Project& project) : m_project(project) {}
+
+    std::vector<RemedySetting> list() {
+        const std::vector<Stage>& stages = m_project.cycle->stages;
+        for (std::size_t z = stages.size(); z-- > 0;) {
+            addStage(z);
+        }
+        addStageMore();
+        if (m_project.operation->travels) {
+            addDwell(RemedyKind::dwellEntry, m_project.machine->dwell_entry_s);
+            addDwell(RemedyKind::dwellExit, m_project.machine->dwell_exit_s);
+            addRate({RemedyKind::plungeFeed, 0, 0, m_project.machine->plunge_feed_mm_min},
+                    m_project.machine->limits.plunge_feed_mm_min, slowestFeed, fastestFeed);
+        }
+        addRate({RemedyKind::workSpeed, 0, 0, m_project.machine->work_speed_rpm},
+                m_project.machine->limits.work_speed_rpm, slowestSpeed, fastestSpeed);
+        return std::move(m_found);
+    }
+
+private:
+    using Limits = std::optional<std::vector<double>>;
+
+    struct Target {
+        RemedyKind kind;
+        std::size_t stage = 0, other = 0;
+        double before = 0;
+    };
+
+    /// What the file allows, and of that what is usual, the present value included.
+    [[nodiscard]] Range rangeOf(const Target& target) const {
+        const RemedySetting setting = with(target, SettingScale::digits());
+        const ConstMember member = findMember(m_project, setting.rowPath(m_project));
+        const Range& allowed = member.field->allowed(m_project, member.owner);
+        const Range& usual = member.field->soft;
+        return {std::max(allowed.low, std::min(usual.low, target.before)),
+                std::min(allowed.high, std::max(usual.high, target.before))};
+    }
+
+    [[nodiscard]] static RemedySetting with(const Target& target, const SettingScale& scale) {
+        return {target.kind, target.stage, target.other, target.before, 0, 0, scale};
+    }
+
+    void add(const Target& target, const Range& range, const SettingScale& scale) {
+        RemedySetting setting = with(target, scale);
+        setting.low = range.low;
+        setting.high = range.high;
+        if (setting.low <= setting.high) {
+            m_found.push_back(setting);
+        }
+    }
+
+    /// A feed or speed: between these shares of it, within the machine's range, by its steps.
+    void addRate(const Target& target, const Limits& limits, double least, double most,
+                 double highest = std::numeric_limits<double>::infinity()) {
+        Range range = rangeOf(target);
+        SettingScale scale = SettingScale::digits();
+        double from = target.before;
+        if (limits && limits->size() == 3) {
+            constexpr double finest = 1e-8;
+            const double low = (*limits)[0], high = (*limits)[1], step = (*limits)[2];
+            from = std::clamp(from, low, high);
+            range = {std::max(range.low, low), std::min(range.high, high)};
+            if (step >= finest) {
+                scale = SettingScale::steps(low, stepFor(from, step));
+            }
+        }
+        range.low = std::max(range.low, from * least);
+        range.high = std::min({range.high, from * most, highest});
+        if (range.low > 0) {
+            add(target, range, scale);
+        }
+    }
+
+    void addStage(std::size_t z) {
+        const Stage& stage = m_project.cycle->stages[z];
+        const StageFeed& radial = m_project.operation->radial();
+        if (stage.feeds() && (stage.*radial.value).value_or(0) > 0) { // not of a retraction
+            addRate({RemedyKind::radialFeed, z, 0, *(stage.*radial.value)},
+                    m_project.machine->limits.*radial.range, slowestFeed, fastestFeed);
+        }
+        if (const std::optional<int> steps = stage.sparkOutSteps()) {
+            addCount({RemedyKind::sparkOut, z, 0, static_cast<double>(*steps)}, *steps);
+        }
+        if (const StageFeed* axial = m_project.operation->axial();
+            axial && (stage.*axial->value).value_or(0) > 0) {
+            addRate({RemedyKind::axialFeed, z, 0, *(stage.*axial->value)},
+                    m_project.machine->limits.*axial->range, slowestFeed, fastestFeed);
+        }
+        if (z > 0) {
+            addStock(z);
+        }
+    }
+
+    /// Moved between the stage and the one before; one that feeds is left some.
+    void addStock(std::size_t z) {
+        const Stage& stage = m_project.cycle->stages[z];
+        const double both_mm = stage.stock_mm + m_project.cycle->stages[z - 1].stock_mm;
+        const double step_mm = both_mm > littleStock_mm ? stockStep_mm : stockStep_mm / 10;
+        add({RemedyKind::stock, z, z - 1, stage.stock_mm},
+            {stage.feeds() ? step_mm : 0, both_mm - step_mm}, SettingScale::steps(0, step_mm));
+    }
+
+    void addCount(const Target& target, int present) {
+        const double most = m_project.operation->countsStrokes ? mostStrokes : mostRevolutions;
+        add(target, {1, most + present}, SettingScale::steps(0, 1));
+    }
+
+    void addDwell(RemedyKind kind, double dwell_s) {
+        const Target target{kind, 0, 0, dwell_s};
+        add(target, rangeOf(target), SettingScale::revolutions(m_project.machine->work_speed_rpm));
+    }
+
+    void addStageMore() {
+        const std::vector<Stage>& stages = m_project.cycle->stages;
+        const StageFeed& radial = m_project.operation->radial();
+        std::size_t last = stages.size();
+        while (last > 0 && !stages[last - 1].feeds()) {
+            --last;
+        }
+        const double feed = last > 0 ? (stages[last - 1].*radial.value).value_or(0) : 0;
+        if (feed > 0 && stages[last - 1].stock_mm > 0) {
+            addRate({RemedyKind::addFeed, last - 1, 0, feed},
+                    m_project.machine->limits.*radial.range, slowestFeed, 1, feed);
+        }
+        if (last == stages.size()) {
+            addCount({RemedyKind::addSparkOut, last - 1, 0, 0}, 0);
+        }
+    }
+
+    const Project& m_project;
+    std::vector<RemedySetting> m_found;
+};
+
+} // namespace
+
+Project RemedySetting::applied(Project project, double value) const {
+    auto& stages = project.cycle->stages;
+    const StageFeed& radial = project.operation->radial();
+    switch (kind) {
+    case RemedyKind::radialFeed: stages[stage].*radial.value = value; break;
+    case RemedyKind::axialFeed: stages[stage].*project.operation->axial()->value = value; break;
+    case RemedyKind::stock: return withStock(std::move(project), stage, value, other);
+    case RemedyKind::sparkOut: stages[stage].sparkOutFor(static_cast<int>(value)); break;
+    case RemedyKind::dwellEntry: project.machine->dwell_entry_s = value; break;
+    case RemedyKind::dwellExit: project.machine->dwell_exit_s = value; break;
+    case RemedyKind::workSpeed: project.machine->work_speed_rpm = value; break;
+    case RemedyKind::plungeFeed: project.machine->plunge_feed_mm_min = value; break;
+    case RemedyKind::addFeed:
+        project = withStageAfter(std::move(project), stage);
+        project.cycle->stages[stage + 1].*radial.value = value;
+        break;
+    case RemedyKind::addSparkOut:
+        return withSparkOutAfter(std::move(project), static_cast<int>(value));
+    }
+    return project;
+}
+
+std::string RemedySetting::path(const Project& project) const {
+    return addsStage() ? pathOfStage(stage + 1) : rowPath(project);
+}
+
+std::string RemedySetting::rowPath(const Project& project) const {
+    const std::string inStage = pathOfStage(stage) + '/';
+    switch (kind) {
+    case RemedyKind::radialFeed:
+    case RemedyKind::addFeed: return inStage + project.operation->radial().key;
+    case RemedyKind::axialFeed: return inStage + project.operation->axial()->key;
+    case RemedyKind::stock: return inStage + "stock_mm";
+    case RemedyKind::sparkOut:
+    case RemedyKind::addSparkOut: return inStage + Stage::sparkOutKey;
+    case RemedyKind::dwellEntry: return "/machine/dwell_entry_s";
+    case RemedyKind::dwellExit: return "/machine/dwell_exit_s";
+    case RemedyKind::workSpeed: return "/machine/work_speed_rpm";
+    case RemedyKind::plungeFeed: return "/machine/plunge_feed_mm_min";
+    }
+    return {};
+}
+
+std::vector<RemedySetting> remedySettings(const Project& project) {
+    return SettingList(project).list();
+}
+
+} // namespace sparkout

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+#include "core/remedies/setting_scale.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace sparkout {
+
+/// What a remedy may change.
+enum class RemedyKind {
+    radialFeed, ///< of a stage that feeds
+    axialFeed,  ///< of a stage
+    stock,      ///< of a stage, its neighbour has the difference
+    sparkOut,   ///< double strokes or revolutions of the last stage
+    dwellEntry, ///< whole revolutions
+    dwellExit,  ///< whole revolutions
+    workSpeed,
+    plungeFeed,  ///< at the reversal
+    addFeed,     ///< a stage more behind the last that feeds, with half of its stock: its feed
+    addSparkOut, ///< a spark-out more behind all: its double strokes or revolutions
+};
+
+/// One setting of a project, and the values it may be given: within what the project file allows
+/// and what is usual, and what the machine can be set to.
+struct RemedySetting {
+    RemedyKind kind;
+    std::size_t stage = 0; ///< that is changed, or behind which one is added; from 0
+    std::size_t other = 0; ///< whose stock makes up for that of the stage
+    double before = 0;     ///< the value there is; of a stage more the one with which all stays
+    double low = 0, high = 0;
+    SettingScale scale;
+
+    /// The project with this value, all else as it was.
+    [[nodiscard]] Project applied(Project project, double value) const;
+    /// The input that is changed, "/cycle/stages/1/radial_feed_mm"; of a stage more the stage that
+    /// is added.
+    [[nodiscard]] std::string path(const Project& project) const;
+    /// The same as an input of the project as it is, whose row has label, symbol and unit.
+    [[nodiscard]] std::string rowPath(const Project& project) const;
+    [[nodiscard]] bool addsStage() const {
+        return kind == RemedyKind::addFeed || kind == RemedyKind::addSparkOut;
+    }
+    /// Whether its value is a number of double strokes or revolutions.
+    [[nodiscard]] bool isCount() const {
+        return kind == RemedyKind::sparkOut || kind == RemedyKind::addSparkOut;
+    }
+};
+
+/// All settings of a valid project that a remedy may change; the finishing stages come first.
+[[nodiscard]] std::vector<RemedySetting> remedySettings(const Project& project);
+
+} // namespace sparkout

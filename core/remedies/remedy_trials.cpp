@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/remedies/remedy_trials.h"
+
+#include "core/quality/light.h"
+#include "core/simulation/simulate.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace sparkout {
+
+namespace {
+
+/// A copy that is quick to make.
+Project bare(Project project) {
+    project.runs.clear();
+    project.notes.clear();
+    project.batch.reset();
+    project.optimisation.reset();
+    project.sweep.reset();
+    return project;
+}
+
+std::ptrdiff_t idleStages(const SimulationResult& result) {
+    return std::ranges::count(result.countsByStage, 0);
+}
+
+std::size_t indexOf(const ConstraintResult& constraint) {
+    return static_cast<std::size_t>(constraint.kind);
+}
+
+} // namespace
+
+RemedyTrials::RemedyTrials(const SimulationResult& result,
+                           const std::vector<ConstraintResult>& constraints,
+                           const RemedyOptions& options)
+    : m_options(options)
+    , m_project(bare(result.project))
+    , m_goal(remedyGoal(result, constraints))
+    , m_idle(idleStages(result)) {
+    if (result.status != RunStatus::completed) {
+        return; // what its requirements say is of a cycle that was broken off
+    }
+    if (const ConstraintResult* worst = worstRequirement(constraints)) {
+        m_first = *worst;
+    }
+    for (const ConstraintResult& each : constraints) {
+        m_failing[indexOf(each)] |= !isMet(each);
+    }
+}
+
+bool RemedyTrials::isOutOfTime() const {
+    return m_options.budget && std::chrono::steady_clock::now() - m_begin >= *m_options.budget;
+}
+
+bool RemedyTrials::isMet(const ConstraintResult& constraint) const {
+    return constraint.holds && (m_goal != RemedyGoal::room || !isClose(constraint));
+}
+
+std::optional<RemedyTrial> RemedyTrials::run(const RemedySetting& setting, double value) {
+    if (isOver()) {
+        return {};
+    }
+    ++m_runs;
+    const SimulationResult result =
+        simulateUnchecked(setting.applied(m_project, value), nullptr, m_options.stop);
+    if (isStopped()) {
+        return {};
+    }
+    RemedyTrial trial;
+    if (result.status != RunStatus::completed) {
+        return trial;
+    }
+    trial.time_s = result.time_s;
+    const std::vector<ConstraintResult> all = evaluateConstraints(result);
+    trial.worst = worstByKind(all);
+    const bool met =
+        std::ranges::all_of(all, [this](const ConstraintResult& each) { return isMet(each); });
+    trial.holds = met && idleStages(result) <= m_idle;
+    if (!met) {
+        learn(setting, value, trial);
+    }
+    return trial;
+}
+
+void RemedyTrials::learn(const RemedySetting& setting, double value, const RemedyTrial& trial) {
+    const ConstraintResult* known = nullptr; // the worst of those that fail as it is
+    const ConstraintResult* fresh = nullptr; // and of those that begin to
+    for (const ConstraintResult& each : trial.worst) {
+        if (isMet(each)) {
+            continue;
+        }
+        if (m_first && each.kind == m_first->kind) {
+            return;
+        }
+        const ConstraintResult*& worst = m_failing[indexOf(each)] ? known : fresh;
+        if (!worst || each.relativeMargin < worst->relativeMargin) {
+            worst = &each;
+        }
+    }
+    const ConstraintResult* const second = known ? known : fresh;
+    std::optional<Nearest>& nearest = known ? m_several : m_opposed;
+    if (second && (!nearest || second->relativeMargin > nearest->second.relativeMargin)) {
+        nearest.emplace(Nearest{setting, value, *second});
+    }
+}
+
+RemedyConflict RemedyTrials::conflict() const {
+    RemedyConflict found;
+    found.first = m_first;
+    const std::optional<Nearest>& nearest = m_opposed ? m_opposed : m_several;
+    if (nearest) {
+        found.kind = m_opposed ? RemedyConflict::Kind::opposed : RemedyConflict::Kind::several;
+        found.second = nearest->second;
+        found.setting = nearest->setting;
+        found.value = nearest->value;
+    }
+    return found;
+}
+
+} // namespace sparkout

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/remedies/remedies.h"
+
+#include <array>
+#include <chrono>
+#include <optional>
+#include <vector>
+
+namespace sparkout {
+
+/// A cycle with one setting changed, held against what is to be reached.
+struct RemedyTrial {
+    bool holds = false; ///< all that is to be reached, with no stage run over that was not before
+    double time_s = 0;
+    std::vector<ConstraintResult> worst; ///< of each kind
+};
+
+/// Runs the cycles that a search for remedies tries, and keeps what they say of requirements that
+/// pull against each other.
+class RemedyTrials {
+public:
+    RemedyTrials(const SimulationResult& result, const std::vector<ConstraintResult>& constraints,
+                 const RemedyOptions& options);
+
+    /// Nothing when it is over.
+    [[nodiscard]] std::optional<RemedyTrial> run(const RemedySetting& setting, double value);
+    [[nodiscard]] bool isStopped() const { return m_options.stop.stop_requested(); }
+    [[nodiscard]] bool isOver() const { return isStopped() || isOutOfTime(); }
+    [[nodiscard]] long long runs() const { return m_runs; }
+
+    /// The requirements that pull against each other in the trial that came nearest: the least
+    /// relative margin of what fails in it is the greatest of all.
+    [[nodiscard]] RemedyConflict conflict() const;
+
+private:
+    /// The nearest trial of a kind of conflict.
+    struct Nearest {
+        RemedySetting setting;
+        double value;
+        ConstraintResult second;
+    };
+    using Flags = std::array<bool, constraintKinds>;
+
+    [[nodiscard]] bool isOutOfTime() const;
+    [[nodiscard]] bool isMet(const ConstraintResult& constraint) const;
+    void learn(const RemedySetting& setting, double value, const RemedyTrial& trial);
+
+    const RemedyOptions& m_options;
+    std::chrono::steady_clock::time_point m_begin = std::chrono::steady_clock::now();
+    Project m_project; ///< with nothing that a run does not read
+    RemedyGoal m_goal;
+    std::optional<ConstraintResult> m_first; ///< nothing: the cycle does not end by itself
+    Flags m_failing{};                       ///< as it is
+    std::ptrdiff_t m_idle;                   ///< stages run over
+    long long m_runs = 0;
+    std::optional<Nearest> m_opposed, m_several;
+};
+
+} // namespace sparkout

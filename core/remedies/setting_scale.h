@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace sparkout {
+
+/// The values a setting can be given, in order: each has a whole number, its place.
+class SettingScale {
+public:
+    /// base + k·step.
+    [[nodiscard]] static SettingScale steps(double base, double step);
+    /// Numbers above 0 as one would enter them: of two significant digits, of three where the first
+    /// one is 1, so that a step is a twentieth at most.
+    [[nodiscard]] static SettingScale digits();
+    /// Times of k whole revolutions [s], with three decimals.
+    [[nodiscard]] static SettingScale revolutions(double speed_rpm);
+
+    [[nodiscard]] double at(std::int64_t place) const;
+    /// The last place whose value is below, and the first whose value is above. A last bit makes no
+    /// value another one.
+    [[nodiscard]] std::int64_t lastBelow(double value) const;
+    [[nodiscard]] std::int64_t firstAbove(double value) const;
+    /// The same of values up to, and from this one on.
+    [[nodiscard]] std::int64_t lastUpTo(double value) const { return firstAbove(value) - 1; }
+    [[nodiscard]] std::int64_t firstFrom(double value) const { return lastBelow(value) + 1; }
+
+private:
+    enum class Kind { steps, digits, revolutions };
+    SettingScale(Kind kind, double base, double step) : m_kind(kind), m_base(base), m_step(step) {}
+
+    [[nodiscard]] std::int64_t about(double value) const;
+
+    Kind m_kind;
+    double m_base, m_step;
+};
+
+} // namespace sparkout

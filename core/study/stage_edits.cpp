@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/stage_edits.h"
+
+#include "core/project/cycle.h"
+
+#include <cmath>
+#include <utility>
+
+namespace sparkout {
+
+double tidyStock(double stock_mm) {
+    return std::round(stock_mm * 1e9) / 1e9;
+}
+
+Project withStageAfter(Project project, std::size_t stage) {
+    auto& stages = project.cycle->stages;
+    Stage added = stages[stage];
+    const double micrometres = std::round(added.stock_mm * 500); // of half the stock
+    added.stock_mm = micrometres > 0 ? micrometres / 1000 : tidyStock(added.stock_mm / 2);
+    stages[stage].stock_mm = tidyStock(stages[stage].stock_mm - added.stock_mm);
+    stages.insert(stages.begin() + static_cast<std::ptrdiff_t>(stage) + 1, std::move(added));
+    return project;
+}
+
+Project withStock(Project project, std::size_t stage, double stock_mm, std::size_t other) {
+    auto& stages = project.cycle->stages;
+    const double both_mm = stages[stage].stock_mm + stages[other].stock_mm;
+    stages[stage].stock_mm = stock_mm;
+    stages[other].stock_mm = tidyStock(both_mm - stock_mm);
+    return project;
+}
+
+Project withSparkOutAfter(Project project, int steps) {
+    auto& stages = project.cycle->stages;
+    Stage added;
+    if (const StageFeed* axial = project.operation->axial()) {
+        added.*axial->value = stages.back().*axial->value;
+    }
+    added.sparkOutFor(steps);
+    stages.push_back(std::move(added));
+    return project;
+}
+
+} // namespace sparkout

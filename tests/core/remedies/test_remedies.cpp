@@ -1,0 +1,553 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Changes of one setting after which all holds: each one is run again by itself.
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
+#include "core/remedies/remedies.h"
+
+#include "core/format/project_file.h"
+#include "core/project/leaves.h"
+#include "core/project/validate.h"
+#include "core/quality/light.h"
+#include "core/quality/ranges.h"
+#include "core/study/evaluate.h"
+
+#include "tests/core/support/project_fixtures.h"
+#include "tests/core/support/project_samples.h"
+#include "tests/core/support/random_project.h"
+#include "tests/registry.h"
+#include "tests/tries.h"
+
+#include <QElapsedTimer>
+#include <QTest>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace test_remedies {
+
+using namespace sparkout;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// Of this thread: what others do beside it does not count.
+double processorTime_ms() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+}
+
+RemedyResult remediesOf(const Project& project, const RemedyOptions& options = {}) {
+    const OutcomePtr outcome = evaluate(project);
+    return findRemedies(outcome->result, outcome->constraints, options);
+}
+
+bool isMet(const ConstraintResult& c, RemedyGoal goal) {
+    return c.holds && (goal == RemedyGoal::holds || !isClose(c));
+}
+
+bool isMet(const Outcome& outcome, ConstraintKind kind, RemedyGoal goal) {
+    return std::ranges::all_of(outcome.constraints, [&](const ConstraintResult& c) {
+        return c.kind != kind || isMet(c, goal);
+    });
+}
+
+std::ptrdiff_t idleStages(const Outcome& outcome) {
+    return std::ranges::count(outcome.result.countsByStage, 0);
+}
+
+/// Whether a cycle reaches the goal, with no more stages run over than before.
+bool reaches(const Outcome& after, const Outcome& before, RemedyGoal goal) {
+    return after.ran() && after.result.status == RunStatus::completed
+           && std::ranges::all_of(after.constraints,
+                                  [&](const ConstraintResult& c) { return isMet(c, goal); })
+           && idleStages(after) <= idleStages(before);
+}
+
+/// Paths of the values that differ, or that only one of the two has.
+std::vector<std::string> differences(const Project& a, const Project& b) {
+    const std::vector<Leaf> left = leavesOf(tableOf<Project>(), &a);
+    const std::vector<Leaf> right = leavesOf(tableOf<Project>(), &b);
+    std::vector<std::string> paths;
+    for (const Leaf& each : left) {
+        const auto other = std::ranges::find(right, each.path, &Leaf::path);
+        if (other == right.end()
+            || (each.field->same && !each.field->same(each.owner, other->owner))) {
+            paths.push_back(each.path);
+        }
+    }
+    for (const Leaf& each : right) {
+        if (std::ranges::find(left, each.path, &Leaf::path) == left.end()) {
+            paths.push_back(each.path);
+        }
+    }
+    return paths;
+}
+
+double stockOf(const Project& project) {
+    double sum = 0;
+    for (const Stage& stage : project.cycle->stages) {
+        sum += stage.stock_mm;
+    }
+    return sum;
+}
+
+std::string text(const Project& project, const RemedyResult& found) {
+    std::string lines = project.title + ":";
+    for (const Remedy& each : found.remedies) {
+        lines += " [" + each.setting.path(project) + ' ' + numberText(each.setting.before) + " -> "
+                 + numberText(each.value) + ", "
+                 + numberText(std::round(each.timeChange_s * 10) / 10) + " s]";
+    }
+    if (found.conflict) {
+        const RemedyConflict& c = *found.conflict;
+        const char* const kinds[] = {"opposed", "several", "unmended"};
+        lines += std::string(" none: ") + kinds[static_cast<std::size_t>(c.kind)] + ' '
+                 + (c.first ? requirementOf(c.first->kind).key : "size") + " / "
+                 + (c.second ? requirementOf(c.second->kind).key : "-");
+    }
+    return lines;
+}
+
+/// Everything that is claimed of a project, by runs of its own.
+void verify(const Project& project, const RemedyResult& found) {
+    const OutcomePtr before = evaluate(project);
+    const RemedyGoal goal = remedyGoal(before->result, before->constraints);
+    QCOMPARE(found.goal, goal);
+    QVERIFY(found.isComplete() && !found.stopped && !found.outOfTime);
+    QVERIFY(found.remedies.size() <= RemedyResult::most);
+    QCOMPARE(found.remedies.size(), std::min(found.found, RemedyResult::most));
+    QCOMPARE(found.conflict.has_value(), goal != RemedyGoal::none && found.found == 0);
+    QVERIFY(std::ranges::is_sorted(found.remedies, {}, &Remedy::time_s));
+    for (const Remedy& remedy : found.remedies) {
+        const Project changed = remedy.applied(project);
+        const OutcomePtr after = evaluate(changed);
+        QVERIFY(reaches(*after, *before, goal));
+        QCOMPARE(remedy.time_s, after->result.time_s);
+        QCOMPARE(remedy.timeChange_s, after->result.time_s - before->result.time_s);
+        const std::vector<ConstraintResult> worst = worstByKind(after->constraints);
+        QCOMPARE(remedy.requirements.size(), worst.size());
+        for (std::size_t i = 0; i < worst.size(); ++i) {
+            QCOMPARE(remedy.requirements[i].margin, worst[i].margin);
+        }
+        for (const Issue& issue : validate(changed)) { // no fault or warning that was not there
+            QVERIFY(samples::holds(before->issues, issue.code, issue.path));
+        }
+        QVERIFY(remedy.value >= remedy.setting.low && remedy.value <= remedy.setting.high);
+        for (const MachineRange& range : checkMachineRanges(changed)) {
+            if (range.value == remedy.value) {
+                QVERIFY(range.onStep);
+            }
+        }
+        // nothing else is changed
+        std::vector<std::string> paths = differences(project, changed);
+        QVERIFY(!paths.empty());
+        if (remedy.setting.addsStage()) {
+            QCOMPARE(changed.cycle->stages.size(), project.cycle->stages.size() + 1);
+            for (const std::string& path : paths) {
+                QVERIFY2(path.starts_with("/cycle/stages"), path.c_str());
+            }
+        } else if (remedy.setting.kind == RemedyKind::stock) {
+            QCOMPARE(paths.size(), std::size_t(2));
+            QVERIFY(std::ranges::count(paths, remedy.setting.path(project)) == 1);
+        } else {
+            QCOMPARE(paths, std::vector<std::string>{remedy.setting.path(project)});
+        }
+        QVERIFY(std::abs(stockOf(changed) - stockOf(project)) < 2e-9);
+        // one step back to where it was does not do
+        QVERIFY(remedy.failing || remedy.setting.kind == RemedyKind::addFeed);
+        if (remedy.failing) {
+            const bool lower = remedy.value < remedy.setting.before;
+            QVERIFY(lower ? *remedy.failing > remedy.value : *remedy.failing < remedy.value);
+            const bool none =
+                remedy.setting.kind == RemedyKind::addSparkOut && *remedy.failing == 0;
+            const Project short_ =
+                none ? project : remedy.setting.applied(project, *remedy.failing);
+            QVERIFY(!reaches(*evaluate(short_), *before, goal));
+            const SettingScale& scale = remedy.setting.scale;
+            const auto place = scale.firstFrom(remedy.value);
+            QVERIFY(scale.at(place) == remedy.value);
+            const double next = scale.at(lower ? place + 1 : place - 1);
+            QVERIFY(*remedy.failing == next
+                    || (*remedy.failing == remedy.setting.before
+                        && (lower ? next >= remedy.setting.before * (1 - 1e-9)
+                                        || next > remedy.setting.high
+                                  : next <= remedy.setting.before * (1 + 1e-9)
+                                        || next < remedy.setting.low)));
+        }
+    }
+    if (found.conflict) {
+        const RemedyConflict& conflict = *found.conflict;
+        QCOMPARE(conflict.first.has_value(), before->result.status == RunStatus::completed);
+        if (conflict.first) {
+            QVERIFY(!isMet(*before, conflict.first->kind, goal));
+        }
+        QCOMPARE(conflict.second.has_value(), conflict.kind != RemedyConflict::Kind::unmended);
+        if (conflict.second) {
+            const OutcomePtr with = evaluate(conflict.setting->applied(project, conflict.value));
+            QCOMPARE(with->result.status, RunStatus::completed);
+            QVERIFY(!conflict.first || isMet(*with, conflict.first->kind, goal));
+            QVERIFY(!isMet(*with, conflict.second->kind, goal));
+            if (conflict.first) {
+                QCOMPARE(isMet(*before, conflict.second->kind, goal),
+                         conflict.kind == RemedyConflict::Kind::opposed);
+            }
+        }
+    }
+}
+
+Project randomOf(std::uint64_t seed) {
+    return readProject(randomProject(seed).dump()).project.value();
+}
+
+/// A project about one whose cycle holds: its field, a tolerance or a drive is made narrower than
+/// what comes out, so that it fails by little.
+std::optional<Project> narrowed(std::uint64_t seed) {
+    Project project = randomOf(seed);
+    const OutcomePtr outcome = evaluate(project);
+    if (outcome->result.status != RunStatus::completed) {
+        return {};
+    }
+    double low = 1e9, high = -1e9, runout = 0;
+    for (const SectionResult& section : outcome->result.sections) {
+        low = std::min(low, section.diameterDeviationMin_mm * 1e3);
+        high = std::max(high, section.diameterDeviationMax_mm * 1e3);
+        runout = std::max(runout, section.radialRunout_mm * 1e3);
+    }
+    const double width = std::max(high - low, 0.5);
+    const double by = 0.02 + 0.1 * static_cast<double>(seed % 7);
+    switch (seed % 4) {
+    case 0: // the largest diameter is too large
+        project.part->upper_deviation_um = high - by * width;
+        project.part->lower_deviation_um = low - 3 * width;
+        break;
+    case 1: // the smallest is too small
+        project.part->lower_deviation_um = low + by * width;
+        project.part->upper_deviation_um = high + 3 * width;
+        break;
+    case 2: // the runout is too large
+        project.part->lower_deviation_um = low - 3 * width;
+        project.part->upper_deviation_um = high + 3 * width;
+        project.part->tolerance.radial_runout_um = std::max(runout * (1 - by / 2), 0.01);
+        break;
+    default: // the drive is too weak
+        project.part->lower_deviation_um = low - 3 * width;
+        project.part->upper_deviation_um = high + 3 * width;
+        project.machine->wheel_drive_kw = outcome->result.peakPower_w / 1e3 * (1 - by / 2);
+        break;
+    }
+    if (seed % 3 == 0) { // a machine with steps
+        const double n = project.machine->work_speed_rpm;
+        project.machine->limits.work_speed_rpm = std::vector<double>{n - 40, n + 60, 5};
+        const StageFeed& radial = project.operation->radial();
+        const double feed = *(project.cycle->stages.front().*radial.value);
+        project.machine->limits.*radial.range = std::vector<double>{feed / 50, feed * 5, feed / 50};
+    }
+    if (!project.part->target_diameter_mm) { // the size that is ground to stays
+        const Part& was = *outcome->result.project.part;
+        project.part->target_diameter_mm =
+            was.diameter_mm + (was.upper_deviation_um + was.lower_deviation_um) / 2e3;
+    }
+    return project;
+}
+
+/// Random projects that fail, every other one by little.
+std::vector<Project> failingProjects(int count) {
+    std::vector<Project> found;
+    for (std::uint64_t seed = 1; found.size() < static_cast<std::size_t>(count); ++seed) {
+        const std::optional<Project> project =
+            seed % 2 == 0 ? narrowed(seed / 2) : std::optional(randomOf(seed));
+        if (project && !hasErrors(validate(*project))) {
+            const OutcomePtr outcome = evaluate(*project);
+            if (remedyGoal(outcome->result, outcome->constraints) == RemedyGoal::holds) {
+                found.push_back(*project);
+            }
+        }
+    }
+    return found;
+}
+
+Project example(const char* name) {
+    const std::string path = "resources/examples/" + std::string(name) + ".sparkout";
+    return readProject(samples::readText(samples::sourcePath(path))).project.value();
+}
+
+const Remedy* remedyOf(const RemedyResult& found, RemedyKind kind) {
+    const auto each = std::ranges::find_if(
+        found.remedies, [kind](const Remedy& remedy) { return remedy.setting.kind == kind; });
+    return each == found.remedies.end() ? nullptr : &*each;
+}
+
+/// Four sections of a slender shaft that deflect each other, seen as closely as a file allows: a
+/// run takes a while.
+Project slowProject() {
+    Project p = fixtures::plunge();
+    fixtures::putOnSlenderShaft(p);
+    p.sections = 40;
+    p.sections_coupled = true;
+    p.part->radii_per_section = 360;
+    p.part->upper_deviation_um = 0;
+    p.part->lower_deviation_um = -0.1;
+    return p;
+}
+
+} // namespace
+
+class TestRemedies : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyRemedyOfRandomFailingProjectsHolds() {
+        const int count = samples::sized(200, 30, 2000);
+        int helped = 0, opposed = 0, several = 0, unmended = 0, worst = 0;
+        std::array<int, 10> kinds{};
+        std::vector<double> times_ms;
+        const std::vector<Project> projects = failingProjects(count);
+        for (std::size_t i = 0; i < projects.size(); ++i) {
+            const OutcomePtr outcome = evaluate(projects[i]);
+            const double begin_ms = processorTime_ms();
+            const RemedyResult found = findRemedies(outcome->result, outcome->constraints);
+            times_ms.push_back(processorTime_ms() - begin_ms);
+            worst = times_ms.back() > times_ms[static_cast<std::size_t>(worst)]
+                        ? static_cast<int>(i)
+                        : worst;
+            verify(projects[i], found);
+            if (QTest::currentTestFailed()) {
+                qWarning("project %zu: %s", i, text(projects[i], found).c_str());
+                return;
+            }
+            for (const Remedy& remedy : found.remedies) {
+                ++kinds[static_cast<std::size_t>(remedy.setting.kind)];
+            }
+            helped += found.found > 0;
+            if (found.conflict) {
+                opposed += found.conflict->kind == RemedyConflict::Kind::opposed;
+                several += found.conflict->kind == RemedyConflict::Kind::several;
+                unmended += found.conflict->kind == RemedyConflict::Kind::unmended;
+            }
+        }
+        std::ranges::sort(times_ms);
+        std::printf("BENCH remedies of %d failing projects: median %.1f ms, 99 of 100 within %.1f "
+                    "ms, worst %.1f ms\n",
+                    count, times_ms[times_ms.size() / 2], times_ms[times_ms.size() * 99 / 100],
+                    times_ms.back());
+        std::printf("REMEDIES of %d projects %d are helped; opposed %d, several %d, unmended %d\n",
+                    count, helped, opposed, several, unmended);
+        QVERIFY(helped > count / 4 && opposed > 0 && several > 0);
+        QVERIFY(std::ranges::count(kinds, 0) <= 1);
+    }
+
+    void everyShippedExampleThatFailsIsHelpedOrTold() {
+        for (const auto& file :
+             std::filesystem::directory_iterator(samples::sourcePath("resources/examples"))) {
+            if (file.path().extension() != ".sparkout") {
+                continue;
+            }
+            const Project project = readProject(samples::readText(file.path())).project.value();
+            const RemedyResult found = remediesOf(project);
+            verify(project, found);
+            if (found.goal != RemedyGoal::none) {
+                std::printf("REMEDIES %s\n", text(project, found).c_str());
+            }
+        }
+    }
+
+    void aCycleThatHoldsWithRoomIsLeftAlone() {
+        const RemedyResult found = remediesOf(example("shaft-30h6-factory"));
+        QCOMPARE(found.goal, RemedyGoal::none);
+        QCOMPARE(found.runs, 0LL);
+        QVERIFY(found.remedies.empty() && !found.conflict && found.isComplete());
+    }
+
+    void aRefusedProjectIsLeftAlone() {
+        Project project = example("shaft-30h6-factory");
+        project.cycle->stages.clear();
+        QCOMPARE(remediesOf(project).goal, RemedyGoal::none);
+    }
+
+    // A cycle that holds, but nearer to a limit than a tenth of the field: it is given room.
+    void aCloseCycleIsGivenRoom() {
+        int close = 0;
+        for (const double margin : {0.02, 0.05, 0.09}) {
+            for (const char* name : {"shaft-30h6-optimal", "plunge-shaft-two-stage"}) {
+                Project project = example(name);
+                const OutcomePtr outcome = evaluate(project);
+                const double power_kw = outcome->result.peakPower_w / 1e3;
+                project.machine->wheel_drive_kw = power_kw / (1 - margin);
+                const RemedyResult found = remediesOf(project);
+                QCOMPARE(found.goal, RemedyGoal::room);
+                verify(project, found);
+                QVERIFY(found.found > 0);
+                ++close;
+            }
+        }
+        QCOMPARE(close, 6);
+    }
+
+    // A speed beyond the machine's range goes to the end of the range, which is the nearest value
+    // that can be set.
+    void aSpeedOutOfRangeGoesToItsEnd() {
+        for (const double speed_rpm : {110.0, 210.0}) {
+            Project project = example("shaft-30h6-factory");
+            project.machine->work_speed_rpm = speed_rpm;
+            project.machine->limits.work_speed_rpm = std::vector<double>{120, 200, 5};
+            const RemedyResult found = remediesOf(project);
+            verify(project, found);
+            QCOMPARE(found.found, std::size_t(1));
+            QCOMPARE(found.remedies[0].setting.kind, RemedyKind::workSpeed);
+            QCOMPARE(found.remedies[0].value, speed_rpm < 120 ? 120.0 : 200.0);
+            QCOMPARE(*found.remedies[0].failing, speed_rpm);
+        }
+    }
+
+    // Strips between the turns go with the greatest axial feed that leaves none, S_ax = B·n.
+    void stripsGoWithTheAxialFeed() {
+        Project project = fixtures::traverse();
+        project.part->upper_deviation_um = 900;
+        project.part->lower_deviation_um = -900;
+        const double most = project.wheel->width_mm * project.machine->work_speed_rpm;
+        project.cycle->stages.front().axial_feed_mm_min = 1.2 * most;
+        const RemedyResult found = remediesOf(project);
+        verify(project, found);
+        const Remedy* remedy = remedyOf(found, RemedyKind::axialFeed);
+        QVERIFY(remedy != nullptr);
+        QCOMPARE(remedy->setting.stage, std::size_t(0));
+        QVERIFY(remedy->value <= most * (1 + 1e-9) && *remedy->failing > most);
+    }
+
+    void whatNoSettingMendsIsNamed() {
+        Project project = example("plunge-shaft-two-stage");
+        project.gauge->commands = 1; // each stage needs one
+        RemedyResult found = remediesOf(project);
+        verify(project, found);
+        QCOMPARE(found.conflict->kind, RemedyConflict::Kind::unmended);
+        QCOMPARE(found.conflict->first->kind, ConstraintKind::gaugeCommands);
+
+        project = example("plunge-shaft-two-stage");
+        project.machine->geometric_runout_um = 6; // more than the tolerance alone
+        found = remediesOf(project);
+        verify(project, found);
+        QCOMPARE(found.conflict->kind, RemedyConflict::Kind::unmended);
+        QCOMPARE(found.conflict->first->kind, ConstraintKind::radialRunout);
+    }
+
+    // Feed and speed cannot be set otherwise. Sparking out takes the runout down, but is a stage
+    // that the gauge has no command for.
+    void twoRequirementsThatPullAgainstEachOtherAreNamed() {
+        Project project = fixtures::plunge();
+        project.part->initial_runout_mm = 0.02;
+        project.part->radii_per_section = 36;
+        project.part->upper_deviation_um = 200;
+        project.part->lower_deviation_um = -200;
+        const Stage& only = project.cycle->stages.front();
+        const double n = project.machine->work_speed_rpm, feed = *only.radial_feed_mm_min;
+        project.machine->limits.work_speed_rpm = std::vector<double>{n, n, 1};
+        project.machine->limits.plunge_feed_mm_min = std::vector<double>{feed, feed, 0.01};
+        project.gauge->commands = 1;
+        const OutcomePtr outcome = evaluate(project);
+        const double runout_um = outcome->result.sections[0].radialRunout_mm * 1e3;
+        QVERIFY(runout_um > 0.1);
+        project.part->tolerance.radial_runout_um = 0.7 * runout_um;
+        RemedyResult found = remediesOf(project);
+        verify(project, found);
+        QVERIFY(found.conflict.has_value());
+        QCOMPARE(found.conflict->kind, RemedyConflict::Kind::opposed);
+        QCOMPARE(found.conflict->first->kind, ConstraintKind::radialRunout);
+        QCOMPARE(found.conflict->second->kind, ConstraintKind::gaugeCommands);
+        QCOMPARE(found.conflict->setting->kind, RemedyKind::addSparkOut);
+        project.gauge->commands = 2; // now it helps
+        found = remediesOf(project);
+        verify(project, found);
+        QCOMPARE(found.found, std::size_t(1));
+        QCOMPARE(found.remedies[0].setting.kind, RemedyKind::addSparkOut);
+    }
+
+    void theAnswerIsTheSameAgain() {
+        for (const Project& project : failingProjects(samples::sized(20, 5, 100))) {
+            const RemedyResult one = remediesOf(project), two = remediesOf(project);
+            QCOMPARE(one.runs, two.runs);
+            QCOMPARE(text(project, one), text(project, two));
+        }
+    }
+
+    void whatIsFoundIsReportedMeanwhile() {
+        const Project project = example("slender-shaft");
+        std::size_t calls = 0, before = 0;
+        RemedyOptions options;
+        options.progress = [&](const RemedyResult& sofar) {
+            QCOMPARE(sofar.tried, ++calls);
+            QVERIFY(sofar.found >= before && !sofar.conflict);
+            before = sofar.found;
+        };
+        const RemedyResult found = remediesOf(project, options);
+        QCOMPARE(calls, found.settings);
+        QCOMPARE(before, found.found);
+    }
+
+    void withoutTimeNothingIsClaimed() {
+        RemedyOptions options;
+        options.budget = 0s;
+        const RemedyResult found = remediesOf(example("slender-shaft"), options);
+        QVERIFY(found.outOfTime && !found.stopped && !found.isComplete());
+        QVERIFY(found.remedies.empty() && !found.conflict);
+        QCOMPARE(found.runs, 0LL);
+    }
+
+    void aBudgetEndsASlowSearch() {
+        const Project project = slowProject();
+        const OutcomePtr outcome = evaluate(project);
+        RemedyOptions options;
+        options.budget = 50ms;
+        const RemedyResult found = findRemedies(outcome->result, outcome->constraints, options);
+        QVERIFY(found.outOfTime && !found.isComplete() && !found.conflict);
+        QVERIFY(found.runs > 0);
+    }
+
+    void aStopEndsItWithinATenthOfASecond() {
+        const Project project = slowProject();
+        const OutcomePtr outcome = evaluate(project);
+        QCOMPARE(remedyGoal(outcome->result, outcome->constraints), RemedyGoal::holds);
+        for (const auto delay : {0ms, 20ms, 130ms, 300ms}) {
+            constexpr double limit_ms = 100;
+            const double took_ms = leastOfTries_ms(limit_ms, [&] {
+                std::stop_source stop;
+                RemedyOptions options;
+                options.stop = stop.get_token();
+                QElapsedTimer clock;
+                std::jthread asks([&] {
+                    std::this_thread::sleep_for(delay);
+                    clock.start();
+                    stop.request_stop();
+                });
+                const RemedyResult found =
+                    findRemedies(outcome->result, outcome->constraints, options);
+                asks.join();
+                const auto took = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+                if (!found.stopped || found.outOfTime || found.isComplete() || found.conflict) {
+                    return 1e9;
+                }
+                return took;
+            });
+            QVERIFY2(took_ms < limit_ms, qPrintable(QString::number(took_ms)));
+        }
+    }
+};
+
+} // namespace test_remedies
+
+SPARKOUT_TEST(test_remedies, TestRemedies)
+#include "test_remedies.moc"

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "words/remedy_words.h"
+
+#include "core/project/cycle.h"
+#include "core/project/member.h"
+#include "core/project/validate.h"
+#include "core/text.h"
+#include "core/units.h"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace sparkout {
+
+namespace {
+
+const Field& rowOf(const Project& project, const RemedySetting& setting) {
+    return *findMember(project, setting.rowPath(project)).field;
+}
+
+const char* signOf(const Remedy& remedy) {
+    return !remedy.holdsBeyond ? "=" : remedy.value < remedy.setting.before ? "≤" : "≥";
+}
+
+double rounded(double value, int digits) {
+    if (value == 0) {
+        return 0;
+    }
+    const double scale = std::pow(10.0, digits - 1 - std::floor(std::log10(std::abs(value))));
+    return std::round(value * scale) / scale;
+}
+
+} // namespace
+
+std::string RemedyWording::number(double value) const {
+    return numberText(value);
+}
+
+std::string RemedyWording::input(const char* label, const char* symbol) const {
+    return std::string(label) + ' ' + symbol;
+}
+
+std::string RemedyWording::requirement(ConstraintKind kind) const {
+    return requirementOf(kind).label;
+}
+
+/// What stands in the places of a text, which is translated first; a place may come twice.
+std::string RemedyWording::filled(const char* text, Places places) const {
+    const std::string sentence = translated(text);
+    std::string out;
+    for (std::size_t i = 0; i < sentence.size();) {
+        std::size_t taken = 0;
+        for (const auto& [name, value] : places) {
+            const std::string place = '{' + std::string(name) + '}';
+            if (taken == 0 && sentence.compare(i, place.size(), place) == 0) {
+                out += value;
+                taken = place.size();
+            }
+        }
+        if (taken == 0) {
+            out += sentence[i];
+            taken = 1;
+        }
+        i += taken;
+    }
+    return out;
+}
+
+std::string RemedyWording::valueText(const Project& project, const RemedySetting& setting,
+                                     double value) const {
+    if (setting.isCount()) {
+        return number(value);
+    }
+    const bool isStep =
+        setting.kind == RemedyKind::radialFeed || setting.kind == RemedyKind::addFeed;
+    const char* const of = isStep && !project.operation->perMinute ? "mm" // what S_t is one of
+                                                                   : rowOf(project, setting).unit;
+    return number(value) + ' ' + unit(of);
+}
+
+std::string RemedyWording::withSign(const Project& project, const RemedySetting& setting,
+                                    const char* sign, double value) const {
+    const Field& row = rowOf(project, setting);
+    const std::string is = sign + std::string(" ") + valueText(project, setting, value);
+    const std::string stage = number(static_cast<double>(setting.stage) + 1);
+    const bool strokes = project.operation->countsStrokes;
+    switch (setting.kind) {
+    case RemedyKind::radialFeed:
+    case RemedyKind::axialFeed:
+        return filled(SPARKOUT_NOOP("Remedy", "{feed} of stage {stage} {is}"),
+                      {{"feed", row.symbol}, {"stage", stage}, {"is", is}});
+    case RemedyKind::stock: {
+        const Stage& giver = setting.applied(project, value).cycle->stages[setting.other];
+        return filled(
+            SPARKOUT_NOOP("Remedy", "Stock of stage {stage} {is} (stage {other}: {rest})"),
+            {{"stage", stage},
+             {"is", is},
+             {"other", number(static_cast<double>(setting.other) + 1)},
+             {"rest", valueText(project, setting, giver.stock_mm)}});
+    }
+    case RemedyKind::sparkOut:
+        return filled(strokes ? SPARKOUT_NOOP("Remedy", "Double strokes of spark-out {is}")
+                              : SPARKOUT_NOOP("Remedy", "Revolutions of spark-out {is}"),
+                      {{"is", is}});
+    case RemedyKind::addFeed: {
+        const Stage& added = setting.applied(project, value).cycle->stages[setting.stage + 1];
+        return filled(SPARKOUT_NOOP("Remedy", "One more stage after stage {stage}: {feed} {is}, "
+                                              "stock {stock}"),
+                      {{"stage", stage},
+                       {"feed", row.symbol},
+                       {"is", is},
+                       {"stock", number(added.stock_mm) + ' ' + unit("mm")}});
+    }
+    case RemedyKind::addSparkOut:
+        return filled(
+            strokes ? SPARKOUT_NOOP("Remedy", "Spark-out as one more stage: double strokes {is}")
+                    : SPARKOUT_NOOP("Remedy", "Spark-out as one more stage: revolutions {is}"),
+            {{"is", is}});
+    case RemedyKind::dwellEntry:
+    case RemedyKind::dwellExit:
+    case RemedyKind::workSpeed:
+    case RemedyKind::plungeFeed: break;
+    }
+    return input(row.label, row.symbol) + ' ' + is;
+}
+
+std::string RemedyWording::change(const Project& project, const Remedy& remedy) const {
+    return withSign(project, remedy.setting, signOf(remedy), remedy.value);
+}
+
+/// Minutes, or seconds where it is few.
+std::string RemedyWording::time(double time_s) const {
+    constexpr double few_s = 30;
+    constexpr int digits = 2;
+    const double value = rounded(std::abs(time_s), digits);
+    return value < few_s
+               ? filled(SPARKOUT_NOOP("Remedy", "{time} s"), {{"time", number(value)}})
+               : filled(
+                   SPARKOUT_NOOP("Remedy", "{time} min"),
+                   {{"time", number(rounded(std::abs(time_s) / units::secondsPerMinute, digits))}});
+}
+
+std::string RemedyWording::cost(const Remedy& remedy) const {
+    constexpr double none_s = 0.005;
+    return std::abs(remedy.timeChange_s) < none_s
+               ? translated(SPARKOUT_NOOP("Remedy", "in the same time"))
+               : (remedy.timeChange_s > 0 ? "+" : "−") + time(remedy.timeChange_s);
+}
+
+std::string RemedyWording::line(const Project& project, const Remedy& remedy) const {
+    return filled(SPARKOUT_NOOP("Remedy", "{change}: {cost}"),
+                  {{"change", change(project, remedy)}, {"cost", cost(remedy)}});
+}
+
+std::string RemedyWording::proof(const Project& project, RemedyGoal goal,
+                                 const Remedy& remedy) const {
+    const RemedySetting& setting = remedy.setting;
+    std::string text = filled(
+        goal == RemedyGoal::room
+            ? SPARKOUT_NOOP("Remedy", "Run with {value}: nothing is close to its limit; the "
+                                      "cycle takes {time}.")
+            : SPARKOUT_NOOP("Remedy",
+                            "Run with {value}: everything holds; the cycle takes {time}."),
+        {{"value", valueText(project, setting, remedy.value)}, {"time", time(remedy.time_s)}});
+    const bool fromNone = setting.kind == RemedyKind::addSparkOut && remedy.failing == 0.0;
+    if (remedy.failing && !fromNone && *remedy.failing != setting.before) {
+        text += ' '
+                + filled(SPARKOUT_NOOP("Remedy", "With {value}, a step nearer to the present "
+                                                 "{before}, it does not do yet."),
+                         {{"value", valueText(project, setting, *remedy.failing)},
+                          {"before", valueText(project, setting, setting.before)}});
+    }
+    return text + ' '
+           + translated(SPARKOUT_NOOP("Remedy", "Found among the values that were tried; between "
+                                                "them others may hold, too."));
+}
+
+std::string RemedyWording::conflict(const Project& project, RemedyGoal goal,
+                                    const RemedyConflict& conflict) const {
+    const bool room = goal == RemedyGoal::room;
+    const std::string first = conflict.first ? requirement(conflict.first->kind) : std::string();
+    if (conflict.kind == RemedyConflict::Kind::unmended) {
+        return !conflict.first
+                   ? translated(SPARKOUT_NOOP("Remedy", "No single setting lets the cycle end by "
+                                                        "itself."))
+               : room
+                   ? filled(SPARKOUT_NOOP("Remedy", "No single setting gives “{first}” more room."),
+                            {{"first", first}})
+                   : filled(SPARKOUT_NOOP("Remedy", "No single setting mends “{first}”."),
+                            {{"first", first}});
+    }
+    const char* const sentence =
+        !conflict.first
+            ? SPARKOUT_NOOP("Remedy", "No single setting helps: with {change} the cycle "
+                                      "ends by itself, but “{second}” fails.")
+        : room
+            ? SPARKOUT_NOOP("Remedy", "No single setting gives room: with {change} “{first}” has "
+                                      "it, but “{second}” has not.")
+        : conflict.kind == RemedyConflict::Kind::opposed
+            ? SPARKOUT_NOOP("Remedy", "No single setting helps, as “{first}” and “{second}” pull "
+                                      "against each other: with {change} the first holds and the "
+                                      "second begins to fail.")
+            : SPARKOUT_NOOP("Remedy", "No single setting mends all that fails: with {change} "
+                                      "“{first}” holds, but “{second}” still fails.");
+    return filled(sentence,
+                  {{"first", first},
+                   {"second", requirement(conflict.second->kind)},
+                   {"change", withSign(project, *conflict.setting, "=", conflict.value)}});
+}
+
+std::string RemedyWording::extent(const RemedyResult& result) const {
+    const std::string tried = number(static_cast<double>(result.tried));
+    const std::string all = number(static_cast<double>(result.settings));
+    if (result.outOfTime) {
+        return filled(SPARKOUT_NOOP("Remedy", "The time was up after {tried} of {all} settings."),
+                      {{"tried", tried}, {"all", all}});
+    }
+    return result.stopped ? filled(SPARKOUT_NOOP("Remedy", "Stopped after {tried} of {all} "
+                                                           "settings."),
+                                   {{"tried", tried}, {"all", all}})
+                          : std::string();
+}
+
+} // namespace sparkout

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/remedies/remedies.h"
+
+#include <initializer_list>
+#include <string>
+#include <utility>
+
+/// Remedies in words. The English ones stand here alone, marked for translation in the context
+/// "Remedy": the command line prints them, the window looks up what they are in its language.
+namespace sparkout {
+
+/// Writes remedies of a project: by itself in English.
+class RemedyWording {
+public:
+    RemedyWording() = default;
+    virtual ~RemedyWording() = default;
+    RemedyWording(const RemedyWording&) = delete;
+    RemedyWording& operator=(const RemedyWording&) = delete;
+
+    /// "S_t of stage 2 ≤ 0.0031 mm". With ≤ and ≥ a value farther off was tried and holds, too;
+    /// with = it is this value that was found.
+    [[nodiscard]] std::string change(const Project& project, const Remedy& remedy) const;
+    /// "+0.4 min"
+    [[nodiscard]] std::string cost(const Remedy& remedy) const;
+    /// Both: "S_t of stage 2 ≤ 0.0031 mm: +0.4 min".
+    [[nodiscard]] std::string line(const Project& project, const Remedy& remedy) const;
+    /// What was run for it, and how it came out.
+    [[nodiscard]] std::string proof(const Project& project, RemedyGoal goal,
+                                    const Remedy& remedy) const;
+    /// Why no single setting helps, with the requirements that pull against each other.
+    [[nodiscard]] std::string conflict(const Project& project, RemedyGoal goal,
+                                       const RemedyConflict& conflict) const;
+    /// What was tried, where not all was: "Stopped after 5 of 14 settings." Else empty.
+    [[nodiscard]] std::string extent(const RemedyResult& result) const;
+
+protected:
+    [[nodiscard]] virtual std::string translated(const char* text) const { return text; }
+    [[nodiscard]] virtual std::string number(double value) const;
+    [[nodiscard]] virtual std::string unit(const char* unit) const { return unit; }
+    /// Label and symbol of an input.
+    [[nodiscard]] virtual std::string input(const char* label, const char* symbol) const;
+    [[nodiscard]] virtual std::string requirement(ConstraintKind kind) const;
+
+private:
+    using Places = std::initializer_list<std::pair<const char*, std::string>>;
+    [[nodiscard]] std::string filled(const char* text, Places places) const;
+    [[nodiscard]] std::string withSign(const Project& project, const RemedySetting& setting,
+                                       const char* sign, double value) const;
+    [[nodiscard]] std::string valueText(const Project& project, const RemedySetting& setting,
+                                        double value) const;
+    [[nodiscard]] std::string time(double time_s) const;
+};
+
+} // namespace sparkout
