@@ -263,4 +263,34 @@
             </translation>
         </message>
     </context>
+    <context>
+        <name>ListPaste</name>
+        <message numerus="yes">
+            <source>%n column(s) too many from the selected cell on</source>
+            <translation>
+                <numerusform>%n column too many from the selected cell on</numerusform>
+                <numerusform>%n columns too many from the selected cell on</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ListTable</name>
+        <message numerus="yes">
+            <source>Not pasted: %n further cell(s)</source>
+            <translation>
+                <numerusform>Not pasted: %n further cell</numerusform>
+                <numerusform>Not pasted: %n further cells</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::NumberLines</name>
+        <message numerus="yes">
+            <source>%n cell(s) too many</source>
+            <translation>
+                <numerusform>%n cell too many</numerusform>
+                <numerusform>%n cells too many</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

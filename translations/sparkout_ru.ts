@@ -1053,6 +1053,14 @@ med, µm</source>
             <source>Range of the sweep</source>
             <translation>Пределы варьирования</translation>
         </message>
+        <message>
+            <source>Paste</source>
+            <translation>Вставка</translation>
+        </message>
+        <message>
+            <source>Fit the stocks of the stages</source>
+            <translation>Согласование припусков ступеней</translation>
+        </message>
     </context>
     <context>
         <name>EstimateNames</name>
@@ -5494,10 +5502,6 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>The document, picture or table could not be made.</source>
             <translation>Не удалось построить документ, рисунок или таблицу.</translation>
         </message>
-        <message>
-            <source>Saved: “%1” in %2</source>
-            <translation>Сохранено: «%1» в папке %2</translation>
-        </message>
     </context>
     <context>
         <name>ShopText</name>
@@ -8313,12 +8317,16 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>&amp;Английский CSV: запятая, десятичная точка…</translation>
         </message>
         <message>
-            <source>Ctrl+C copies the table; its menu saves it</source>
-            <translation>Ctrl+C копирует таблицу, её контекстное меню сохраняет в файл</translation>
+            <source>Ctrl+C copies the selected rows, Ctrl+Shift+C the table; its menu saves it</source>
+            <translation>Ctrl+C копирует выбранные строки, Ctrl+Shift+C — таблицу; контекстное меню сохраняет её в файл</translation>
         </message>
         <message>
             <source>Save the table as</source>
             <translation>Сохранить таблицу как</translation>
+        </message>
+        <message>
+            <source>Copy the selected rows</source>
+            <translation>Копировать выбранные строки</translation>
         </message>
     </context>
     <context>
@@ -8331,6 +8339,14 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Between −1 and 1; 0: independent. Of normal factors Pearson&apos;s coefficient, of others nearly Spearman&apos;s.</source>
             <translation>От −1 до 1; 0 — независимы. Для нормальных факторов — коэффициент Пирсона, для прочих — почти Спирмена.</translation>
+        </message>
+        <message>
+            <source>row %1, column %1: “%2” is not 1</source>
+            <translation>строка %1, столбец %1: «%2» — не 1</translation>
+        </message>
+        <message>
+            <source>row %1, column %2: “%3” is not what stands across the diagonal, “%4”</source>
+            <translation>строка %1, столбец %2: «%3» не равно числу по другую сторону диагонали, «%4»</translation>
         </message>
     </context>
     <context>
@@ -8903,6 +8919,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Untitled</source>
             <translation>Без названия</translation>
         </message>
+        <message>
+            <source>The project is not complete</source>
+            <translation>Проект не заполнен</translation>
+        </message>
+        <message>
+            <source>It can be saved once its drawing is given. Still needed:</source>
+            <translation>Его можно сохранить, когда будет задан чертёж. Ещё нужны:</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::FileNotices</name>
@@ -9441,6 +9465,26 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>%1 %2, %3: %4</source>
             <translation>%1 %2, %3: %4</translation>
         </message>
+        <message>
+            <source>“%1” has no place, the row does not use this column</source>
+            <translation>«%1» не на месте: этот столбец в строке не используется</translation>
+        </message>
+        <message>
+            <source>a number is missing; allowed: %1</source>
+            <translation>нет числа; допускается: %1</translation>
+        </message>
+        <message>
+            <source>“%2” is not a number; allowed: %1</source>
+            <translation>«%2» — не число; допускается: %1</translation>
+        </message>
+        <message>
+            <source>“%2” is not a whole number; allowed: %1</source>
+            <translation>«%2» — не целое число; допускается: %1</translation>
+        </message>
+        <message>
+            <source>“%2” is out of range; allowed: %1</source>
+            <translation>«%2» вне допустимых пределов; допускается: %1</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::ListTable</name>
@@ -9487,6 +9531,26 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Ctrl+Del</source>
             <translation>Ctrl+Del</translation>
+        </message>
+        <message>
+            <source>Not pasted: %1</source>
+            <translation>Не вставлено: %1</translation>
+        </message>
+        <message numerus="yes">
+            <source>Not pasted: %n further cell(s)</source>
+            <translation>
+                <numerusform>Не вставлено: ещё %n ячейка</numerusform>
+                <numerusform>Не вставлено: ещё %n ячейки</numerusform>
+                <numerusform>Не вставлено: ещё %n ячеек</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Copy the &amp;selected cells</source>
+            <translation>Копировать &amp;выбранные ячейки</translation>
+        </message>
+        <message>
+            <source>&amp;Paste</source>
+            <translation>Вст&amp;авить</translation>
         </message>
     </context>
     <context>
@@ -9735,6 +9799,10 @@ target, µm</source>
             <source>Computing time</source>
             <translation>Время расчёта</translation>
         </message>
+        <message>
+            <source>Not computed: the project is not complete.</source>
+            <translation>Не рассчитано: проект не заполнен.</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::MarginModel</name>
@@ -9859,6 +9927,14 @@ target, µm</source>
             <source>Messages</source>
             <translation>Сообщения</translation>
         </message>
+        <message>
+            <source>Fit the stocks of the stages</source>
+            <translation>Согласовать припуски ступеней</translation>
+        </message>
+        <message>
+            <source>The first stage takes what the later ones leave; where they leave nothing, all keep their share</source>
+            <translation>Первая ступень снимает остаток от последующих; если остатка нет, все ступени сохраняют свои доли</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::NotesEditor</name>
@@ -9913,6 +9989,23 @@ target, µm</source>
         <message>
             <source>%1: %2</source>
             <comment>factor: number</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Not pasted: %1</source>
+            <translation>Не вставлено: %1</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n cell(s) too many</source>
+            <translation>
+                <numerusform>лишняя %n ячейка</numerusform>
+                <numerusform>лишние %n ячейки</numerusform>
+                <numerusform>лишних %n ячеек</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>label of a number: reason</comment>
             <translation>%1: %2</translation>
         </message>
     </context>
@@ -11466,6 +11559,14 @@ target, µm</source>
             <source>Machining time of the stage and its share of the cycle&apos;s.</source>
             <translation>Машинное время ступени и его доля в цикле.</translation>
         </message>
+        <message>
+            <source>“%1” is no spark-out; allowed: %2, “%3”, “%4”</source>
+            <translation>«%1» — не выхаживание; допускается: %2, «%3», «%4»</translation>
+        </message>
+        <message>
+            <source>“%1”: only the last stage may spark out</source>
+            <translation>«%1»: выхаживать может только последняя ступень</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::StageTable</name>
@@ -12132,6 +12233,10 @@ target, µm</source>
             <source>Requirements that are not checked</source>
             <translation>Требования, которые не проверяются</translation>
         </message>
+        <message>
+            <source>Not checked: requirements or other inputs are missing. Still needed:</source>
+            <translation>Не проверено: не заданы требования или другие данные. Ещё нужны:</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::VersionsDialog</name>
@@ -12356,6 +12461,14 @@ target, µm</source>
             <source>No result yet.</source>
             <translation>Результата ещё нет.</translation>
         </message>
+        <message>
+            <source>The project is not complete. Still needed:</source>
+            <translation>Проект не заполнен. Ещё нужны:</translation>
+        </message>
+        <message>
+            <source>The pale curves are those of the project before.</source>
+            <translation>Бледные кривые — прежнего проекта.</translation>
+        </message>
     </context>
     <context>
         <name>FeedsChart</name>
@@ -12499,6 +12612,142 @@ mm/min</source>
 µm</source>
             <translation>Радиус,
 мкм</translation>
+        </message>
+    </context>
+    <context>
+        <name>Calculation</name>
+        <message>
+            <source>a closing bracket has no opening one</source>
+            <translation>у закрывающей скобки нет открывающей</translation>
+        </message>
+        <message>
+            <source>an operator is missing before “%1”</source>
+            <translation>перед «%1» нет знака действия</translation>
+        </message>
+        <message>
+            <source>the result is too large or too small</source>
+            <translation>результат слишком велик или слишком мал</translation>
+        </message>
+        <message>
+            <source>division by zero</source>
+            <translation>деление на ноль</translation>
+        </message>
+        <message>
+            <source>a bracket is not closed</source>
+            <translation>скобка не закрыта</translation>
+        </message>
+        <message>
+            <source>a number is missing before “%1”</source>
+            <translation>перед «%1» нет числа</translation>
+        </message>
+        <message>
+            <source>a number is missing at the end</source>
+            <translation>в конце нет числа</translation>
+        </message>
+        <message>
+            <source>“%1” is not a number</source>
+            <translation>«%1» — не число</translation>
+        </message>
+    </context>
+    <context>
+        <name>ListPaste</name>
+        <message>
+            <source>there are no rows below the heads</source>
+            <translation>под заголовками нет строк</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n column(s) too many from the selected cell on</source>
+            <translation>
+                <numerusform>лишний %n столбец, считая от выбранной ячейки</numerusform>
+                <numerusform>лишние %n столбца, считая от выбранной ячейки</numerusform>
+                <numerusform>лишних %n столбцов, считая от выбранной ячейки</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>there would be %1 rows; allowed: %2</source>
+            <translation>получилось бы строк: %1; допускается: %2</translation>
+        </message>
+        <message>
+            <source>%1 %2, %3: %4</source>
+            <comment>stage 2, stock: reason</comment>
+            <translation>%1 %2, %3: %4</translation>
+        </message>
+    </context>
+    <context>
+        <name>PastedNumbers</name>
+        <message>
+            <source>“%1” is out of range</source>
+            <translation>«%1» вне допустимых пределов</translation>
+        </message>
+        <message>
+            <source>“%1” is not a number</source>
+            <translation>«%1» — не число</translation>
+        </message>
+        <message>
+            <source>%1; allowed: %2</source>
+            <translation>%1; допускается: %2</translation>
+        </message>
+        <message>
+            <source>row %1, column %2</source>
+            <translation>строка %1, столбец %2</translation>
+        </message>
+        <message>
+            <source>row %1</source>
+            <translation>строка %1</translation>
+        </message>
+        <message>
+            <source>not pasted: %1: %2</source>
+            <comment>place: reason</comment>
+            <translation>не вставлено: %1: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>StockFit</name>
+        <message>
+            <source>Fit the stocks: the first stage takes %1 %2</source>
+            <translation>Согласовать припуски: первая ступень снимает %1 %2</translation>
+        </message>
+        <message>
+            <source>Fit the stocks in proportion, to %1 %2 together</source>
+            <translation>Согласовать припуски пропорционально, всего %1 %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>SavedFile</name>
+        <message>
+            <source>Saved: “%1” in %2</source>
+            <translation>Сохранено: «%1» в папке %2</translation>
+        </message>
+        <message>
+            <source>Open</source>
+            <translation>Открыть</translation>
+        </message>
+        <message>
+            <source>Show in folder</source>
+            <translation>Показать в папке</translation>
+        </message>
+        <message>
+            <source>The system names no program that opens %1</source>
+            <translation>Система не называет программы, которая открывает %1</translation>
+        </message>
+        <message>
+            <source>%1 is no longer there</source>
+            <translation>%1 больше нет на месте</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::SearchCombo</name>
+        <message>
+            <source>Type to search</source>
+            <translation>Введите для поиска</translation>
+        </message>
+        <message>
+            <source>Search the list</source>
+            <translation>Поиск по списку</translation>
+        </message>
+        <message>
+            <source>Nothing found</source>
+            <translation>Ничего не найдено</translation>
         </message>
     </context>
 </TS>

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/fields/number_field.h"
 
+#include "ui/text/calculation.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
 #include <QAction>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QToolTip>
 
 #include <cmath>
 
@@ -32,7 +34,7 @@ NumberSpec NumberSpec::of(const Field& field, const Project& project, const void
 }
 
 NumberField::NumberField(const NumberSpec& spec, QWidget* parent)
-    : QLineEdit(parent), m_spec(spec), m_icon(addAction(QIcon(), TrailingPosition)) {
+    : CellsLineEdit(parent), m_spec(spec), m_icon(addAction(QIcon(), TrailingPosition)) {
     m_icon->setVisible(false);
     m_typing.setSingleShot(true);
     m_typing.setInterval(typingPause_ms);
@@ -40,6 +42,7 @@ NumberField::NumberField(const NumberSpec& spec, QWidget* parent)
     connect(this, &QLineEdit::textEdited, this, [this] {
         m_typing.start();
         evaluate();
+        showResult();
     });
     connect(this, &QLineEdit::returnPressed, this, &NumberField::settle);
     retranslate();
@@ -50,13 +53,13 @@ void NumberField::setValue(std::optional<double> value) {
         reset(value);
         return;
     }
-    if (!refused() && !m_waits && parseNumber(text()) != value) {
+    if (!refused() && !m_waits && read() != value) {
         showValue();
     }
 }
 
 void NumberField::reset(std::optional<double> value) {
-    const bool asTyped = !refused() && value && parseNumber(text()) == value;
+    const bool asTyped = !refused() && value && read() == value;
     m_value = value;
     m_settled = value;
     m_waits = false;
@@ -71,6 +74,7 @@ void NumberField::reset(std::optional<double> value) {
 void NumberField::showValue() {
     m_typing.stop();
     setText(m_value ? showNumber(*m_value, QLocale()) : QString());
+    describe();
 }
 
 void NumberField::setShownText(const QString& text) {
@@ -95,9 +99,9 @@ void NumberField::setHint(const QString& hint) {
 }
 
 void NumberField::describe() {
-    setAccessibleDescription(m_shown.reason.isEmpty() || m_hint.isEmpty()
-                                 ? m_shown.reason + m_hint
-                                 : m_shown.reason + QStringLiteral(". ") + m_hint);
+    QStringList said{result(), m_shown.reason, m_hint};
+    said.removeAll(QString());
+    setAccessibleDescription(said.join(QStringLiteral(". ")));
 }
 
 void NumberField::setIssue(const Remark& issue) {
@@ -119,27 +123,59 @@ Remark NumberField::judge(std::optional<double>& value) const {
     if (text().trimmed().isEmpty()) {
         return m_spec.optional ? Remark{} : Remark{Mark::error, tr("a number is needed here")};
     }
-    value = parseNumber(text());
-    if (!value) {
-        return {Mark::error, tr("“%1” is not a number").arg(text().trimmed())};
+    const auto calculation = Calculation::of(text());
+    value = calculation ? calculation->value() : parseNumber(text());
+    if (value) {
+        return judgeNumber(*value);
     }
-    if (m_spec.integer && *value != std::floor(*value)) {
+    return {Mark::error,
+            calculation ? calculation->fault() : tr("“%1” is not a number").arg(text().trimmed())};
+}
+
+Remark NumberField::judgeNumber(double value) const {
+    if (m_spec.integer && value != std::floor(value)) {
         return {Mark::error, tr("a whole number is needed here")};
     }
-    if (!m_spec.hard.contains(*value)) {
+    if (!m_spec.hard.contains(value)) {
         return {Mark::error,
                 tr("out of range; allowed: %1").arg(rangeShown(m_spec.hard, m_spec.unit))};
     }
-    if (!m_spec.soft.contains(*value)) {
+    if (!m_spec.soft.contains(value)) {
         return {Mark::warning, tr("unusual; usual: %1").arg(rangeShown(m_spec.soft, m_spec.unit))};
     }
     return {};
 }
 
+std::optional<double> NumberField::read() const {
+    const auto calculation = Calculation::of(text());
+    return calculation ? calculation->value() : parseNumber(text());
+}
+
+QString NumberField::result() const {
+    const auto calculation = Calculation::of(text());
+    if (!calculation || !calculation->value()) {
+        return {};
+    }
+    const QString unit = unitText(m_spec.unit);
+    return QStringLiteral("= ") + showNumber(*calculation->value(), QLocale())
+           + (unit.isEmpty() ? QString() : QStringLiteral("\u00a0") + unit);
+}
+
+void NumberField::showResult() {
+    const QString shown = result();
+    if (!shown.isEmpty() && hasFocus()) {
+        QToolTip::showText(mapToGlobal(rect().bottomLeft()), shown, this);
+    } else if (QToolTip::isVisible()) {
+        QToolTip::hideText();
+    }
+    describe();
+}
+
 void NumberField::evaluate() {
     std::optional<double> value;
     m_own = judge(value);
-    m_waits = !refused() && typing() && m_fits && value != m_settled && !m_fits(value);
+    m_waits = !refused() && typing() && value != m_settled
+              && (!result().isEmpty() || (m_fits && !m_fits(value)));
     if (refused() || m_waits) {
         value = m_settled; // never the beginning of a number that did not become one
     }
@@ -189,12 +225,18 @@ void NumberField::settle() {
     if (!refused() && m_value && text() != showNumber(*m_value, QLocale())) {
         showValue();
     }
+    if (QToolTip::isVisible() && hasFocus()) {
+        QToolTip::hideText(); // the result stands in the field
+    }
     updateRemark();
 }
 
 void NumberField::step(int steps) {
     if (refused()) {
         return;
+    }
+    if (!result().isEmpty()) {
+        settle();
     }
     const QString before = text();
     if (before.trimmed().isEmpty()) {
@@ -244,7 +286,7 @@ bool NumberField::event(QEvent* event) {
             return true;
         }
     }
-    return QLineEdit::event(event);
+    return CellsLineEdit::event(event);
 }
 
 void NumberField::keyPressEvent(QKeyEvent* event) {
@@ -254,7 +296,7 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
     } else if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) {
         step(event->key() == Qt::Key_Up ? 1 : -1);
     } else {
-        QLineEdit::keyPressEvent(event);
+        CellsLineEdit::keyPressEvent(event);
     }
 }
 
@@ -264,11 +306,11 @@ void NumberField::wheelEvent(QWheelEvent* event) {
 
 void NumberField::focusOutEvent(QFocusEvent* event) {
     settle();
-    QLineEdit::focusOutEvent(event);
+    CellsLineEdit::focusOutEvent(event);
 }
 
 void NumberField::paintEvent(QPaintEvent* event) {
-    QLineEdit::paintEvent(event);
+    CellsLineEdit::paintEvent(event);
     const Mark mark = remark().mark;
     if (mark != Mark::none) {
         QPainter painter(this);

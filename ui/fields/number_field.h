@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/field.h"
+#include "ui/fields/cells_line_edit.h"
 #include "ui/fields/mark.h"
 
-#include <QLineEdit>
 #include <QTimer>
 
 #include <functional>
@@ -32,7 +32,9 @@ struct NumberSpec {
 /// minus, and never changes what was typed: a text it cannot read or a value out of range stays
 /// there, marked with its reason, while value() keeps the last good one. While one types nothing is
 /// marked, and a value the other inputs do not go with waits: it may be the beginning of another.
-class NumberField : public QLineEdit {
+/// Arithmetic waits as well, its result shown below the field, and Enter puts the result in its
+/// place.
+class NumberField : public CellsLineEdit {
     Q_OBJECT
 
 public:
@@ -72,6 +74,10 @@ protected:
 private:
     void evaluate();
     [[nodiscard]] Remark judge(std::optional<double>& value) const;
+    [[nodiscard]] Remark judgeNumber(double value) const;
+    [[nodiscard]] std::optional<double> read() const; ///< what the text means
+    [[nodiscard]] QString result() const;             ///< of arithmetic, "= 0.125 mm"; else empty
+    void showResult();
     void step(int steps);
     void showValue();
     void endTyping();

@@ -10,6 +10,7 @@
 #include <QClipboard>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolTip>
 
 #include <clocale>
 #include <random>
@@ -251,6 +252,57 @@ private slots:
         QCOMPARE(field.remark().mark, Mark::none); // it may become another
         QTest::keyClick(&field, Qt::Key_Return);
         QCOMPARE(field.remark().mark, Mark::warning);
+    }
+
+    void arithmeticIsShownBelowAndTakenByEnter() {
+        QLocale::setDefault(QLocale(QLocale::Russian, QLocale::Russia));
+        NumberField field(spec({0, 100, true}));
+        field.show();
+        QApplication::setActiveWindow(&field);
+        field.reset(7);
+        QSignalSpy edited(&field, &NumberField::valueEdited);
+        typeOver(field, QStringLiteral("(30-29,6)/2"));
+        QCOMPARE(field.value().value(), 7.0); // a result waits
+        QCOMPARE(QToolTip::text(), QStringLiteral("= 0,2\u00a0mm"));
+        QVERIFY(field.accessibleDescription().contains(QStringLiteral("= 0,2")));
+        QTest::keyClick(&field, Qt::Key_Return);
+        QCOMPARE(field.text(), QStringLiteral("0,2"));
+        QCOMPARE(field.value().value(), 0.2);
+        QVERIFY(!edited.isEmpty());
+        QVERIFY(!field.accessibleDescription().contains(u'='));
+    }
+
+    void arithmeticIsTakenAfterAPauseAndStaysAsTyped() {
+        NumberField field(spec());
+        field.reset(7);
+        typeOver(field, QStringLiteral("12+0.3"));
+        QTRY_COMPARE(field.value().value(), 12.3);
+        QCOMPARE(field.text(), QStringLiteral("12+0.3"));
+        field.setValue(12.3); // as the document does
+        QCOMPARE(field.text(), QStringLiteral("12+0.3"));
+        QTest::keyClicks(&field, QStringLiteral("*2"));
+        QCOMPARE(field.value().value(), 7.0);
+        QTest::keyClick(&field, Qt::Key_Tab);
+        field.clearFocus();
+        QTRY_COMPARE(field.value().value(), 12.6);
+        QTest::keyClick(&field, Qt::Key_Up);
+        QCOMPARE(field.text(), QStringLiteral("12.7"));
+    }
+
+    void arithmeticThatFailsIsNamedAndKept() {
+        NumberField field(spec({0, 1, true}));
+        field.reset(0.5);
+        typeOver(field, QStringLiteral("1/0"));
+        QTest::keyClick(&field, Qt::Key_Return);
+        QCOMPARE(field.refusal(), QStringLiteral("division by zero"));
+        QCOMPARE(field.text(), QStringLiteral("1/0"));
+        QCOMPARE(field.value().value(), 0.5);
+        typeOver(field, QStringLiteral("1+1"));
+        QTest::keyClick(&field, Qt::Key_Return);
+        QVERIFY(field.refusal().startsWith(QStringLiteral("out of range")));
+        QCOMPARE(field.value().value(), 0.5);
+        QTest::keyClick(&field, Qt::Key_Escape);
+        QCOMPARE(field.text(), QStringLiteral("0.5"));
     }
 };
 

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/fields/cells_line_edit.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QGuiApplication>
+#include <QKeyEvent>
+#include <QMenu>
+
+namespace sparkout {
+
+/// A line of text is no block of cells, whatever parts its words.
+bool CellsLineEdit::takeCells() {
+    const QString text = QGuiApplication::clipboard()->text();
+    const PastedCells cells = PastedCells::of(text);
+    const bool block = text.trimmed().contains(u'\n') || text.trimmed().contains(u'\t');
+    if (!m_take || isReadOnly() || !block || cells.empty() || cells.single()) {
+        return false;
+    }
+    m_take(cells);
+    return true;
+}
+
+void CellsLineEdit::keyPressEvent(QKeyEvent* event) {
+    if (event->matches(QKeySequence::Paste) && takeCells()) {
+        event->accept();
+        return;
+    }
+    QLineEdit::keyPressEvent(event);
+}
+
+void CellsLineEdit::contextMenuEvent(QContextMenuEvent* event) {
+    QMenu* const menu = createStandardContextMenu();
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    if (auto* paste = menu->findChild<QAction*>(QStringLiteral("edit-paste")); paste && m_take) {
+        paste->disconnect(SIGNAL(triggered()));
+        paste->disconnect(SIGNAL(triggered(bool)));
+        connect(paste, &QAction::triggered, this, [this] {
+            if (!takeCells()) {
+                QLineEdit::paste();
+            }
+        });
+    }
+    menu->popup(event->globalPos());
+    event->accept();
+}
+
+} // namespace sparkout

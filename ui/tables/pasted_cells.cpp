@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tables/pasted_cells.h"
+
+#include "ui/text/number_text.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+/// Where the quotes of a cell that begins with one end; −1: they do not, it is a plain text.
+qsizetype closingQuote(const QString& text, qsizetype from) {
+    for (qsizetype i = from + 1; i < text.size(); ++i) {
+        if (text[i] == u'"') {
+            if (i + 1 < text.size() && text[i + 1] == u'"') {
+                ++i; // one of the cell's
+            } else {
+                return i;
+            }
+        }
+    }
+    return -1;
+}
+
+/// The rows of a text; a null separator parts nothing.
+std::vector<QStringList> rowsOf(const QString& text, QChar separator) {
+    std::vector<QStringList> rows(1);
+    QString cell;
+    const auto endCell = [&] { rows.back() << std::exchange(cell, QString()); };
+    bool begins = true; // a cell
+    for (qsizetype i = 0; i < text.size(); ++i) {
+        const QChar c = text[i];
+        const qsizetype close = begins && c == u'"' ? closingQuote(text, i) : -1;
+        begins = false;
+        if (close >= 0) {
+            cell += text.mid(i + 1, close - i - 1)
+                        .replace(QStringLiteral("\"\""), QStringLiteral("\""));
+            i = close;
+        } else if (c == u'\n') {
+            endCell();
+            rows.emplace_back();
+            begins = true;
+        } else if (!separator.isNull() && c == separator) {
+            endCell();
+            begins = true;
+        } else {
+            cell += c;
+        }
+    }
+    endCell();
+    return rows;
+}
+
+bool isNumberOrEmpty(const QString& cell) {
+    return cell.trimmed().isEmpty() || pastedNumber(cell);
+}
+
+/// Whether a comma parts cells: all rows have as many, numbers each, and one is no decimal number.
+bool commaPartsCells(const QString& text) {
+    const std::vector<QStringList> rows = rowsOf(text, u',');
+    bool sure = false;
+    for (const QStringList& row : rows) {
+        const bool blank = row.size() == 1 && row.front().trimmed().isEmpty();
+        if (blank) {
+            continue;
+        }
+        if (row.size() != rows.front().size() || row.size() < 2
+            || !std::all_of(row.begin(), row.end(), isNumberOrEmpty)) {
+            return false;
+        }
+        sure = sure || !pastedNumber(row.join(u','));
+    }
+    return sure;
+}
+
+/// Whether a character stands outside of quotes.
+bool partsCells(const QString& text, QChar separator) {
+    const std::vector<QStringList> rows = rowsOf(text, separator);
+    return std::any_of(rows.begin(), rows.end(),
+                       [](const QStringList& row) { return row.size() > 1; });
+}
+
+QChar cellSeparator(const QString& text) {
+    for (const QChar separator : {u'\t', u';'}) {
+        if (text.contains(separator) && partsCells(text, separator)) {
+            return separator;
+        }
+    }
+    return commaPartsCells(text) ? QChar(u',') : QChar();
+}
+
+} // namespace
+
+PastedCells PastedCells::of(const QString& text) {
+    QString lines = text;
+    lines.replace(QStringLiteral("\r\n"), QStringLiteral("\n"))
+        .replace(u'\r', u'\n')
+        .remove(QChar());
+    PastedCells cells{rowsOf(lines, cellSeparator(lines))};
+    const auto empty = [](const QStringList& row) {
+        return std::all_of(row.begin(), row.end(),
+                           [](const QString& cell) { return cell.trimmed().isEmpty(); });
+    };
+    while (!cells.rows.empty() && empty(cells.rows.back())) {
+        cells.rows.pop_back();
+    }
+    return cells;
+}
+
+QString PastedCells::text() const {
+    static const QRegularExpression special(QStringLiteral("[\t\n\r\";]"));
+    QString text;
+    for (const QStringList& row : rows) {
+        for (qsizetype i = 0; i < row.size(); ++i) {
+            QString cell = row[i];
+            if (cell.contains(special) || (cell.contains(u',') && !pastedNumber(cell))) {
+                cell = u'"' + cell.replace(QStringLiteral("\""), QStringLiteral("\"\"")) + u'"';
+            }
+            text += (i > 0 ? QStringLiteral("\t") : QString()) + cell;
+        }
+        text += u'\n';
+    }
+    return text;
+}
+
+std::vector<QString> PastedCells::inOrder() const {
+    std::vector<QString> cells;
+    for (const QStringList& row : rows) {
+        cells.insert(cells.end(), row.begin(), row.end());
+    }
+    return cells;
+}
+
+std::optional<double> pastedNumber(const QString& cell) {
+    static const QRegularExpression grouped(QStringLiteral(
+        "^[+\\-\u2212\u2013]?\\d{1,3}(?:[\u00a0\u202f\u2009\u2007]\\d{3})+(?:[.,]\\d*)?$"));
+    static const QRegularExpression gaps(QStringLiteral("[\u00a0\u202f\u2009\u2007]"));
+    QString text = cell.trimmed();
+    if (grouped.match(text).hasMatch()) {
+        text.remove(gaps);
+    }
+    return parseNumber(text);
+}
+
+} // namespace sparkout

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <optional>
+
+namespace sparkout {
+
+/// Arithmetic typed where a number is asked for: + − * / and brackets, numbers with a decimal point
+/// or comma. It is worked out in fractions of whole numbers and rounded once, so that (30-29,6)/2
+/// is the same double as 0,2.
+class Calculation {
+    Q_DECLARE_TR_FUNCTIONS(Calculation)
+
+public:
+    /// Nothing when the text has no operator and no bracket: it is a number or none.
+    [[nodiscard]] static std::optional<Calculation> of(const QString& text);
+
+    [[nodiscard]] std::optional<double> value() const { return m_value; }
+    /// Why there is no value, in the present language.
+    [[nodiscard]] const QString& fault() const { return m_fault; }
+
+private:
+    class Reader;
+    Calculation(std::optional<double> value, QString fault)
+        : m_value(value), m_fault(std::move(fault)) {}
+
+    std::optional<double> m_value;
+    QString m_fault;
+};
+
+} // namespace sparkout
