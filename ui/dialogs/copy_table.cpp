@@ -25,6 +25,13 @@ QString savingText(TableFormat format) {
     return tableFormatText(format);
 }
 
+const QKeySequence copyAllKey(Qt::CTRL | Qt::SHIFT | Qt::Key_C);
+
+void toClipboard(QString text) {
+    static const QRegularExpression minus(QStringLiteral("−(?=\\d)")); // spreadsheets read another
+    QGuiApplication::clipboard()->setText(text.replace(minus, QStringLiteral("-")));
+}
+
 } // namespace
 
 CopyTable::CopyTable(std::function<QString()> text, QWidget* parent)
@@ -46,8 +53,20 @@ CopyTable::CopyTable(std::function<QString()> text, QWidget* parent)
 }
 
 void CopyTable::copy() const {
-    static const QRegularExpression minus(QStringLiteral("−(?=\\d)")); // spreadsheets read another
-    QGuiApplication::clipboard()->setText(m_text().replace(minus, QStringLiteral("-")));
+    toClipboard(m_text());
+}
+
+void CopyTable::copySelected() const {
+    const QString text = m_text();
+    const QStringList lines = text.split(u'\n', Qt::SkipEmptyParts);
+    const int rows = model() ? model()->rowCount() : 0;
+    QString selected;
+    for (int row = 0; row < rows && lines.size() == rows + 1; ++row) {
+        if (selectionModel()->rowIntersectsSelection(row, {})) {
+            selected += lines[row + 1] + u'\n';
+        }
+    }
+    toClipboard(selected.isEmpty() ? text : selected);
 }
 
 void CopyTable::setSaving(std::function<CsvTable()> table, std::function<QString()> project,
@@ -58,12 +77,12 @@ void CopyTable::setSaving(std::function<CsvTable()> table, std::function<QString
 }
 
 void CopyTable::retranslate() {
-    setToolTip(tr("Ctrl+C copies the table; its menu saves it"));
+    setToolTip(tr("Ctrl+C copies the selected rows, Ctrl+Shift+C the table; its menu saves it"));
 }
 
 void CopyTable::keyPressEvent(QKeyEvent* event) {
-    if (event->matches(QKeySequence::Copy)) {
-        copy();
+    if (event->matches(QKeySequence::Copy) || event->keyCombination() == copyAllKey[0]) {
+        event->matches(QKeySequence::Copy) ? copySelected() : copy();
         event->accept();
         return;
     }
@@ -100,8 +119,12 @@ void CopyTable::save(TableFormat format) {
 void CopyTable::contextMenuEvent(QContextMenuEvent* event) {
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
+    QAction* rows = menu->addAction(tr("Copy the selected rows"));
+    rows->setShortcut(QKeySequence::Copy); // shown, and while the menu is open
+    rows->setEnabled(selectionModel() && selectionModel()->hasSelection());
+    connect(rows, &QAction::triggered, this, [this] { copySelected(); });
     QAction* action = menu->addAction(tr("Copy the table"));
-    action->setShortcut(QKeySequence::Copy); // shown, and while the menu is open
+    action->setShortcut(copyAllKey);
     connect(action, &QAction::triggered, this, [this] { copy(); });
     addSaving(*menu);
     menu->popup(event->globalPos());

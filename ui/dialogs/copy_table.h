@@ -11,8 +11,10 @@ class QMenu;
 
 namespace sparkout {
 
-/// A table to read on a page that scrolls as one: no grid, no scroll bar down its side, and as a
-/// whole it goes to a spreadsheet with Ctrl+C or the context menu, which saves it as a file, too.
+/// A table to read on a page that scrolls as one: no grid, no scroll bar down its side. Its
+/// selected rows go to a spreadsheet with Ctrl+C, the whole with its heads with Ctrl+Shift+C or,
+/// where no row is selected, with Ctrl+C, too; the context menu does both and saves the table as a
+/// file.
 class CopyTable : public QTableView {
     Q_OBJECT
 public:
@@ -23,8 +25,9 @@ public:
     /// empty table is not offered.
     void setSaving(std::function<CsvTable()> table, std::function<QString()> project,
                    Settings* settings);
-    void copy() const;
-    void retranslate(); ///< the tool tip; the owner names the table
+    void copy() const;         ///< all of it, with its heads
+    void copySelected() const; ///< the selected rows; where none is, all of it
+    void retranslate();        ///< the tool tip; the owner names the table
 
 signals:
     void resized();

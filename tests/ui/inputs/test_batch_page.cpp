@@ -10,10 +10,13 @@
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/fields/number_field.h"
+#include "ui/fields/reason_label.h"
 #include "ui/inputs/forms/factor_box.h"
 #include "ui/inputs/inputs_panel.h"
 
+#include <QApplication>
 #include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
 #include <QFile>
 #include <QPushButton>
@@ -234,6 +237,38 @@ private slots:
         QVERIFY(checkBatch(page.project()).empty());
         page.type("/batch/correlation/1/0", "0");
         QVERIFY(!page.batch().correlation);
+    }
+
+    void aMatrixOfCorrelationsIsPastedWhole() {
+        Page page(fixtures::shaftBatch(50));
+        const auto paste = [&page](const char* path, const char* text) {
+            QApplication::clipboard()->setText(QString::fromUtf8(text));
+            page.form().showPath(path, true);
+            QTest::keySequence(page.find<NumberField>(path), QKeySequence::Paste);
+            page.bench.settle();
+        };
+        const auto reason = [&page] {
+            for (const auto* label : page.form().findChildren<ReasonLabel*>()) {
+                if (label->isVisible() && label->text().startsWith(QStringLiteral("Not pasted"))) {
+                    return label->text();
+                }
+            }
+            return QString();
+        };
+        paste("/batch/correlation/1/0", "1\t0,3\t-0,1\n0,3\t1\t0,2\n\u22120,1\t0,2\t1\n");
+        const std::vector<std::vector<double>> matrix{
+            {1, 0.3, -0.1}, {0.3, 1, 0.2}, {-0.1, 0.2, 1}};
+        QCOMPARE(*page.batch().correlation, matrix);
+        page.undo();
+        QVERIFY(!page.batch().correlation);
+        paste("/batch/correlation/1/0", "1\t0,3\t0\n0,4\t1\t0\n0\t0\t1\n");
+        QVERIFY2(reason().contains(QStringLiteral("row 1, column 2")), qPrintable(reason()));
+        paste("/batch/correlation/2/0", "0,3\n1,4\n"); // down from here
+        QVERIFY2(reason().contains(QStringLiteral("1,4")), qPrintable(reason()));
+        QVERIFY(!page.batch().correlation);
+        paste("/batch/correlation/2/0", "0,3\n0,4\n");
+        const std::vector<std::vector<double>> lower{{1, 0, 0.3}, {0, 1, 0.4}, {0.3, 0.4, 1}};
+        QCOMPARE(*page.batch().correlation, lower);
     }
 
     void aMatrixOfUnequalRowsDoesNoHarm() {

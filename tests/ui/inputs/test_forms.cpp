@@ -7,6 +7,7 @@
 #include "core/project/wheel.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
+#include "core/study/search_edits.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/editors/choice_editor.h"
 #include "ui/inputs/forms/form_page.h"
@@ -24,6 +25,7 @@
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QClipboard>
 #include <QGroupBox>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -100,6 +102,46 @@ private slots:
             QCOMPARE(unitText(ranges.find(range)->unit), unit);
             QVERIFY2(limitsOf(*ranges.find(range)).contains(unit), range);
         }
+    }
+
+    void aColumnOfASpreadsheetBecomesAListOrIsRefusedWithItsCell() {
+        QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
+        Document document;
+        document.startUntitled(withUsualSearch(newProject(Operation::traverse)));
+        FormPage page(Page::search, document);
+        page.show();
+        auto* line = page.findChild<QLineEdit*>(QStringLiteral("/optimisation/radial_feed_mm"));
+        QVERIFY(line);
+        const auto stored = [&document] { return document.project().optimisation->radial_feed_mm; };
+        const Levels before = stored();
+        const auto paste = [line](const char* text) {
+            QApplication::clipboard()->setText(QString::fromUtf8(text));
+            line->setFocus();
+            QTest::keySequence(line, QKeySequence::Paste);
+        };
+        const auto refusal = [&page] {
+            for (const FormRow* row : page.rows()) {
+                if (row->editor().path() == "/optimisation/radial_feed_mm") {
+                    return row->editor().remark().reason;
+                }
+            }
+            return QString();
+        };
+        paste("0,002\n0,003\nabc\n");
+        QVERIFY2(refusal().contains(QStringLiteral("row 3: “abc” is not a number")),
+                 qPrintable(refusal()));
+        QCOMPARE(stored(), before);
+        QVERIFY(!document.canUndo());
+        paste("0,002\n7\n");
+        QVERIFY2(refusal().contains(QStringLiteral("row 2: “7” is out of range; allowed: ")),
+                 qPrintable(refusal()));
+        paste("0,002\t0.003\t0,004\r\n");
+        QCOMPARE(stored(), Levels(std::vector{0.002, 0.003, 0.004}));
+        QCOMPARE(line->text(), QStringLiteral("0.002; 0.003; 0.004"));
+        QVERIFY(refusal().isEmpty());
+        document.undo();
+        QCOMPARE(stored(), before);
+        QVERIFY(!document.canUndo());
     }
 
     void aNumberOfSectionsTypedDigitByDigitKeepsTheirCompliance() {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/editors/line_editor.h"
 
+#include "ui/fields/cells_line_edit.h"
 #include "ui/session/document.h"
 #include "ui/text/texts.h"
-
-#include <QLineEdit>
 
 namespace sparkout {
 
 LineEditor::LineEditor(const std::string& path, const Field& field, Document& document,
                        QWidget* parent)
-    : FieldEditor(path, field, document), m_line(new QLineEdit(parent)) {
+    : FieldEditor(path, field, document), m_line(new CellsLineEdit(parent)) {
     m_line->installEventFilter(this);
+    m_line->setTakesCells([this](const PastedCells& cells) { takeCells(cells); });
     connect(m_line, &QLineEdit::textEdited, this, &LineEditor::take);
     connect(m_line, &QLineEdit::editingFinished, this, [this] {
         this->document().endMerge();
@@ -27,7 +27,19 @@ void LineEditor::take() {
     refuse(accept(m_line->text()));
 }
 
-void LineEditor::refuse(const QString& reason) {
+void LineEditor::takeCells(const PastedCells& cells) {
+    const CellsText meant = textOf(cells);
+    document().endMerge();
+    const QString reason = meant.fault.isEmpty() ? accept(meant.text) : meant.fault;
+    document().endMerge();
+    if (reason.isEmpty()) {
+        m_line->setText(meant.text);
+    }
+    refuse(reason, Shown::atOnce);
+}
+
+void LineEditor::refuse(const QString& reason, Shown shown) {
+    m_shown = shown;
     m_kept = storedText();
     m_refused = reason;
     emit remarkChanged();
@@ -53,8 +65,8 @@ void LineEditor::retranslate() {
 }
 
 Remark LineEditor::remark() const {
-    return m_refused.isEmpty() || m_line->hasFocus() ? FieldEditor::remark()
-                                                     : Remark{Mark::error, m_refused};
+    const bool typing = m_shown == Shown::onLeaving && m_line->hasFocus();
+    return m_refused.isEmpty() || typing ? FieldEditor::remark() : Remark{Mark::error, m_refused};
 }
 
 } // namespace sparkout

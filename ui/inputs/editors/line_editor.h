@@ -2,10 +2,11 @@
 #pragma once
 
 #include "ui/inputs/editors/field_editor.h"
-
-class QLineEdit;
+#include "ui/tables/pasted_cells.h"
 
 namespace sparkout {
+
+class CellsLineEdit;
 
 /// A member of several numbers in one line of text. A text it cannot read stays there, marked with
 /// its reason, while the document keeps the last good value.
@@ -30,12 +31,21 @@ protected:
     [[nodiscard]] virtual bool isStored(const QString& text) const = 0;
     /// Takes a text to the document, or gives the reason why not.
     [[nodiscard]] virtual QString accept(const QString& text) = 0;
+    /// The text that several pasted cells mean, or why they mean none.
+    struct CellsText {
+        QString text = {};
+        QString fault = {};
+    };
+    [[nodiscard]] virtual CellsText textOf(const PastedCells& cells) const = 0;
 
 private:
     void take();
-    void refuse(const QString& reason);
+    void takeCells(const PastedCells& cells); ///< in place of all that is there, or not at all
+    enum class Shown { onLeaving, atOnce };
+    void refuse(const QString& reason, Shown shown = Shown::onLeaving);
 
-    QLineEdit* m_line;
+    CellsLineEdit* m_line;
+    Shown m_shown = Shown::onLeaving;
     QString m_refused; ///< why the text was not taken; empty when it was
     QString m_kept;    ///< the document's value when that happened
 };

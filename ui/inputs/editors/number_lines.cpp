@@ -4,6 +4,7 @@
 #include "core/project/batch_rules.h"
 #include "ui/fields/reason_label.h"
 #include "ui/inputs/editors/form_metrics.h"
+#include "ui/inputs/editors/pasted_numbers.h"
 #include "ui/kit/font_size.h"
 #include "ui/session/document.h"
 #include "ui/text/texts.h"
@@ -81,6 +82,7 @@ void NumberLines::connectRow(std::size_t index) {
     field->setFits([this, index](std::optional<double> value) {
         return index >= m_rows.size() || fits(m_rows[index].line, value);
     });
+    field->setTakesCells([this, index](const PastedCells& cells) { paste(index, cells); });
     connect(field, &NumberField::valueEdited, this, [this, index, field] {
         const Line& line = m_rows[index].line;
         Project project = m_document.project();
@@ -93,6 +95,42 @@ void NumberLines::connectRow(std::size_t index) {
         emit refusalsChanged();
     });
     connect(field, &QLineEdit::editingFinished, this, [this] { m_document.endMerge(); });
+}
+
+void NumberLines::paste(std::size_t index, const PastedCells& cells) {
+    for (const Row& row : m_rows) { // what was said of cells pasted before
+        row.reason->showRemark(row.field->remark());
+    }
+    QString fault;
+    const std::vector<QString> texts = m_order(cells, fault);
+    Project project = m_document.project();
+    if (fault.isEmpty()) {
+        fault = pasteInto(project, texts.size() == m_rows.size() ? 0 : index, texts);
+    }
+    if (fault.isEmpty()) {
+        m_document.endMerge();
+        m_document.edit(std::move(project), {"Input", m_editText});
+        showProject(true);
+    } else {
+        m_rows[index].reason->showRemark({Mark::error, tr("Not pasted: %1").arg(fault)});
+    }
+}
+
+QString NumberLines::pasteInto(Project& project, std::size_t first,
+                               const std::vector<QString>& cells) const {
+    if (first + cells.size() > m_rows.size()) {
+        return tr("%n cell(s) too many", nullptr,
+                  static_cast<int>(first + cells.size() - m_rows.size()));
+    }
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const Line& line = m_rows[first + i].line;
+        const PastedNumbers number({{{cells[i]}}}, line.spec.hard, line.spec.unit);
+        if (!number.fault().isEmpty()) {
+            return tr("%1: %2", "label of a number: reason").arg(line.label(), number.fault());
+        }
+        line.set(project, number.rows()[0][0]);
+    }
+    return {};
 }
 
 /// Whether a value brings no fault of the batch that is not there.

@@ -4,11 +4,13 @@
 #include "core/issue.h"
 #include "ui/fields/number_field.h"
 #include "ui/fields/refusal.h"
+#include "ui/tables/pasted_cells.h"
 
 #include <QWidget>
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class QGridLayout;
@@ -20,7 +22,8 @@ class Document;
 class ReasonLabel;
 
 /// Numbers below each other in a box, each with label, unit and the reason of its mark, that read
-/// and change the project by functions instead of a table's row.
+/// and change the project by functions instead of a table's row. Cells pasted into one fill it and
+/// those below it.
 class NumberLines : public QWidget {
     Q_OBJECT
 
@@ -37,6 +40,10 @@ public:
 
     NumberLines(Document& document, const char* editText, QWidget* parent = nullptr);
 
+    /// How pasted cells are put into the order of the lines; otherwise row by row. A matrix may
+    /// have a fault of its own.
+    using Order = std::function<std::vector<QString>(const PastedCells& cells, QString& fault)>;
+    void setOrder(Order order) { m_order = std::move(order); }
     void setOwner(std::function<QString()> owner); ///< whose numbers, for their accessible names
     /// Builds the lines anew unless they are those that stand there.
     void setLines(std::vector<Line> lines);
@@ -61,12 +68,16 @@ private:
     };
     void addRow(Line line);
     void connectRow(std::size_t index);
+    void paste(std::size_t index, const PastedCells& cells); ///< all or, with a reason, none
+    [[nodiscard]] QString pasteInto(Project& project, std::size_t first,
+                                    const std::vector<QString>& cells) const;
     [[nodiscard]] bool fits(const Line& line, std::optional<double> value) const;
     void retranslate(const Row& row);
 
     Document& m_document;
     const char* m_editText;
     std::function<QString()> m_owner;
+    Order m_order = [](const PastedCells& cells, QString&) { return cells.inOrder(); };
     QGridLayout* m_grid = nullptr;
     QWidget* m_body = nullptr;
     std::vector<Row> m_rows;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/editors/numbers_editor.h"
 
+#include "ui/inputs/editors/pasted_numbers.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
@@ -126,6 +127,11 @@ QString NumbersEditor::fault(const Levels& levels) const {
     return fits([this, &levels](void* to) { put(levels, to); })
                ? QString()
                : tr("the other inputs do not go with these values");
+}
+
+NumbersEditor::CellsText NumbersEditor::textOf(const PastedCells& cells) const {
+    const PastedNumbers numbers(cells, field().stated(), field().unit);
+    return {joinedNumbers(numbers.inOrder()), numbers.fault()};
 }
 
 QString NumbersEditor::accept(const QString& text) {

@@ -1,27 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/editors/rows_editor.h"
 
+#include "ui/inputs/editors/pasted_numbers.h"
 #include "ui/text/number_text.h"
 
 #include <QLocale>
 
 namespace sparkout {
 
-const NumberRows& RowsEditor::stored() const {
-    return field().as<NumberRows>(owner());
-}
+namespace {
 
-QString RowsEditor::storedText() const {
-    const NumberRows& rows = stored();
+QString joinedRows(const std::vector<std::vector<double>>& rows) {
     QStringList lines;
-    for (std::size_t i = 0; rows && i < rows->size(); ++i) {
+    for (const std::vector<double>& row : rows) {
         QStringList numbers;
-        for (const double value : (*rows)[i]) {
+        for (const double value : row) {
             numbers += showNumber(value, QLocale());
         }
         lines += numbers.join(u' ');
     }
     return lines.join(QStringLiteral("; "));
+}
+
+} // namespace
+
+const NumberRows& RowsEditor::stored() const {
+    return field().as<NumberRows>(owner());
+}
+
+QString RowsEditor::storedText() const {
+    return stored() ? joinedRows(*stored()) : QString();
 }
 
 std::optional<NumberRows> RowsEditor::rowsOf(const QString& text) const {
@@ -49,6 +57,11 @@ std::optional<NumberRows> RowsEditor::rowsOf(const QString& text) const {
 bool RowsEditor::isStored(const QString& text) const {
     const std::optional<NumberRows> rows = rowsOf(text);
     return rows && *rows == stored();
+}
+
+RowsEditor::CellsText RowsEditor::textOf(const PastedCells& cells) const {
+    const PastedNumbers numbers(cells, field().stated(), "");
+    return {joinedRows(numbers.rows()), numbers.fault()};
 }
 
 QString RowsEditor::accept(const QString& text) {

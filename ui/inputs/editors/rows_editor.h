@@ -19,6 +19,7 @@ protected:
     [[nodiscard]] QString storedText() const override;
     [[nodiscard]] bool isStored(const QString& text) const override;
     [[nodiscard]] QString accept(const QString& text) override;
+    [[nodiscard]] CellsText textOf(const PastedCells& cells) const override;
 
 private:
     /// The rows of a text; nothing when it has none of the right count.

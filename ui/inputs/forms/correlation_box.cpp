@@ -8,10 +8,13 @@
 #include "ui/inputs/editors/hint_strip.h"
 #include "ui/inputs/editors/number_lines.h"
 #include "ui/session/document.h"
+#include "ui/tables/pasted_cells.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/texts.h"
 
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace sparkout {
 
@@ -40,6 +43,8 @@ CorrelationBox::CorrelationBox(std::string path, const Field& field, int depth, 
     setHintField(*this, field);
     rows().addWidget(m_numbers);
     rows().addWidget(m_reason);
+    m_numbers->setOrder(
+        [this](const PastedCells& cells, QString& fault) { return orderOf(cells, fault); });
     connect(m_numbers, &NumberLines::refusalsChanged, this, &InputBox::refusalsChanged);
 }
 
@@ -75,6 +80,40 @@ void CorrelationBox::showProject(bool replaced) {
     setVisible(!lines.empty());
     m_numbers->setLines(std::move(lines));
     m_numbers->showProject(replaced);
+}
+
+/// The cells of a whole matrix below its diagonal, as the lines stand; of any other block all.
+std::vector<QString> CorrelationBox::orderOf(const PastedCells& cells, QString& fault) const {
+    const std::vector<GivenFactor> given = givenFactors(m_document.project());
+    const auto size = static_cast<qsizetype>(given.size());
+    const bool square = size > 1 && cells.rows.size() == given.size()
+                        && std::ranges::all_of(cells.rows, [size](const QStringList& row) {
+                               return row.size() == size;
+                           });
+    if (!square) {
+        return cells.inOrder();
+    }
+    std::vector<QString> ordered;
+    for (qsizetype i = 0; i < size; ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        if (pastedNumber(cells.rows[row][i]).value_or(1) != 1) {
+            fault = tr("row %1, column %1: “%2” is not 1").arg(i + 1).arg(cells.rows[row][i]);
+            return {};
+        }
+        for (qsizetype j = 0; j < i; ++j) {
+            const QString below = cells.rows[row][j];
+            const QString above = cells.rows[static_cast<std::size_t>(j)][i];
+            if (!above.trimmed().isEmpty() && pastedNumber(above) != pastedNumber(below)) {
+                fault = tr("row %1, column %2: “%3” is not what stands across the diagonal, “%4”")
+                            .arg(QString::number(j + 1), QString::number(i + 1), above, below);
+                return {};
+            }
+            if (!given[row].isLaw() && !given[static_cast<std::size_t>(j)].isLaw()) {
+                ordered.push_back(below);
+            }
+        }
+    }
+    return ordered;
 }
 
 void CorrelationBox::setOutcome(const OutcomePtr& outcome) {

@@ -2,6 +2,12 @@
 #pragma once
 
 #include "ui/inputs/forms/input_box.h"
+#include "ui/tables/pasted_cells.h"
+
+#include <QString>
+
+#include <string>
+#include <vector>
 
 namespace sparkout {
 
@@ -26,6 +32,8 @@ public:
     void focusPath(const std::string& path) override;
 
 private:
+    [[nodiscard]] std::vector<QString> orderOf(const PastedCells& cells, QString& fault) const;
+
     std::string m_path;
     const Field& m_field;
     Document& m_document;

@@ -4,6 +4,7 @@
 #include "core/project/member.h"
 #include "ui/inputs/forms/column_header.h"
 #include "ui/session/document.h"
+#include "ui/tables/pasted_cells.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
@@ -11,6 +12,10 @@
 #include <QGuiApplication>
 #include <QPalette>
 #include <QRegularExpression>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace sparkout {
 
@@ -234,6 +239,62 @@ QString ListModel::tableText() const {
                      .join(u'\t');
     }
     return lines.join(u'\n') + u'\n';
+}
+
+QString ListModel::cellsText(const QModelIndexList& cells) const {
+    QMap<int, QMap<int, QString>> texts;
+    for (const QModelIndex& cell : cells) {
+        const bool unused = isField(cell) && !relevant(cell);
+        texts[cell.row()][cell.column()] = unused ? QString() : cell.data().toString();
+    }
+    PastedCells copied;
+    for (const QMap<int, QString>& row : std::as_const(texts)) {
+        copied.rows.push_back(row.values());
+    }
+    return copied.text();
+}
+
+std::size_t ListModel::lastRowsKept(const std::vector<const Field*>&) const {
+    return 0;
+}
+
+void ListModel::resizeRows(Project& project, std::size_t rows, std::size_t) const {
+    void* const owner = findMember(project, m_path).owner;
+    const std::size_t before = m_list.size(owner);
+    m_list.resize(owner, rows);
+    for (std::size_t i = std::max<std::size_t>(before, 1); i < rows; ++i) {
+        for (const Field& field : m_list.nested->fields) {
+            setNumberIn(field, m_list.at(owner, i), numberIn(field, m_list.itemIn(owner, i - 1)));
+        }
+    }
+}
+
+QString ListModel::takeText(Project& project, int row, const Field& column,
+                            const QString& text) const {
+    const Member member = findMember(project, rowPath(row) + "/" + column.key);
+    if (column.relevant && !column.relevant(project, member.owner)) {
+        return text.isEmpty() || text == QStringLiteral("—")
+                   ? QString()
+                   : tr("“%1” has no place, the row does not use this column").arg(text);
+    }
+    const Range& allowed = column.allowed(project, member.owner);
+    const std::optional<double> value = pastedNumber(text);
+    const bool whole = column.kind == Kind::integer || column.kind == Kind::optionalInteger;
+    QString reason;
+    if (text.isEmpty()) {
+        reason = tr("a number is missing; allowed: %1");
+    } else if (!value) {
+        reason = tr("“%2” is not a number; allowed: %1");
+    } else if (whole && *value != std::floor(*value)) {
+        reason = tr("“%2” is not a whole number; allowed: %1");
+    } else if (!allowed.contains(*value)) {
+        reason = tr("“%2” is out of range; allowed: %1");
+    } else {
+        setNumberIn(column, member.owner, value);
+        return {};
+    }
+    const QString range = rangeShown(allowed, column.unit);
+    return text.isEmpty() ? reason.arg(range) : reason.arg(range, text);
 }
 
 void ListModel::update(bool replaced) {

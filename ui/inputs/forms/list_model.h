@@ -8,6 +8,7 @@
 
 #include <QAbstractTableModel>
 #include <QMap>
+#include <QModelIndexList>
 
 #include <optional>
 #include <string>
@@ -53,6 +54,19 @@ public:
 
     void setIssues(const Issues& issues);
     [[nodiscard]] QString tableText() const; ///< with its heads, tab-separated, for spreadsheets
+    [[nodiscard]] QString cellsText(const QModelIndexList& cells) const; ///< a block of cells
+
+    // For what is pasted.
+    [[nodiscard]] const std::vector<const Field*>& columns() const { return m_columns; }
+    /// Rows that stay at the end when rows are added whose given columns are these.
+    [[nodiscard]] virtual std::size_t lastRowsKept(const std::vector<const Field*>& given) const;
+    /// Gives the list of a project so many rows; of these `last` stay at the end. A new row is a
+    /// copy of the one before it.
+    virtual void resizeRows(Project& project, std::size_t rows, std::size_t last) const;
+    /// Puts the text of a cell into a project; why not, where it does not go.
+    [[nodiscard]] virtual QString takeText(Project& project, int row, const Field& column,
+                                           const QString& text) const;
+
     void update(bool replaced); ///< takes the document's items; replaced: drops refused texts
     void retranslate();
 
@@ -66,6 +80,7 @@ protected:
     [[nodiscard]] virtual QVariant resultData(const QModelIndex& index, int role) const;
     [[nodiscard]] virtual QVariant resultHeader(int column, int role) const;
     [[nodiscard]] Document& document() const { return m_document; }
+    [[nodiscard]] std::string rowPath(int row) const;
 
 private:
     struct Refused {
@@ -74,7 +89,6 @@ private:
     };
     using Cell = std::pair<int, const Field*>;
 
-    [[nodiscard]] std::string rowPath(int row) const;
     [[nodiscard]] QVariant fieldData(const QModelIndex& index, int role) const;
     [[nodiscard]] Project withNumber(const QModelIndex& index, std::optional<double> value) const;
     [[nodiscard]] std::vector<const Field*> relevantColumns() const;

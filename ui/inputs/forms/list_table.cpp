@@ -7,10 +7,12 @@
 #include "ui/inputs/forms/column_header.h"
 #include "ui/inputs/forms/list_delegate.h"
 #include "ui/inputs/forms/list_model.h"
+#include "ui/inputs/forms/list_paste.h"
 #include "ui/inputs/forms/row_sliders.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/theme_icon.h"
+#include "ui/tables/pasted_cells.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/texts.h"
 
@@ -27,6 +29,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace sparkout {
@@ -34,10 +37,16 @@ namespace sparkout {
 namespace {
 
 constexpr int shownRows = 8;
+constexpr qsizetype shownFaults = 5; ///< of what was not pasted
+const QKeySequence copyTableKey(Qt::CTRL | Qt::SHIFT | Qt::Key_C);
+
+bool isCopyTable(const QKeyEvent& key) {
+    return key.keyCombination() == copyTableKey[0];
+}
 
 void setUpView(QTableView& view) {
     view.setSelectionBehavior(QAbstractItemView::SelectItems);
-    view.setSelectionMode(QAbstractItemView::SingleSelection);
+    view.setSelectionMode(QAbstractItemView::ContiguousSelection);
     // Not SelectedClicked: it waits for a double click, and keys typed meanwhile would search.
     view.setEditTriggers(QAbstractItemView::AnyKeyPressed | QAbstractItemView::DoubleClicked
                          | QAbstractItemView::EditKeyPressed);
@@ -119,6 +128,7 @@ void ListTable::showCurrent() {
 void ListTable::takeProject() {
     const int row = m_wanted.value_or(m_replaced ? 0 : std::max(0, currentRow()));
     const int column = m_view->currentIndex().column();
+    m_notPasted.clear();
     m_model->update(m_replaced || m_wanted);
     m_replaced = false;
     m_wanted.reset();
@@ -251,11 +261,20 @@ void ListTable::setIssues(const Issues& issues) {
 void ListTable::updateReasons() {
     QStringList lines;
     const QPalette colors = m_title->palette();
-    const auto add = [&](Mark mark, const std::string& path, const QString& reason) {
-        lines += QStringLiteral("<span style=\"color:%1\">%2</span>")
-                     .arg(markColor(mark, colors).name(),
-                          tr("%1: %2").arg(locationText(path), reason).toHtmlEscaped());
+    const auto line = [&colors](Mark mark, const QString& text) {
+        return QStringLiteral("<span style=\"color:%1\">%2</span>")
+            .arg(markColor(mark, colors).name(), text.toHtmlEscaped());
     };
+    const auto add = [&](Mark mark, const std::string& path, const QString& reason) {
+        lines += line(mark, tr("%1: %2").arg(locationText(path), reason));
+    };
+    for (qsizetype i = 0; i < std::min(m_notPasted.size(), shownFaults); ++i) {
+        lines += line(Mark::error, tr("Not pasted: %1").arg(m_notPasted[i]));
+    }
+    if (m_notPasted.size() > shownFaults) {
+        lines += line(Mark::error, tr("Not pasted: %n further cell(s)", nullptr,
+                                      static_cast<int>(m_notPasted.size() - shownFaults)));
+    }
     for (const Refusal& refusal : m_model->refusals()) {
         add(Mark::error, refusal.path, refusal.reason);
     }
@@ -353,14 +372,31 @@ void ListTable::fitHeight() {
 
 bool ListTable::takeKey(const QKeyEvent& key) {
     const bool control = key.modifiers() & Qt::ControlModifier;
-    if (key.matches(QKeySequence::Copy)) {
-        copyTable();
-    } else if (key.key() == Qt::Key_Insert && !control) {
+    if (takeClipboardKey(key)) {
+        return true;
+    }
+    if (key.key() == Qt::Key_Escape && !m_notPasted.isEmpty()) {
+        m_notPasted.clear();
+        updateReasons();
+    } else if (key.key() == Qt::Key_Insert && key.modifiers() == Qt::NoModifier) {
         addRow();
     } else if (key.key() == Qt::Key_Delete) {
         control ? removeRow() : clearCell();
     } else if (control && (key.key() == Qt::Key_Up || key.key() == Qt::Key_Down)) {
         moveRow(key.key() == Qt::Key_Up ? -1 : 1);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+bool ListTable::takeClipboardKey(const QKeyEvent& key) {
+    if (isCopyTable(key)) {
+        copyTable();
+    } else if (key.matches(QKeySequence::Copy)) {
+        copyCells();
+    } else if (key.matches(QKeySequence::Paste)) {
+        paste();
     } else {
         return false;
     }
@@ -388,6 +424,50 @@ void ListTable::clearCell() {
     }
 }
 
+void ListTable::copyCells() const {
+    const QModelIndexList cells = m_view->selectionModel()->selectedIndexes();
+    if (!cells.isEmpty()) {
+        QGuiApplication::clipboard()->setText(m_model->cellsText(cells));
+    }
+}
+
+void ListTable::paste() {
+    PastedCells cells = PastedCells::of(QGuiApplication::clipboard()->text());
+    m_notPasted.clear();
+    updateReasons();
+    if (cells.empty()) {
+        return;
+    }
+    const QModelIndexList selected = m_view->selectionModel()->selectedIndexes();
+    const QModelIndex at = selected.isEmpty() ? m_view->currentIndex()
+                                              : *std::min_element(selected.begin(), selected.end());
+    const int pastedRows = static_cast<int>(cells.rows.size());
+    const int column = std::max(0, at.column());
+    const int width = static_cast<int>(cells.rows.front().size());
+    ListPaste pasted(*m_model, m_path, m_list, m_document.project());
+    pasted.paste(std::move(cells), at);
+    if (pasted.project()) {
+        apply(*pasted.project(), {"Edit", QT_TRANSLATE_NOOP("Edit", "Paste")}, pasted.firstRow());
+        selectBlock(pasted.firstRow(), column, pastedRows, width);
+        return;
+    }
+    m_notPasted = pasted.faults();
+    updateReasons();
+}
+
+/// What was pasted, with its first cell as the current one.
+void ListTable::selectBlock(int row, int column, int rows, int columns) {
+    const int lastRow = std::min(row + rows, this->rows()) - 1;
+    const int lastColumn = std::min(column + columns, m_model->columnCount()) - 1;
+    if (row <= lastRow && column <= lastColumn) {
+        m_view->selectionModel()->setCurrentIndex(m_model->index(row, column),
+                                                  QItemSelectionModel::NoUpdate);
+        m_view->selectionModel()->select(
+            {m_model->index(row, column), m_model->index(lastRow, lastColumn)},
+            QItemSelectionModel::ClearAndSelect);
+    }
+}
+
 void ListTable::copyTable() const {
     QGuiApplication::clipboard()->setText(m_model->tableText());
 }
@@ -401,7 +481,15 @@ void ListTable::showMenu(const QPoint& at) {
         connect(action, &QAction::triggered, button, &QToolButton::click);
     }
     menu->addSeparator();
-    connect(menu->addAction(tr("&Copy the table")), &QAction::triggered, this,
+    const auto add = [menu](const QString& text, const QKeySequence& key) {
+        QAction* action = menu->addAction(text);
+        action->setShortcut(key); // shown, and while the menu is open
+        return action;
+    };
+    connect(add(tr("Copy the &selected cells"), QKeySequence::Copy), &QAction::triggered, this,
+            &ListTable::copyCells);
+    connect(add(tr("&Paste"), QKeySequence::Paste), &QAction::triggered, this, &ListTable::paste);
+    connect(add(tr("&Copy the table"), copyTableKey), &QAction::triggered, this,
             &ListTable::copyTable);
     menu->popup(at);
 }
@@ -418,8 +506,10 @@ bool ListTable::eventFilter(QObject* watched, QEvent* event) {
         }
     }
     if (watched == m_view && event->type() == QEvent::ShortcutOverride) {
-        // Copying is the table's while it has the focus.
-        event->setAccepted(static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy));
+        // Copying and pasting are the table's while it has the focus.
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        event->setAccepted(key.matches(QKeySequence::Copy) || key.matches(QKeySequence::Paste)
+                           || isCopyTable(key));
         return event->isAccepted();
     }
     if (watched == m_view && event->type() == QEvent::KeyPress

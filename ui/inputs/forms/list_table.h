@@ -24,9 +24,9 @@ class ListModel;
 class RowSliders;
 
 /// A list of structs: a table to edit in place, with buttons and keys to add (Ins), remove
-/// (Ctrl+Del) and move (Ctrl+Up, Ctrl+Down) a row, to clear a cell (Del) and to copy the table
-/// (Ctrl+C); below it the sliders of the selected row. As it stands it serves lists whose items
-/// hold numbers only.
+/// (Ctrl+Del) and move (Ctrl+Up, Ctrl+Down) a row, to clear a cell (Del), to copy the selected
+/// cells (Ctrl+C) or the table with its heads (Ctrl+Shift+C) and to paste cells (Ctrl+V); below it
+/// the sliders of the selected row. As it stands it serves lists whose items hold numbers only.
 class ListTable : public QWidget {
     Q_OBJECT
 
@@ -37,7 +37,7 @@ public:
 
     [[nodiscard]] const std::string& path() const { return m_path; }
     void setIssues(const Issues& issues);
-    void retranslate();
+    virtual void retranslate();
     [[nodiscard]] std::vector<Refusal> refusals() const;
     bool dropRefusal(const std::string& path);
     [[nodiscard]] bool holds(const std::string& path) const;
@@ -48,7 +48,9 @@ public:
     virtual void removeRow();
     virtual void moveRow(int by);
     virtual void clearCell();
-    void copyTable() const; ///< to the clipboard, for spreadsheets
+    void copyCells() const; ///< the selected ones, to the clipboard, for spreadsheets
+    void copyTable() const; ///< with its heads
+    void paste();           ///< from the selected cell on: all cells or, with reasons, none
 
 signals:
     void refusalsChanged();
@@ -87,6 +89,8 @@ private:
     void takeProject();
     void showCurrent(); ///< what belongs to the selected cell
     bool takeKey(const QKeyEvent& key);
+    bool takeClipboardKey(const QKeyEvent& key);
+    void selectBlock(int row, int column, int rows, int columns);
     void showMenu(const QPoint& at);
     void select(int row, int column);
     [[nodiscard]] Numbers numbersOf(const void* item) const;
@@ -111,6 +115,7 @@ private:
     QToolButton* m_up = nullptr;
     QToolButton* m_down = nullptr;
     Issues m_issues;
+    QStringList m_notPasted; ///< why, until something else is done
     bool m_replaced = false;
     std::optional<int> m_wanted; ///< row to select once the table has its rows
 };

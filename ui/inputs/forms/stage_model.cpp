@@ -5,12 +5,17 @@
 #include "core/project/part.h"
 #include "ui/inputs/forms/column_header.h"
 #include "ui/session/document.h"
+#include "ui/tables/pasted_cells.h"
+#include "ui/text/texts.h"
 
 #include <QGuiApplication>
 #include <QLocale>
 #include <QPalette>
+#include <QRegularExpression>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -30,6 +35,13 @@ QString timeText(double time_s) {
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
     return time_s < 1000 ? locale.toString(time_s, 'g', 3) : locale.toString(time_s, 'f', 0);
+}
+
+/// A stage of a spark-out becomes one that feeds.
+void setFeeding(Stage& stage, const Operation& operation) {
+    stage.dropSparkOut();
+    auto& feed = stage.*operation->radial().value;
+    feed = feed.value_or(operation->usualRadial);
 }
 
 } // namespace
@@ -64,6 +76,64 @@ void StageModel::setSparkOut(const QModelIndex& index, Stage edited) {
     }
     document().edit(std::move(project), {"Input", field(index).label},
                     QString::fromStdString(path(index)));
+}
+
+std::size_t StageModel::lastRowsKept(const std::vector<const Field*>& given) const {
+    const auto& stages = document().project().cycle.stages;
+    const bool said = std::ranges::any_of(
+        given, [](const Field* field) { return field->kind == Kind::countOrWord; });
+    return !said && !stages.empty() && !stages.back().feeds() ? 1 : 0;
+}
+
+void StageModel::resizeRows(Project& project, std::size_t rows, std::size_t last) const {
+    auto& stages = project.cycle.stages;
+    const auto end = [&] { return stages.end() - std::ptrdiff_t(last); };
+    if (rows < stages.size()) {
+        stages.erase(end() - std::ptrdiff_t(stages.size() - rows), end());
+    }
+    while (stages.size() < rows) {
+        const std::size_t at = stages.size() - last;
+        Stage added = at > 0 ? stages[at - 1] : Stage{};
+        if (!added.feeds() || at == 0) {
+            setFeeding(added, project.operation);
+        }
+        stages.insert(end(), added);
+    }
+}
+
+QString StageModel::takeText(Project& project, int row, const Field& column,
+                             const QString& text) const {
+    return column.kind == Kind::countOrWord ? takeSparkOut(project, std::size_t(row), column, text)
+                                            : ListModel::takeText(project, row, column, text);
+}
+
+QString StageModel::takeSparkOut(Project& project, std::size_t row, const Field& column,
+                                 const QString& text) const {
+    Stage& stage = project.cycle.stages[row];
+    const QString said = text.simplified();
+    const auto isWord = [&said](const QString& word) {
+        return said.compare(word, Qt::CaseInsensitive) == 0;
+    };
+    if (said.isEmpty() || said == QStringLiteral("—") || isWord(tr("none"))) {
+        if (!stage.feeds()) {
+            setFeeding(stage, project.operation);
+        }
+        return {};
+    }
+    static const QRegularExpression counted(QStringLiteral("^(\\S+)(?: \\D+)?$"));
+    const std::optional<double> count = pastedNumber(counted.match(said).captured(1));
+    const bool isCount = count && *count == std::floor(*count) && column.hard.contains(*count);
+    if (!isCount && !isWord(tr("until size"))) {
+        return tr("“%1” is no spark-out; allowed: %2, “%3”, “%4”")
+            .arg(text, rangeShown(column.hard, ""), tr("none"), tr("until size"));
+    }
+    if (row + 1 != project.cycle.stages.size()) {
+        return tr("“%1”: only the last stage may spark out").arg(text);
+    }
+    isCount ? stage.sparkOutFor(int(*count)) : stage.sparkOutUntilSize();
+    stage.radial_feed_mm.reset(); // a spark-out feeds nothing
+    stage.radial_feed_mm_min.reset();
+    return {};
 }
 
 QString StageModel::sparkOutShown(const QModelIndex& index) const {

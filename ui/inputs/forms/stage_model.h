@@ -28,6 +28,12 @@ public:
     void setOutcome(const sparkout::OutcomePtr& outcome);
 
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    /// A spark-out at the end, unless the given columns say what becomes of it.
+    [[nodiscard]] std::size_t lastRowsKept(const std::vector<const Field*>& given) const override;
+    void resizeRows(Project& project, std::size_t rows, std::size_t last) const override;
+    /// A spark-out as it is shown, or its number.
+    [[nodiscard]] QString takeText(Project& project, int row, const Field& column,
+                                   const QString& text) const override;
 
 protected:
     [[nodiscard]] bool relevant(const QModelIndex& index) const override;
@@ -38,6 +44,8 @@ protected:
 
 private:
     [[nodiscard]] QString sparkOutShown(const QModelIndex& index) const;
+    [[nodiscard]] QString takeSparkOut(Project& project, std::size_t row, const Field& column,
+                                       const QString& text) const;
     [[nodiscard]] bool isStock(const QModelIndex& index) const;
     [[nodiscard]] bool known(int row) const; ///< whether the last run has this stage
     [[nodiscard]] double stockShare(int row) const;

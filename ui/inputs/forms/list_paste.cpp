@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inputs/forms/list_paste.h"
+
+#include "core/project/member.h"
+#include "ui/inputs/forms/list_model.h"
+#include "ui/text/texts.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sparkout {
+
+ListPaste::ListPaste(const ListModel& model, std::string path, const Field& list,
+                     const Project& project)
+    : m_model(model), m_path(std::move(path)), m_list(list), m_project(project) {}
+
+void ListPaste::paste(PastedCells cells, const QModelIndex& at) {
+    std::vector<Column> columns = columnsByHeads(cells.rows.front());
+    const bool withHeads = !columns.empty();
+    if (withHeads) {
+        cells.rows.erase(cells.rows.begin());
+    } else {
+        qsizetype width = 0;
+        for (const QStringList& row : cells.rows) {
+            width = std::max(width, row.size());
+        }
+        m_first = std::max(0, at.row());
+        columns = columnsFrom(std::max(0, at.column()), width);
+    }
+    if (cells.rows.empty()) {
+        m_faults += tr("there are no rows below the heads");
+    }
+    if (m_faults.isEmpty()) {
+        makeRoom(cells.rows.size(), columns, withHeads);
+    }
+    if (m_faults.isEmpty()) {
+        take(cells.rows, columns);
+    }
+    if (!m_faults.isEmpty()) {
+        m_project.reset();
+    }
+}
+
+/// Empty where the row has no head of a member.
+std::vector<ListPaste::Column> ListPaste::columnsByHeads(const QStringList& heads) const {
+    std::vector<Column> columns;
+    const std::vector<const Field*>& fields = m_model.columns();
+    for (qsizetype i = 0; i < heads.size(); ++i) {
+        const QString head = heads[i].simplified();
+        for (std::size_t k = 0; k < fields.size(); ++k) {
+            const QString own =
+                m_model.headerData(int(k), Qt::Horizontal, Qt::DisplayRole).toString().simplified();
+            if (!head.isEmpty() && head.compare(own, Qt::CaseInsensitive) == 0) {
+                columns.push_back({i, fields[k]});
+            }
+        }
+    }
+    return columns;
+}
+
+std::vector<ListPaste::Column> ListPaste::columnsFrom(int first, qsizetype width) {
+    std::vector<Column> columns;
+    const std::vector<const Field*>& fields = m_model.columns();
+    if (first + width > m_model.columnCount()) {
+        m_faults += tr("%n column(s) too many from the selected cell on", nullptr,
+                       static_cast<int>(first + width - m_model.columnCount()));
+        return columns;
+    }
+    for (qsizetype i = 0; i < width && std::size_t(first + i) < fields.size(); ++i) {
+        columns.push_back({i, fields[std::size_t(first + i)]});
+    }
+    return columns;
+}
+
+/// Gives the list as many rows as are pasted, each new one a copy of the row before it.
+void ListPaste::makeRoom(std::size_t rows, const std::vector<Column>& columns, bool all) {
+    void* const owner = findMember(*m_project, m_path).owner;
+    const std::size_t before = m_list.size(owner);
+    const auto first = static_cast<std::size_t>(m_first);
+    std::vector<const Field*> fields;
+    for (const Column& column : columns) {
+        fields.push_back(column.field);
+    }
+    std::size_t last = std::min(m_model.lastRowsKept(fields), before);
+    if (first + last >= before && !all) {
+        last = 0; // it is pasted over
+    }
+    const std::size_t wanted = all ? rows + last : std::max(before, first + rows + last);
+    if (!m_list.hard.contains(double(wanted))) {
+        m_faults += tr("there would be %1 rows; allowed: %2")
+                        .arg(QString::number(wanted), rangeShown(m_list.hard, ""));
+        return;
+    }
+    m_model.resizeRows(*m_project, wanted, last);
+}
+
+/// A word first: whether a number is asked for may hang on it.
+void ListPaste::take(const std::vector<QStringList>& rows, const std::vector<Column>& columns) {
+    for (const bool words : {true, false}) {
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            for (const Column& column : columns) {
+                if ((column.field->kind == Kind::countOrWord) == words) {
+                    takeCell(m_first + int(i), *column.field, rows[i].value(column.from).trimmed());
+                }
+            }
+        }
+    }
+}
+
+void ListPaste::takeCell(int row, const Field& field, const QString& text) {
+    const QString reason = m_model.takeText(*m_project, row, field, text);
+    if (!reason.isEmpty()) {
+        m_faults += tr("%1 %2, %3: %4", "stage 2, stock: reason")
+                        .arg(structText(m_list.nested->name), QString::number(row + 1),
+                             inputText(*field.column ? field.column : field.label), reason);
+    }
+}
+
+} // namespace sparkout

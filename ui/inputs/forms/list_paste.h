@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/field.h"
+#include "core/project/project.h"
+#include "ui/tables/pasted_cells.h"
+
+#include <QCoreApplication>
+#include <QModelIndex>
+#include <QStringList>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sparkout {
+
+class ListModel;
+
+/// Rows of a spreadsheet on their way into a list of the project: from a cell on, rows added at the
+/// end; or, where the first row has heads of the table, under these and in place of all rows.
+/// Either all cells are taken or none.
+class ListPaste {
+    Q_DECLARE_TR_FUNCTIONS(ListPaste)
+
+public:
+    /// The list at `path`, described by `list`, as the model shows it; `at` is the selected cell.
+    ListPaste(const ListModel& model, std::string path, const Field& list, const Project& project);
+
+    void paste(PastedCells cells, const QModelIndex& at);
+
+    /// With all cells; nothing where one was refused.
+    [[nodiscard]] const std::optional<Project>& project() const { return m_project; }
+    /// Each refused cell by row and column, with its reason.
+    [[nodiscard]] const QStringList& faults() const { return m_faults; }
+    [[nodiscard]] int firstRow() const { return m_first; }
+
+private:
+    /// A column of the pasted cells and the member it goes to; null: a result, left out.
+    struct Column {
+        qsizetype from;
+        const Field* field;
+    };
+
+    [[nodiscard]] std::vector<Column> columnsByHeads(const QStringList& heads) const;
+    [[nodiscard]] std::vector<Column> columnsFrom(int first, qsizetype width);
+    void makeRoom(std::size_t rows, const std::vector<Column>& columns, bool all);
+    void take(const std::vector<QStringList>& rows, const std::vector<Column>& columns);
+    void takeCell(int row, const Field& field, const QString& text);
+
+    const ListModel& m_model;
+    std::string m_path;
+    const Field& m_list;
+    std::optional<Project> m_project;
+    QStringList m_faults;
+    int m_first = 0;
+};
+
+} // namespace sparkout
