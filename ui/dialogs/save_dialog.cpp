@@ -2,23 +2,21 @@
 #include "ui/dialogs/save_dialog.h"
 
 #include "core/files/safe_file.h"
+#include "ui/dialogs/saved_file.h"
 #include "ui/dialogs/watched_work.h"
 #include "ui/session/background.h"
 #include "ui/session/settings.h"
 #include "ui/text/file_error_text.h"
-#include "ui/text/texts.h"
 
 #include <QApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMainWindow>
 #include <QMessageBox>
 #include <QPointer>
 #include <QPushButton>
 #include <QRegularExpression>
-#include <QStatusBar>
 
 #include <optional>
 
@@ -33,9 +31,6 @@ class SaveDialog {
 public:
     static QString askPath(QWidget* window, const QString& folder, const SaveRequest& request);
     static bool offerAnother(QWidget* window, const QString& text);
-    static QString saved(const QString& name, const QString& folder) {
-        return tr("Saved: “%1” in %2").arg(name, folder);
-    }
     static QString failure() { return tr("The document, picture or table could not be made."); }
 };
 
@@ -98,25 +93,6 @@ std::optional<QString> save(QWidget* window, const QString& path, const SaveRequ
     return !made ? SaveDialog::failure() : error ? saveErrorText(*error) : QString();
 }
 
-/// Where the file is, in the status bar of the main window, whatever window asked for it.
-void confirm(QWidget* window, const QString& path) {
-    constexpr int patience_ms = 10'000;
-    QWidgetList windows = QApplication::topLevelWidgets();
-    for (QWidget* one = window; one; one = one->parentWidget()) {
-        windows.prepend(one);
-    }
-    for (const QWidget* one : windows) {
-        const auto* main = qobject_cast<const QMainWindow*>(one);
-        if (auto* bar = main ? main->findChild<QStatusBar*>() : nullptr) {
-            const QFileInfo file(path);
-            bar->showMessage(SaveDialog::saved(printableText(file.fileName()),
-                                               printableText(file.absolutePath())),
-                             patience_ms);
-            return;
-        }
-    }
-}
-
 } // namespace
 
 bool saveWithDialog(QWidget* from, Settings* settings, const SaveRequest& request) {
@@ -137,7 +113,7 @@ bool saveWithDialog(QWidget* from, Settings* settings, const SaveRequest& reques
             settings->setLastFolder(chosen.absolutePath());
         }
         if (failure.isEmpty()) {
-            confirm(window.data(), path);
+            SavedFile::show(window.data(), path);
             return true;
         }
         folder = chosen.exists() ? chosen.absolutePath() : folder;

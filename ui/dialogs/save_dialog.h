@@ -39,8 +39,8 @@ struct SaveRequest {
 };
 
 /// Asks for a place, from the last folder on, and writes the bytes there safely. A failure is shown
-/// with an offer to choose another place. True once the file is saved: the status bar then says
-/// where. Without settings the folder is the home folder.
+/// with an offer to choose another place. True once the file is saved: a notice then says where
+/// and offers to open it. Without settings the folder is the home folder.
 bool saveWithDialog(QWidget* window, Settings* settings, const SaveRequest& request);
 
 /// Words as the name of a file: parts joined, without the characters some system refuses.

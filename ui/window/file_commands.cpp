@@ -12,7 +12,7 @@
 #include "ui/window/dialogs/examples_dialog.h"
 #include "ui/window/dialogs/file_questions.h"
 #include "ui/window/dialogs/versions_dialog.h"
-#include "ui/window/notice_bar.h"
+#include "ui/dialogs/notice_bar.h"
 #include "ui/window/recent_files_menu.h"
 
 #include <QEvent>

@@ -2,13 +2,13 @@
 #include "ui/window/file_notices.h"
 
 #include "ui/dialogs/faults_dialog.h"
+#include "ui/dialogs/notice_bar.h"
 #include "ui/files/file_guard.h"
 #include "ui/session/document.h"
 #include "ui/session/settings.h"
 #include "ui/text/file_error_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
-#include "ui/window/notice_bar.h"
 
 #include <QFileInfo>
 #include <QLocale>

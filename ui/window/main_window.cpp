@@ -26,7 +26,7 @@
 #include "ui/window/export_commands.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_desk.h"
-#include "ui/window/notice_bar.h"
+#include "ui/dialogs/notice_bar.h"
 #include "ui/window/operation_notice.h"
 #include "ui/window/playback_bar.h"
 #include "ui/window/recent_files_menu.h"

@@ -3,8 +3,8 @@
 
 #include "core/project/part.h"
 #include "core/study/operation.h"
+#include "ui/dialogs/notice_bar.h"
 #include "ui/text/operation_changes.h"
-#include "ui/window/notice_bar.h"
 
 #include <QCoreApplication>
 

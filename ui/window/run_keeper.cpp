@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/run_keeper.h"
 
+#include "ui/dialogs/notice_bar.h"
 #include "ui/session/kept_runs.h"
 #include "ui/text/texts.h"
-#include "ui/window/notice_bar.h"
 
 #include <QStringList>
 

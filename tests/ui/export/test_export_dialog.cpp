@@ -7,6 +7,8 @@
 #include "tests/ui/support/file_trouble.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
+#include "ui/dialogs/notice_bar.h"
+#include "ui/dialogs/saved_file.h"
 #include "ui/dialogs/watched_work.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/views/feeds/feeds_view.h"
@@ -16,14 +18,16 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDeadlineTimer>
+#include <QDesktopServices>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QFrame>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QStatusBar>
 #include <QThread>
 #include <QTimer>
+#include <QUrl>
 
 #include <algorithm>
 #include <atomic>
@@ -47,6 +51,38 @@ OutcomePtr longOutcome() {
     const Pass pass = *nz;
     trajectory.passes.insert(trajectory.passes.end(), xlsxRows / 4, pass);
     return outcome;
+}
+
+/// Takes what the system would open.
+class OpenedUrls : public QObject {
+    Q_OBJECT
+
+public:
+    OpenedUrls() { QDesktopServices::setUrlHandler(QStringLiteral("file"), this, "take"); }
+    ~OpenedUrls() override { QDesktopServices::unsetUrlHandler(QStringLiteral("file")); }
+
+    QList<QUrl> urls;
+
+public slots:
+    void take(const QUrl& url) { urls << url; }
+};
+
+/// A button of the notice of the last file; null when there is none.
+QPushButton* noticeButton(const Bench& bench, const char* text) {
+    const QString name = QStringLiteral("notice ") + QString::fromLatin1(SavedFile::noticeKey);
+    for (const QFrame* row : bench.window->findChildren<QFrame*>(name)) {
+        for (QPushButton* button : row->findChildren<QPushButton*>()) {
+            if (button->text() == QString::fromLatin1(text) && button->isVisible()) {
+                return button;
+            }
+        }
+    }
+    return nullptr;
+}
+
+void click(QPushButton* button) {
+    QVERIFY(button);
+    QTest::mouseClick(button, Qt::LeftButton);
 }
 
 } // namespace
@@ -117,7 +153,7 @@ private slots:
         QFETCH(QString, language);
         Bench bench(language);
         QVERIFY(bench.open(examplePaths().front()));
-        const auto* bar = bench.window->findChild<QStatusBar*>();
+        const auto* bar = bench.window->findChild<NoticeBar*>();
         auto* feeds = bench.window->findChild<FeedsView*>();
         bench.window->viewTabs().detach(feeds); // a window of its own has no status bar
         const std::pair<QAction*, const char*> exports[] = {
@@ -137,7 +173,7 @@ private slots:
             action->trigger();
             QCOMPARE(answers.fault(), QString());
             QVERIFY(QFile::exists(m_folder.filePath(language + file)));
-            const QString said = bar->currentMessage();
+            const QString said = bar->textOf(QString::fromLatin1(SavedFile::noticeKey));
             QVERIFY2(said.contains(language + file) && said.contains(m_folder.path()),
                      qPrintable(file + QStringLiteral(": ") + said));
             QVERIFY2(language == u"en" || said.startsWith(QStringLiteral("Сохранено")),
@@ -148,12 +184,50 @@ private slots:
     void anExportThatIsGivenUpConfirmsNothing() {
         Bench bench(QStringLiteral("en"));
         QVERIFY(bench.open(examplePaths().front()));
-        const auto* bar = bench.window->findChild<QStatusBar*>();
-        const QString before = bar->currentMessage();
+        const auto* bar = bench.window->findChild<NoticeBar*>();
         const DialogAnswers answers({QStringLiteral("Escape")});
         bench.action("pdf-card")->trigger();
         QCOMPARE(answers.fault(), QString());
-        QCOMPARE(bar->currentMessage(), before);
+        QVERIFY(!bar->holds(QString::fromLatin1(SavedFile::noticeKey)));
+    }
+
+    void theFileAndItsFolderAreOpenedByTheSystem() {
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(examplePaths().front()));
+        const QString path = m_folder.filePath(QStringLiteral("Карта 1.pdf"));
+        OpenedUrls opened;
+        for (const auto& [button, url] :
+             {std::pair{"Open", path}, std::pair{"Show in folder", m_folder.path()}}) {
+            QFile::remove(path); // or it is asked whether to replace it
+            const DialogAnswers answers({QStringLiteral("file:") + path});
+            bench.action("pdf-card")->trigger();
+            QCOMPARE(answers.fault(), QString());
+            click(noticeButton(bench, button));
+            QTRY_COMPARE(opened.urls.value(opened.urls.size() - 1), QUrl::fromLocalFile(url));
+            QVERIFY(!noticeButton(bench, button)); // the notice has been answered
+        }
+        QCOMPARE(opened.urls.size(), 2);
+    }
+
+    /// The platform of the tests has no programs to open files with.
+    void withoutADesktopOneLineSaysSo() {
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(examplePaths().front()));
+        const QString path = m_folder.filePath(QStringLiteral("alone.pdf"));
+        const auto* bar = bench.window->findChild<NoticeBar*>();
+        const auto said = [bar] { return bar->textOf(QString::fromLatin1(SavedFile::noticeKey)); };
+        for (const bool gone : {false, true}) {
+            QFile::remove(path); // or it is asked whether to replace it
+            const DialogAnswers answers({QStringLiteral("file:") + path});
+            bench.action("pdf-card")->trigger();
+            QCOMPARE(answers.fault(), QString());
+            QVERIFY(!gone || QFile::remove(path));
+            click(noticeButton(bench, "Open"));
+            QTRY_VERIFY(said().contains(gone ? QStringLiteral("is no longer there")
+                                             : QStringLiteral("names no program")));
+            QVERIFY(said().contains(path));
+            QVERIFY(!QApplication::activeModalWidget());
+        }
     }
 
     void aFullDiskLeavesTheOldFileWithAMessage() {

@@ -2,7 +2,7 @@
 // The file of the window is changed or removed by another program: the notice and its buttons.
 #include "tests/registry.h"
 #include "tests/ui/window/file_dialogs_bench.h"
-#include "ui/window/notice_bar.h"
+#include "ui/dialogs/notice_bar.h"
 
 #include <QLabel>
 

@@ -2,8 +2,8 @@
 // Files that somebody else has open, or that cannot be written: what the window asks and shows.
 #include "tests/registry.h"
 #include "tests/ui/window/file_dialogs_bench.h"
+#include "ui/dialogs/notice_bar.h"
 #include "ui/window/dialogs/examples_dialog.h"
-#include "ui/window/notice_bar.h"
 
 namespace test_file_dialogs_lock {
 

@@ -7,8 +7,8 @@
 #include "tests/tries.h"
 #include "tests/ui/window/file_dialogs_bench.h"
 #include "ui/dialogs/faults_dialog.h"
+#include "ui/dialogs/notice_bar.h"
 #include "ui/window/dialogs/examples_dialog.h"
-#include "ui/window/notice_bar.h"
 #include "ui/window/recent_files_menu.h"
 
 #include <QDropEvent>

@@ -4,7 +4,7 @@
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/window/file_dialogs_bench.h"
-#include "ui/window/notice_bar.h"
+#include "ui/dialogs/notice_bar.h"
 
 #include <QLabel>
 #include <QTreeWidget>

@@ -4,6 +4,7 @@
 #include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "ui/dialogs/faults_dialog.h"
+#include "ui/dialogs/notice_bar.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/forms/stage_table.h"
 #include "ui/inputs/inputs_panel.h"
@@ -18,7 +19,6 @@
 #include "ui/window/dialogs/examples_dialog.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
-#include "ui/window/notice_bar.h"
 #include "ui/window/view_tabs.h"
 
 #include "core/format/project_file.h"

@@ -9,9 +9,9 @@
 #include "tests/ui/views/compare/compare_bench.h"
 #include "ui/charts/runs_model.h"
 #include "ui/dialogs/copy_table.h"
+#include "ui/dialogs/notice_bar.h"
 #include "ui/session/project_io.h"
 #include "ui/window/file_commands.h"
-#include "ui/window/notice_bar.h"
 
 #include <QAction>
 #include <QClipboard>

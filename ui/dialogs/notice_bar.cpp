@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/notice_bar.h"
+#include "ui/dialogs/notice_bar.h"
 
 #include "ui/session/program_log.h"
 
