@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/project_saver.h"
 
+#include "ui/dialogs/save_dialog.h"
 #include "ui/files/file_guard.h"
 #include "ui/session/document.h"
 #include "ui/session/program_log.h"
@@ -10,7 +11,6 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QRegularExpression>
 #include <QStandardPaths>
 
 namespace sparkout {
@@ -110,9 +110,11 @@ QString ProjectSaver::suggestedPath() const {
                 : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
         return folder + u'/' + tr("%1 copy").arg(file.completeBaseName()) + suffix;
     }
-    static const QRegularExpression unfit(QStringLiteral("[\\\\/:*?\"<>|\\x00-\\x1f]+"));
-    QString name = QString::fromStdString(m_document.project().title).simplified();
-    name.replace(unfit, QStringLiteral("_")).truncate(80);
+    const Project& project = m_document.project(); // named after the part, as its drawing is
+    QString name = fileNameOf({QString::fromStdString(project.part.name)});
+    if (name.isEmpty()) {
+        name = fileNameOf({QString::fromStdString(project.title)});
+    }
     return m_settings.lastFolder() + u'/' + (name.isEmpty() ? tr("Untitled") : name) + suffix;
 }
 

@@ -55,6 +55,39 @@ private slots:
         }
     }
 
+    void aNewFileIsNamedAfterThePart_data() {
+        QTest::addColumn<QString>("part");
+        QTest::addColumn<QString>("title");
+        QTest::addColumn<QString>("name");
+        const auto row = [](const char* part, const char* title, const char* name) {
+            QTest::newRow(name) << QString::fromUtf8(part) << QString::fromUtf8(title)
+                                << QString::fromUtf8(name) + QStringLiteral(".sparkout");
+        };
+        row("Вал 30h6", "Exercise 3", "Вал 30h6");
+        row("Вал: «КП»/1\\2 ", "", "Вал_ «КП»_1_2");
+        row("", "Exercise 3", "Exercise 3");
+        row("..\n", "", "Untitled");
+        row("", "", "Untitled");
+    }
+    void aNewFileIsNamedAfterThePart() {
+        QFETCH(QString, part);
+        QFETCH(QString, title);
+        QFETCH(QString, name);
+        Bench bench;
+        Project project = newProject(Operation::traverse);
+        project.part.name = part.toStdString();
+        project.title = title.toStdString();
+        bench.document().startUntitled(project);
+        DialogAnswers answers({QStringLiteral("Escape")});
+        QString proposed;
+        answers.seen = [&proposed](QDialog& dialog) {
+            proposed = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->text();
+        };
+        QVERIFY(!bench.window->files().save());
+        ANSWERED(answers);
+        QCOMPARE(QFileInfo(proposed).fileName(), name);
+    }
+
     void aFailedSaveNamesPathCauseAndSpaceAndCanBeTriedAgain() {
         Bench bench;
         trouble::giveAway(bench.path);
