@@ -2,23 +2,45 @@
 #include "ui/inputs/messages_panel.h"
 
 #include "ui/kit/help_topic.h"
+#include "ui/kit/theme_icon.h"
 #include "ui/text/texts.h"
 
 #include <algorithm>
 
 namespace sparkout {
 
+namespace {
+
+constexpr int fitRole = Qt::UserRole + 1; ///< whether the line fits the stocks
+
+} // namespace
+
 MessagesPanel::MessagesPanel(QWidget* parent) : QListWidget(parent) {
     setHelpTopic(*this, QStringLiteral("messages"));
     setWordWrap(true);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    connect(this, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
-        emit pathActivated(item->data(Qt::UserRole).toString().toStdString());
-    });
+    connect(this, &QListWidget::itemActivated, this,
+            [this](const QListWidgetItem* item) { activate(*item); });
     connect(this, &QListWidget::itemDoubleClicked, this, [this](const QListWidgetItem* item) {
-        emit pathActivated(item->data(Qt::UserRole).toString().toStdString());
+        if (!item->data(fitRole).toBool()) {
+            activate(*item);
+        }
+    });
+    connect(this, &QListWidget::itemClicked, this, [this](const QListWidgetItem* item) {
+        if (item->data(fitRole).toBool()) {
+            activate(*item);
+        }
     });
     retranslate();
+}
+
+/// Later: what is done replaces the lines, and this is one of them.
+void MessagesPanel::activate(const QListWidgetItem& item) {
+    if (item.data(fitRole).toBool()) {
+        QMetaObject::invokeMethod(this, &MessagesPanel::stockFitAsked, Qt::QueuedConnection);
+    } else {
+        emit pathActivated(item.data(Qt::UserRole).toString().toStdString());
+    }
 }
 
 void MessagesPanel::setOutcome(const OutcomePtr& outcome) {
@@ -42,6 +64,9 @@ void MessagesPanel::fill() {
         for (const Issue& issue : m_outcome ? m_outcome->issues : Issues{}) {
             if (markOf(issue.severity) == mark) {
                 addLine(mark, issue.path, issueText(issue));
+                if (issue.code == IssueCode::stocksDoNotSumUp) {
+                    addStockFit();
+                }
             }
         }
     }
@@ -62,6 +87,18 @@ QStringList MessagesPanel::paths() const {
 
 Mark MessagesPanel::worst() const {
     return m_worst;
+}
+
+void MessagesPanel::addStockFit() {
+    auto* item = new QListWidgetItem(themeIcon(u"fit"), tr("Fit the stocks of the stages"), this);
+    QFont underlined = font();
+    underlined.setUnderline(true);
+    item->setFont(underlined);
+    item->setForeground(palette().link());
+    item->setData(fitRole, true);
+    item->setToolTip(
+        tr("The first stage takes what the later ones leave; where they leave nothing, "
+           "all keep their share"));
 }
 
 void MessagesPanel::addLine(Mark mark, const std::string& path, const QString& sentence) {

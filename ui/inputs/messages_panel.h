@@ -9,7 +9,8 @@
 
 namespace sparkout {
 
-/// What is wrong or unusual in the inputs, a line each. Activating a line goes to its field.
+/// What is wrong or unusual in the inputs, a line each. Activating a line goes to its field; below
+/// stocks that do not add up stands a line that fits them by one click or Enter.
 class MessagesPanel : public QListWidget {
     Q_OBJECT
 
@@ -26,9 +27,12 @@ public:
 signals:
     void messagesChanged();
     void pathActivated(const std::string& path);
+    void stockFitAsked();
 
 private:
     void fill();
+    void activate(const QListWidgetItem& item);
+    void addStockFit();
     void addLine(Mark mark, const std::string& path, const QString& sentence);
 
     OutcomePtr m_outcome;

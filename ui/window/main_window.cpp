@@ -4,6 +4,7 @@
 #include "core/project/gauge.h"
 #include "ui/charts/verdict_why.h"
 #include "ui/inputs/inputs_panel.h"
+#include "ui/inputs/forms/stock_fit.h"
 #include "ui/inputs/messages_panel.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/keyboard.h"
@@ -344,6 +345,8 @@ void MainWindow::connectDocument() {
         m_inputs->focusPath(path);
     };
     connect(m_messages, &MessagesPanel::pathActivated, this, showInput);
+    connect(m_messages, &MessagesPanel::stockFitAsked, this,
+            [this] { StockFit::apply(m_document); });
     connect(m_verdict, &VerdictPanel::requirementActivated, this, &MainWindow::showRequirement);
     connect(m_verdict, &VerdictPanel::pathAsked, this, showInput);
     connect(m_constraints, &ConstraintsView::pathAsked, this, showInput);

@@ -9,6 +9,7 @@
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QMenu>
+#include <QPushButton>
 #include <QToolButton>
 
 #include <cmath>
@@ -176,6 +177,30 @@ private slots:
         QTest::keyClick(count, Qt::Key_Return);
         QTRY_COMPARE(bench.stages()[1].spark_out.count, 6);
         QCOMPARE(bench.stages()[1].spark_out.mode, SparkOut::Mode::count);
+    }
+
+    void aButtonFitsStocksThatDoNotAddUp() {
+        Bench bench;
+        auto* fit = bench.table.findChild<QPushButton*>(QStringLiteral("fitStocks"));
+        QVERIFY(fit && !fit->isVisible());
+        Project thicker = bench.document.project();
+        thicker.part.stock_mm = 0.2;
+        bench.document.edit(thicker, {"Input", "Stock"});
+        QVERIFY(fit->isVisible());
+        QVERIFY(fit->text().contains(QLocale().toString(0.16)));
+        QTest::mouseClick(fit, Qt::LeftButton);
+        QVERIFY(!fit->isVisible());
+        QCOMPARE(bench.stages()[0].stock_mm, 0.16);
+        QCOMPARE(bench.stages()[1].stock_mm, 0.04);
+        bench.document.undo();
+        QCOMPARE(bench.stages()[0].stock_mm, 0.11);
+        QVERIFY(fit->isVisible());
+        thicker.part.stock_mm = 0.02; // less than the last stage has
+        bench.document.edit(thicker, {"Input", "Stock"});
+        QVERIFY(fit->text().contains(QStringLiteral("in proportion")));
+        fit->setFocus();
+        QTest::keyClick(fit, Qt::Key_Space);
+        QVERIFY(std::abs(bench.stockSum() - 0.02) < 1e-12);
     }
 
     void escapeTakesBackAnotherSparkOut() {

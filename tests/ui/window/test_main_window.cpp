@@ -22,6 +22,7 @@
 #include "ui/window/view_tabs.h"
 
 #include "core/format/project_file.h"
+#include "core/study/stock_edits.h"
 
 #include "tests/registry.h"
 
@@ -168,6 +169,33 @@ private slots:
             bench.window->findChild<QWidget*>(QStringLiteral("/part/radii_per_section"));
         QVERIFY(field->isVisible());
         QCOMPARE(bench.window->focusWidget(), field);
+    }
+
+    void theLineBelowStocksThatDoNotAddUpFitsThem() {
+        Bench bench(QStringLiteral("en"));
+        bench.open(example("shaft-30h6-factory.sparkout"));
+        Project project = bench.window->document().project();
+        project.part.stock_mm += 0.05;
+        bench.window->document().edit(project, {"Input", "Stock"});
+        MessagesPanel& messages = bench.window->messages();
+        const auto line = [&messages] {
+            const auto found = messages.findItems(QStringLiteral("Fit the stocks of the stages"),
+                                                  Qt::MatchExactly);
+            return found.isEmpty() ? nullptr : found.front();
+        };
+        QTRY_VERIFY(line());
+        messages.scrollToItem(line());
+        QTest::mouseClick(messages.viewport(), Qt::LeftButton, {},
+                          messages.visualItemRect(line()).center());
+        QTRY_VERIFY(stocksAddUp(bench.window->document().project()));
+        QTRY_VERIFY(!line());
+        bench.window->document().undo();
+        QVERIFY(!stocksAddUp(bench.window->document().project()));
+        QTRY_VERIFY(line());
+        messages.setFocus();
+        messages.setCurrentItem(line());
+        QTest::keyClick(&messages, Qt::Key_Return);
+        QTRY_VERIFY(stocksAddUp(bench.window->document().project()));
     }
 
     void aRefusedTextIsListedAndTheVerdictSaysSo() {

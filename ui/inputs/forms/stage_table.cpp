@@ -5,9 +5,13 @@
 #include "core/study/stage_edits.h"
 #include "ui/inputs/forms/stage_delegate.h"
 #include "ui/inputs/forms/stage_model.h"
+#include "ui/inputs/forms/stock_fit.h"
 #include "ui/kit/help_topic.h"
+#include "ui/session/document.h"
 
 #include <QHeaderView>
+#include <QLayout>
+#include <QPushButton>
 #include <QTableView>
 
 #include <algorithm>
@@ -30,12 +34,32 @@ StageTable::StageTable(Document& document, QWidget* parent)
 
 StageTable::StageTable(Document& document, StageModel* model, QWidget* parent)
     : ListTable(stagesPath, stagesField(), document, model, new StageDelegate(document), parent)
-    , m_stages(model) {
+    , m_stages(model)
+    , m_fit(new QPushButton(this)) {
+    m_fit->setObjectName(QStringLiteral("fitStocks"));
+    m_fit->setAutoDefault(false);
+    layout()->addWidget(m_fit);
+    connect(m_fit, &QPushButton::clicked, this, [this] {
+        view().setFocus(); // the button goes
+        StockFit::apply(this->document());
+    });
+    connect(&document, &Document::changed, this, &StageTable::showFit);
     setHelpTopic(*this, QStringLiteral("stages"));
     StageTable::fitRows();
     view().setWordWrap(true); // a spark-out takes two lines
     showTitleBold();
-    retranslate();
+    StageTable::retranslate();
+}
+
+void StageTable::retranslate() {
+    ListTable::retranslate();
+    showFit();
+}
+
+void StageTable::showFit() {
+    const QString text = StockFit::text(document());
+    m_fit->setText(text);
+    m_fit->setVisible(!text.isEmpty());
 }
 
 void StageTable::fitRows() {

@@ -5,12 +5,14 @@
 #include "core/study/outcome.h"
 #include "ui/inputs/forms/list_table.h"
 
+class QPushButton;
+
 namespace sparkout {
 
 class StageModel;
 
 /// The cycle's stages. Adding, removing and moving keep the sum of the stocks and leave a
-/// spark-out at the end.
+/// spark-out at the end; where the stocks do not add up to the part's, a button fits them.
 class StageTable : public ListTable {
     Q_OBJECT
 
@@ -22,6 +24,7 @@ public:
     void removeRow() override;
     void moveRow(int by) override;
     void clearCell() override;
+    void retranslate() override;
 
 protected:
     void fitRows() override;
@@ -33,7 +36,10 @@ private:
     StageTable(Document& document, StageModel* model, QWidget* parent);
     void applyStages(std::vector<Stage> stages, EditText text, int selected);
 
+    void showFit();
+
     StageModel* m_stages;
+    QPushButton* m_fit;
 };
 
 } // namespace sparkout

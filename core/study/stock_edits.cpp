@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/stock_edits.h"
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace sparkout {
+
+namespace {
+
+constexpr double sameStock_mm = 1e-9;
+
+/// Free of last bits such as 0.30000000000000004.
+double tidy(double stock_mm) {
+    return std::round(stock_mm * 1e9) / 1e9;
+}
+
+double sumFrom(const std::vector<Stage>& stages, std::size_t first) {
+    double sum = 0;
+    for (std::size_t i = first; i < stages.size(); ++i) {
+        sum += stages[i].stock_mm;
+    }
+    return sum;
+}
+
+} // namespace
+
+bool stocksAddUp(const Project& project) {
+    return std::abs(sumFrom(project.cycle.stages, 0) - project.part.stock_mm) <= sameStock_mm;
+}
+
+Project withFittedStocks(Project project) {
+    auto& stages = project.cycle.stages;
+    if (stages.empty() || stocksAddUp(project)) {
+        return project;
+    }
+    const double stock_mm = project.part.stock_mm;
+    if (sumFrom(stages, 1) >= stock_mm) {
+        const double scale = stock_mm / sumFrom(stages, 0);
+        for (Stage& stage : stages) {
+            stage.stock_mm = tidy(stage.stock_mm * scale);
+        }
+    }
+    stages.front().stock_mm = tidy(stock_mm - sumFrom(stages, 1));
+    return project;
+}
+
+} // namespace sparkout

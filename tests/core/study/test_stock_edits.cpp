@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/stock_edits.h"
+
+#include "core/project/validate.h"
+#include "core/simulation/simulate.h"
+#include "core/study/new_project.h"
+#include "tests/registry.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace test_stock_edits {
+
+using namespace sparkout;
+
+namespace {
+
+double sum(const Project& project) {
+    double sum = 0;
+    for (const Stage& stage : project.cycle.stages) {
+        sum += stage.stock_mm;
+    }
+    return sum;
+}
+
+bool remarked(const Project& project) {
+    const Issues issues = validate(project);
+    return std::any_of(issues.begin(), issues.end(), [](const Issue& issue) {
+        return issue.code == IssueCode::stocksDoNotSumUp;
+    });
+}
+
+} // namespace
+
+class TestStockEdits : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theFirstStageTakesWhatTheLaterOnesLeave_data() {
+        QTest::addColumn<bool>("plunge");
+        QTest::addColumn<double>("stock");
+        for (const bool plunge : {false, true}) {
+            for (const double stock : {0.07, 0.2, 0.3}) {
+                QTest::addRow("%s %g", plunge ? "plunge" : "traverse", stock) << plunge << stock;
+            }
+        }
+    }
+    void theFirstStageTakesWhatTheLaterOnesLeave() {
+        QFETCH(bool, plunge);
+        QFETCH(double, stock);
+        Project project = newProject(plunge ? Operation::plunge : Operation::traverse);
+        QVERIFY(stocksAddUp(project));
+        project.part.stock_mm = stock;
+        QVERIFY(!stocksAddUp(project) && remarked(project));
+        const Project fitted = withFittedStocks(project);
+        QVERIFY(stocksAddUp(fitted) && !remarked(fitted));
+        for (std::size_t i = 1; i < project.cycle.stages.size(); ++i) {
+            QCOMPARE(fitted.cycle.stages[i].stock_mm, project.cycle.stages[i].stock_mm);
+        }
+        // The cycle itself is the one that ran before.
+        const SimulationResult before = simulate(project), after = simulate(fitted);
+        QCOMPARE(after.time_s, before.time_s);
+        QCOMPARE(after.timeByStage_s, before.timeByStage_s);
+    }
+
+    void whereTheLaterOnesLeaveNothingAllKeepTheirShare() {
+        Project project = newProject(Operation::traverse);
+        const std::vector<Stage> before = project.cycle.stages;
+        project.part.stock_mm = before[1].stock_mm / 2;
+        const double scale = project.part.stock_mm / (before[0].stock_mm + before[1].stock_mm);
+        const Project fitted = withFittedStocks(project);
+        QVERIFY(stocksAddUp(fitted));
+        QVERIFY(std::abs(sum(fitted) - project.part.stock_mm) < 1e-12);
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            QVERIFY(fitted.cycle.stages[i].stock_mm > 0);
+            QVERIFY(std::abs(fitted.cycle.stages[i].stock_mm - before[i].stock_mm * scale) < 2e-9);
+        }
+    }
+
+    void stocksThatAddUpStay() {
+        const Project project = newProject(Operation::plunge);
+        const Project fitted = withFittedStocks(project);
+        for (std::size_t i = 0; i < project.cycle.stages.size(); ++i) {
+            QCOMPARE(fitted.cycle.stages[i].stock_mm, project.cycle.stages[i].stock_mm);
+        }
+        Project none;
+        none.cycle.stages.clear();
+        QVERIFY(withFittedStocks(none).cycle.stages.empty());
+    }
+};
+
+} // namespace test_stock_edits
+
+SPARKOUT_TEST(test_stock_edits, TestStockEdits)
+#include "test_stock_edits.moc"
