@@ -4,6 +4,7 @@
 #include "core/project/batch.h"
 #include "core/study/batch_edits.h"
 #include "ui/dialogs/copy_table.h"
+#include "ui/kit/search_combo.h"
 #include "ui/kit/tool_row.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/run_bar.h"
@@ -51,10 +52,10 @@ BatchView::BatchView(QWidget* parent, Settings* settings)
     , m_pareto(new ParetoPlot(this))
     , m_splitter(new QSplitter(Qt::Vertical, this))
     , m_figures(new BatchFigures(this))
-    , m_name(new QComboBox(this))
+    , m_name(new SearchCombo(this))
     , m_weights(new QComboBox(this))
-    , m_across(new QComboBox(this))
-    , m_up(new QComboBox(this))
+    , m_across(new SearchCombo(this))
+    , m_up(new SearchCombo(this))
     , m_bar(new RunBar(QStringLiteral("batch"), this, BatchText::progress))
     , m_worst(new QPushButton(this))
     , m_rows(new QPushButton(this))

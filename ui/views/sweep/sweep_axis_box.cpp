@@ -5,12 +5,12 @@
 #include "ui/fields/number_field.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
+#include "ui/kit/search_combo.h"
 #include "ui/kit/tool_row.h"
 #include "ui/text/texts.h"
 #include "ui/views/sweep/sweep_text.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -29,7 +29,7 @@ constexpr int sweepFieldWidth = 74; ///< [px]
 SweepAxisBox::SweepAxisBox(std::size_t place, QWidget* parent)
     : QWidget(parent)
     , m_place(place)
-    , m_input(new QComboBox(this))
+    , m_input(new SearchCombo(this))
     , m_from(new NumberField({}, this))
     , m_to(new NumberField({}, this))
     , m_dash(new QLabel(QStringLiteral("…"), this))
@@ -78,6 +78,14 @@ void SweepAxisBox::show(const Project& project) {
     showAxis(m_of);
 }
 
+/// Its name in English, whatever the language is, its symbol and its key.
+QString SweepAxisBox::wordsOf(const NumberInput& input) {
+    const QString symbol = QString::fromUtf8(input.field->symbol);
+    return QStringList{QString::fromUtf8(input.field->label), symbol, QString(symbol).remove(u'_'),
+                       QString::fromStdString(input.path)}
+        .join(u'\n');
+}
+
 /// Only when they are others: the list may be open. One that is gone stays as long as it is varied.
 void SweepAxisBox::fillInputs(const std::vector<NumberInput>& inputs) {
     std::vector<std::string> paths;
@@ -97,6 +105,9 @@ void SweepAxisBox::fillInputs(const std::vector<NumberInput>& inputs) {
             const bool there = i < inputs.size();
             m_input->addItem(there ? SweepText::input(path)
                                    : tr("%1 (not in this project)").arg(SweepText::input(path)));
+            if (there) {
+                m_input->setItemData(int(i) + 1, wordsOf(inputs[i]), SearchCombo::wordsRole);
+            }
         }
     }
     const auto at = m_axis ? std::ranges::find(m_paths, m_axis->input) : m_paths.end();

@@ -11,13 +11,13 @@
 #include <vector>
 
 class QCheckBox;
-class QComboBox;
 class QLabel;
 class QSpinBox;
 
 namespace sparkout {
 
 class NumberField;
+class SearchCombo;
 
 /// One varied input: which it is, from where to where, at how many points.
 class SweepAxisBox : public QWidget {
@@ -35,13 +35,14 @@ signals:
     void axisEdited(const sparkout::SweepAxis& axis);
 
 private:
+    static QString wordsOf(const NumberInput& input); ///< that it is found by
     void fillInputs(const std::vector<NumberInput>& inputs);
     void showAxis(const std::optional<NumberInput>& input);
     void onInput();
     void onRange();
 
     std::size_t m_place;
-    QComboBox* m_input;
+    SearchCombo* m_input;
     NumberField *m_from, *m_to;
     QLabel *m_dash, *m_unit;
     QSpinBox* m_points;

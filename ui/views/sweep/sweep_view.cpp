@@ -5,6 +5,7 @@
 #include "core/project/number_input.h"
 #include "core/project/sweep.h"
 #include "core/study/sweep_edits.h"
+#include "ui/kit/search_combo.h"
 #include "ui/kit/tool_row.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/run_bar.h"
@@ -42,7 +43,7 @@ SweepView::SweepView(QWidget* parent, Settings* settings)
     , m_axes{new SweepAxisBox(0, this), new SweepAxisBox(1, this)}
     , m_curves(new SweepCurves(this))
     , m_map(new SweepMap(this))
-    , m_entry(new QComboBox(this))
+    , m_entry(new SearchCombo(this))
     , m_side(new QComboBox(this))
     , m_point(new QSpinBox(this))
     , m_bar(new RunBar(QStringLiteral("sweep"), this, SweepText::progress))

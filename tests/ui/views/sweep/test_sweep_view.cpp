@@ -14,6 +14,7 @@
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "ui/fields/number_field.h"
+#include "ui/kit/search_combo.h"
 #include "ui/plot/contour_lines.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/session/document.h"
@@ -25,6 +26,7 @@
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QRandomGenerator>
 #include <QSignalSpy>
@@ -151,6 +153,22 @@ private slots:
             QVERIFY2(names.insert(box.itemText(i)).second, qPrintable(box.itemText(i)));
         }
         QVERIFY(names.size() > 60);
+    }
+
+    void anInputIsFoundByTypingItsSymbolOrItsKey() {
+        Bench bench(shaft());
+        auto& box = bench.part<SearchCombo>("sweep1Input");
+        auto* search = box.findChild<QLineEdit*>(QStringLiteral("search"));
+        for (const char* text : {"dull", "wheel/dullness"}) {
+            QTest::keyClicks(&box, QString::fromLatin1(text).left(1));
+            QTest::keyClicks(search, QString::fromLatin1(text).mid(1));
+            QTest::keyClick(search, Qt::Key_Return);
+            QCOMPARE(box.currentText(), QStringLiteral("Wheel › Dullness"));
+            QVERIFY(bench.document.project().sweep);
+            QCOMPARE(bench.document.project().sweep->inputs.front().input, dullness);
+            bench.document.undo();
+            QVERIFY(!bench.document.project().sweep);
+        }
     }
 
     void anInputIsChosenByKeyboardAndItsRangeTyped() {
