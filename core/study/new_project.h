@@ -3,9 +3,19 @@
 
 #include "core/project/project.h"
 
+#include <string>
+#include <vector>
+
 namespace sparkout {
 
 /// A small complete cycle of each operation, to start from.
 [[nodiscard]] Project newProject(Operation operation = {});
+
+/// Paths of the numbers that a drawing has to give before anything can be computed.
+[[nodiscard]] std::vector<std::string> drawingInputs();
+
+/// The same cycle for a part that is yet to be drawn: no requirement of form, no name, and in place
+/// of the drawing's numbers some that no drawing has, so that giving one is always a change.
+[[nodiscard]] Project undrawnProject(Operation operation);
 
 } // namespace sparkout

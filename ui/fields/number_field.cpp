@@ -120,8 +120,9 @@ Remark NumberField::remark() const {
 }
 
 Remark NumberField::judge(std::optional<double>& value) const {
-    if (text().trimmed().isEmpty()) {
-        return m_spec.optional ? Remark{} : Remark{Mark::error, tr("a number is needed here")};
+    if (text().trimmed().isEmpty()) { // one that was never given is missed by the inputs, not here
+        return m_spec.optional || !m_settled ? Remark{}
+                                             : Remark{Mark::error, tr("a number is needed here")};
     }
     const auto calculation = Calculation::of(text());
     value = calculation ? calculation->value() : parseNumber(text());

@@ -54,6 +54,10 @@ void Autosave::noteChange() {
 void Autosave::write() {
     m_idle.stop();
     m_latest.stop();
+    // What stands in for numbers yet to be given would be taken for them.
+    if (!m_document.openInputs().empty()) {
+        return;
+    }
     // An untouched document needs no file; one that was undone to that state rewrites its own.
     if (!m_document.modified() && !m_claim) {
         return;

@@ -33,6 +33,10 @@ PlotView::PlotView(const QString& name, QWidget* parent, Settings* settings)
     m_legend->setObjectName(name + QStringLiteral("Legend"));
     m_values->setObjectName(name + QStringLiteral("Values"));
     setUpNotice(*m_notice);
+    m_notice->setTextInteractionFlags(m_notice->textInteractionFlags() | Qt::LinksAccessibleByMouse
+                                      | Qt::LinksAccessibleByKeyboard);
+    connect(m_notice, &QLabel::linkActivated, this,
+            [this](const QString& path) { emit inputAsked(path.toStdString()); });
     setUpReadout(*m_values);
     hideUntilDrawn({m_legend, m_values});
     connect(m_legend, &LegendStrip::toggled, this, [this](int key) { toggleCurve(key); });
@@ -240,7 +244,15 @@ bool PlotView::isShown(const ViewPlot& plot) const {
 
 void PlotView::showState() {
     const QString text = noticeText();
-    m_notice->setText(text);
+    const bool incomplete = refused() && Names::incomplete(latest()->issues);
+    m_notice->setTextFormat(incomplete ? Qt::RichText : Qt::PlainText);
+    if (incomplete) { // each as a link to its field
+        const QString old = tr("The pale curves are those of the project before.");
+        m_notice->setText(refusedText() + u' ' + Names::missingLinks(latest()->issues) + u'.'
+                          + (m_good ? u' ' + old : QString()));
+    } else {
+        m_notice->setText(text);
+    }
     m_notice->setVisible(!text.isEmpty());
     const bool shown = drawn();
     for (QWidget* part : m_hidden) {
@@ -275,8 +287,10 @@ QString PlotView::keptText() const {
     return tr("The inputs are refused; the curves are those of the last accepted ones.");
 }
 
-QString PlotView::refusedText() {
-    return tr("The inputs are refused:");
+QString PlotView::refusedText() const {
+    return latest() && Names::incomplete(latest()->issues)
+               ? tr("The project is not complete. Still needed:")
+               : tr("The inputs are refused:");
 }
 
 QString PlotView::noticeText() const {

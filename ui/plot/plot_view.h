@@ -106,7 +106,7 @@ protected:
     [[nodiscard]] virtual QString noticeText() const;
     /// What is drawn while the inputs are refused, once there was an accepted run.
     [[nodiscard]] virtual QString keptText() const;
-    [[nodiscard]] static QString refusedText();                 ///< the same where nothing is
+    [[nodiscard]] QString refusedText() const;                  ///< the same where nothing is
     [[nodiscard]] virtual QString remark() const { return {}; } ///< on what is drawn
     [[nodiscard]] virtual QStringList heading() const;          ///< over exported pictures
     [[nodiscard]] virtual const Project* shownProject() const;  ///< it is of; null: none yet

@@ -8,6 +8,8 @@
 
 class QLabel;
 
+#include <string>
+
 namespace sparkout {
 
 /// A tab of the window's middle: shows one outcome, the newest one wins. It draws once, later in
@@ -30,7 +32,8 @@ public:
     virtual void forget() {} ///< drops what was computed on demand: another document comes
 
 signals:
-    void updated(); ///< an outcome has been drawn
+    void updated();                           ///< an outcome has been drawn
+    void inputAsked(const std::string& path); ///< one that is missing
 
 protected:
     virtual void showOutcome() = 0; ///< draws latest(), at the cycle's moment

@@ -3,6 +3,7 @@
 
 #include "core/format/project_file.h"
 #include "core/project/difference.h"
+#include "core/project/member.h"
 #include "core/project/validate.h"
 #include "ui/text/example_texts.h"
 
@@ -15,6 +16,11 @@
 namespace sparkout {
 
 namespace {
+
+std::optional<double> numberAt(const Project& project, const std::string& path) {
+    const ConstMember member = findMember(project, path);
+    return numberIn(*member.field, member.owner);
+}
 
 constexpr EditText reloadText{"Edit", QT_TRANSLATE_NOOP("Edit", "Reload the file")};
 
@@ -43,10 +49,10 @@ bool breaksRules(const Project& before, const Project& after) {
 /// One step of the history: the whole value before and after.
 class Document::Edit : public QUndoCommand {
 public:
-    Edit(Document& document, Project after, EditText text, QString mergeKey)
+    Edit(Document& document, Snapshot after, EditText text, QString mergeKey)
         : m_document(document)
         , m_before(document.m_present)
-        , m_after(document.snapshot(std::move(after)))
+        , m_after(std::move(after))
         , m_text(text)
         , m_mergeKey(std::move(mergeKey)) {}
 
@@ -65,6 +71,7 @@ public:
         }
         m_after = next->m_after;
         setObsolete(m_before.runs == m_after.runs
+                    && std::ranges::is_permutation(m_before.open, m_after.open)
                     && sameProject(m_before.project, m_after.project));
         return true;
     }
@@ -77,7 +84,7 @@ private:
     QString m_mergeKey;
 };
 
-Document::Document(QObject* parent) : QObject(parent), m_present(snapshot(m_project)) {
+Document::Document(QObject* parent) : QObject(parent), m_present(snapshot(m_project, {})) {
     connect(&m_history, &QUndoStack::indexChanged, this, &Document::historyChanged);
     connect(&m_history, &QUndoStack::cleanChanged, this, &Document::historyChanged);
 }
@@ -86,9 +93,51 @@ void Document::edit(Project changed, EditText text, const QString& mergeKey) {
     if (sameProject(changed, m_project)) {
         return;
     }
+    std::vector<std::string> open = openIn(changed);
+    push(snapshot(std::move(changed), std::move(open)), text, mergeKey);
+}
+
+void Document::push(Snapshot after, EditText text, const QString& mergeKey) {
     const Snapshot before = m_present;
-    m_history.push(new Edit(*this, std::move(changed), text, roundKey(mergeKey)));
+    m_history.push(new Edit(*this, std::move(after), text, roundKey(mergeKey)));
     emit edited(before.project);
+}
+
+/// Another operation fits the numbers to itself: that does not give them.
+std::vector<std::string> Document::openIn(const Project& changed) const {
+    std::vector<std::string> open = m_present.open;
+    if (changed.operation == m_project.operation) {
+        std::erase_if(open, [&](const std::string& path) {
+            return numberAt(changed, path) != numberAt(m_project, path);
+        });
+    }
+    return open;
+}
+
+bool Document::isOpen(const std::string& path) const {
+    return std::ranges::find(m_present.open, path) != m_present.open.end();
+}
+
+Issues Document::missingInputs() const {
+    Issues issues;
+    for (const std::string& path : m_present.open) {
+        const Field& field = *findMember(m_project, path).field;
+        issues.push_back(
+            {IssueCode::missingKey, Severity::error, path, {}, Bounds{field.stated(), field.unit}});
+    }
+    return issues;
+}
+
+void Document::withdraw(const std::string& path, EditText text) {
+    if (isOpen(path)) {
+        return;
+    }
+    Project project = m_project;
+    const Member member = findMember(project, path);
+    setNumberIn(*member.field, member.owner, numberAt(m_begun, path));
+    std::vector<std::string> open = m_present.open;
+    open.push_back(path);
+    push(snapshot(std::move(project), std::move(open)), text, QString::fromStdString(path));
 }
 
 QString Document::roundKey(const QString& mergeKey) const {
@@ -167,6 +216,10 @@ void Document::startUntitled(Project project) {
     take(std::move(project), {}, {}, false);
 }
 
+void Document::startIncomplete(Project project, std::vector<std::string> open) {
+    replace(std::move(project), {}, {}, false, Kept::onDisk, std::move(open));
+}
+
 OpenResult Document::open(const QString& path) {
     LoadedProject loaded = loadProject(path);
     OpenResult result{std::move(loaded.issues), std::move(loaded.error)};
@@ -228,13 +281,14 @@ void Document::recover(Project project, const QString& path, const QByteArray& h
 }
 
 void Document::replace(Project project, const QString& path, const QByteArray& hash, bool readOnly,
-                       Kept kept) {
+                       Kept kept, std::vector<std::string> open) {
     m_history.clear();
     if (kept == Kept::nowhere) {
         m_history.resetClean();
     }
     m_project = std::move(project);
-    m_present = snapshot(m_project);
+    m_begun = m_project;
+    m_present = snapshot(m_project, std::move(open));
     m_filePath = path;
     m_diskHash = hash;
     m_readOnly = readOnly;
@@ -244,8 +298,9 @@ void Document::replace(Project project, const QString& path, const QByteArray& h
     emit changed();
 }
 
-Document::Snapshot Document::snapshot(Project project) const {
+Document::Snapshot Document::snapshot(Project project, std::vector<std::string> open) const {
     Snapshot made;
+    made.open = std::move(open);
     made.runs = m_present.runs;
     if (!made.runs || project.runs != *made.runs) {
         made.runs = std::make_shared<const std::vector<KeptRun>>(project.runs);

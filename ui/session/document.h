@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace sparkout {
@@ -75,6 +76,14 @@ public:
     [[nodiscard]] const Project* lastWith(Operation operation) const;
 
     void startUntitled(Project project);
+    /// The same, but these numbers are yet to be given; what the project has there stands in.
+    void startIncomplete(Project project, std::vector<std::string> open);
+    /// Numbers that have not been given yet. One that becomes another by an edit has been.
+    [[nodiscard]] const std::vector<std::string>& openInputs() const { return m_present.open; }
+    [[nodiscard]] bool isOpen(const std::string& path) const;
+    [[nodiscard]] Issues missingInputs() const; ///< a fault for each of them
+    /// A number is to be given again, as before the edits that a further one would join.
+    void withdraw(const std::string& path, EditText text);
     [[nodiscard]] OpenResult open(const QString& path);
     [[nodiscard]] Issues openCopy(const QByteArray& text); ///< of an example, untitled
     [[nodiscard]] std::optional<FileError> save();
@@ -103,18 +112,22 @@ private:
     struct Snapshot {
         Project project; ///< without its runs
         std::shared_ptr<const std::vector<KeptRun>> runs;
+        std::vector<std::string> open; ///< paths of the numbers that are yet to be given
     };
 
     enum class Kept { onDisk, nowhere };
     void replace(Project project, const QString& path, const QByteArray& hash, bool readOnly,
-                 Kept kept);
-    [[nodiscard]] Snapshot snapshot(Project project) const;
+                 Kept kept, std::vector<std::string> open = {});
+    [[nodiscard]] Snapshot snapshot(Project project, std::vector<std::string> open) const;
+    [[nodiscard]] std::vector<std::string> openIn(const Project& changed) const;
+    void push(Snapshot after, EditText text, const QString& mergeKey);
     void setProject(const Snapshot& snapshot);
     void step(const std::function<void()>& step);
     [[nodiscard]] const Edit* editAt(int index) const;
 
     Project m_project;
     Snapshot m_present; ///< the same
+    Project m_begun;    ///< as it was started: has what stands in for open inputs
     QString m_filePath;
     QByteArray m_diskHash;
     bool m_readOnly = false;

@@ -3,19 +3,29 @@
 
 #include <QElapsedTimer>
 
+#include <memory>
+#include <utility>
+
 namespace sparkout {
 
 RunController::RunController(QObject* parent, Runner runner)
     : QObject(parent), m_runner(std::move(runner)) {}
 
-void RunController::request(Project project) {
+void RunController::request(Project project, Issues missing) {
     m_running = true;
     emit started();
-    m_job.start([this, snapshot = std::move(project)](const std::stop_token& stop,
-                                                      const NewestJob::Post& post) {
+    m_job.start([this, snapshot = std::move(project), missing = std::move(missing)](
+                    const std::stop_token& stop, const NewestJob::Post& post) {
         QElapsedTimer clock;
         clock.start();
-        OutcomePtr outcome = m_runner(snapshot, stop);
+        OutcomePtr outcome;
+        if (missing.empty()) {
+            outcome = m_runner(snapshot, stop);
+        } else {
+            auto incomplete = std::make_shared<Outcome>();
+            incomplete->issues = missing;
+            outcome = std::move(incomplete);
+        }
         const double time_ms = double(clock.nsecsElapsed()) * 1e-6;
         if (outcome) {
             post([this, outcome = std::move(outcome), time_ms] { deliver(outcome, time_ms); });

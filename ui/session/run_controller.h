@@ -22,7 +22,8 @@ public:
 
     explicit RunController(QObject* parent = nullptr, Runner runner = evaluate);
 
-    void request(Project project);
+    /// Numbers that are missing are the outcome of a project that is not complete: it is not run.
+    void request(Project project, Issues missing = {});
     void stop(); ///< and drops its outcome
     [[nodiscard]] const Runner& runner() const { return m_runner; }
     [[nodiscard]] bool running() const { return m_running; }

@@ -2,6 +2,7 @@
 #include "ui/text/names.h"
 
 #include "core/digits.h"
+#include "core/project/member.h"
 #include "core/quality/ranges.h"
 #include "ui/text/texts.h"
 
@@ -251,6 +252,25 @@ QString Names::refusal(const Issues& issues, int most) {
         lines << tr("and %1 more").arg(left);
     }
     return lines.join(QLatin1Char('\n'));
+}
+
+bool Names::incomplete(const Issues& issues) {
+    return hasErrors(issues) && std::ranges::all_of(issues, [](const Issue& issue) {
+               return issue.severity != Severity::error || issue.code == IssueCode::missingKey;
+           });
+}
+
+QString Names::missingLinks(const Issues& issues) {
+    QStringList links;
+    for (const Issue& issue : issues) {
+        if (issue.code == IssueCode::missingKey) {
+            const Field* field = nearestField(Project{}, issue.path);
+            const QString name = field ? inputText(field->label) : locationText(issue.path);
+            links << QStringLiteral("<a href=\"%1\">%2</a>")
+                         .arg(QString::fromStdString(issue.path), name.toHtmlEscaped());
+        }
+    }
+    return links.join(QStringLiteral(", "));
 }
 
 QString Names::fixed(double value, int decimals) {

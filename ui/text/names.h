@@ -49,6 +49,9 @@ public:
     static QString uncutStrips(const Project& project);
     /// The first errors of a refused input, at most `most` of them, one a line.
     static QString refusal(const Issues& issues, int most = 3);
+    /// Whether nothing is wrong but that inputs are missing.
+    static bool incomplete(const Issues& issues);
+    static QString missingLinks(const Issues& issues); ///< to their paths, with markup
 
     /// Of so many decimals, in the current locale, with a true minus; never −0.
     static QString fixed(double value, int decimals);

@@ -3,6 +3,7 @@
 
 #include "core/study/new_project.h"
 #include "ui/dialogs/faults_dialog.h"
+#include "ui/dialogs/notice_bar.h"
 #include "ui/dialogs/watched_work.h"
 #include "ui/session/document.h"
 #include "ui/session/program_log.h"
@@ -12,7 +13,6 @@
 #include "ui/window/dialogs/examples_dialog.h"
 #include "ui/window/dialogs/file_questions.h"
 #include "ui/window/dialogs/versions_dialog.h"
-#include "ui/dialogs/notice_bar.h"
 #include "ui/window/recent_files_menu.h"
 
 #include <QEvent>
@@ -82,7 +82,8 @@ void FileCommands::start(const QString& file) {
 
 void FileCommands::startNew(Operation operation) {
     if (mayDiscard()) {
-        m_document.startUntitled(newProject(operation));
+        m_document.startIncomplete(undrawnProject(operation), drawingInputs());
+        emit begun(drawingInputs().front());
     }
 }
 

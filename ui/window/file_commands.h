@@ -12,6 +12,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 
 class QWidget;
 
@@ -58,6 +59,7 @@ public:
 
 signals:
     void saved();
+    void begun(const std::string& path); ///< a new project, whose first input is asked for
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

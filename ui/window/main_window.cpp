@@ -3,8 +3,9 @@
 
 #include "core/project/gauge.h"
 #include "ui/charts/verdict_why.h"
-#include "ui/inputs/inputs_panel.h"
+#include "ui/dialogs/notice_bar.h"
 #include "ui/inputs/forms/stock_fit.h"
+#include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/keyboard.h"
@@ -27,7 +28,6 @@
 #include "ui/window/export_commands.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_desk.h"
-#include "ui/dialogs/notice_bar.h"
 #include "ui/window/operation_notice.h"
 #include "ui/window/playback_bar.h"
 #include "ui/window/recent_files_menu.h"
@@ -292,7 +292,7 @@ void MainWindow::toggleDetached() {
 
 void MainWindow::connectDocument() {
     connect(&m_document, &Document::changed, this, [this] {
-        m_runs.request(m_document.project());
+        m_runs.request(m_document.project(), m_document.missingInputs());
         showTitle();
     });
     connect(&m_document, &Document::stepped, m_inputs, &InputsPanel::revealPath);
@@ -305,6 +305,7 @@ void MainWindow::connectDocument() {
         for (View* view : views()) {
             view->forget();
         }
+        m_verdict->forget();
     });
     connect(&m_document, &Document::stepped, this, drop);
     connect(&m_document, &Document::historyChanged, this, [this] {
@@ -312,6 +313,10 @@ void MainWindow::connectDocument() {
         showTitle();
     });
     connect(&m_runs, &RunController::finished, this, &MainWindow::showOutcome);
+    connect(m_files, &FileCommands::begun, this, [this](const std::string& path) {
+        m_layout->showInputs();
+        m_inputs->focusPath(path);
+    });
     connect(m_files, &FileCommands::saved, this, [this] {
         const int refused = static_cast<int>(m_inputs->refusals().size());
         m_status->showForAWhile(
@@ -345,6 +350,9 @@ void MainWindow::connectDocument() {
         m_inputs->focusPath(path);
     };
     connect(m_messages, &MessagesPanel::pathActivated, this, showInput);
+    for (View* view : views()) {
+        connect(view, &View::inputAsked, this, showInput);
+    }
     connect(m_messages, &MessagesPanel::stockFitAsked, this,
             [this] { StockFit::apply(m_document); });
     connect(m_verdict, &VerdictPanel::requirementActivated, this, &MainWindow::showRequirement);

@@ -25,12 +25,32 @@ ProjectSaver::ProjectSaver(Document& document, const Settings& settings, FileGua
                            DiskWait& wait, QWidget* window)
     : m_document(document), m_settings(settings), m_guard(guard), m_wait(wait), m_window(window) {}
 
+/// What stands in for numbers yet to be given would be read as theirs.
+bool ProjectSaver::isComplete() {
+    QStringList missing;
+    for (const std::string& path : m_document.openInputs()) {
+        missing += locationText(path);
+    }
+    if (!missing.isEmpty()) {
+        showFailure(m_window, tr("The project is not complete"),
+                    tr("It can be saved once its drawing is given. Still needed:")
+                        + QStringLiteral("\n• ") + missing.join(QStringLiteral("\n• ")));
+    }
+    return missing.isEmpty();
+}
+
 bool ProjectSaver::save() {
+    if (!isComplete()) {
+        return false;
+    }
     return m_document.filePath().isEmpty() || m_document.readOnly() ? saveAs()
                                                                     : saveTo(m_document.filePath());
 }
 
 bool ProjectSaver::saveAs() {
+    if (!isComplete()) {
+        return false;
+    }
     QString path = QFileDialog::getSaveFileName(m_window, tr("Save the project"), suggestedPath(),
                                                 tr("Sparkout projects (*.sparkout)"));
     if (path.isEmpty()) {

@@ -31,6 +31,7 @@ signals:
     void reloadWanted(); ///< instead: the file was changed by another program
 
 private:
+    bool isComplete(); ///< or says why it cannot be saved
     bool saveTo(const QString& path);
     [[nodiscard]] SaveAnswer clearTheWay(const QString& path);
     [[nodiscard]] QString suggestedPath() const;

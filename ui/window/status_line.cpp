@@ -3,6 +3,7 @@
 
 #include "core/process/coupled_sections.h"
 #include "core/study/outcome.h"
+#include "ui/text/names.h"
 
 #include <QLabel>
 #include <QLocale>
@@ -28,6 +29,11 @@ void StatusLine::showForAWhile(const QString& text) {
 void StatusLine::showOutcome(const Outcome* outcome, double lastRun_ms) {
     if (!outcome) {
         m_status->clear();
+        m_time->clear();
+        return;
+    }
+    if (Names::incomplete(outcome->issues)) {
+        m_status->setText(tr("Not computed: the project is not complete."));
         m_time->clear();
         return;
     }

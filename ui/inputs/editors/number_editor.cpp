@@ -38,10 +38,15 @@ QWidget* NumberEditor::slider() const {
 }
 
 std::optional<double> NumberEditor::stored() const {
-    return numberIn(field(), owner());
+    return document().isOpen(path()) ? std::nullopt : numberIn(field(), owner());
 }
 
 void NumberEditor::store(std::optional<double> value) {
+    const bool needed = field().kind == Kind::number || field().kind == Kind::integer;
+    if (!value && needed) { // typed and deleted again
+        document().withdraw(path(), {"Input", field().label});
+        return;
+    }
     change([this, value](void* to) { setNumberIn(field(), to, value); });
 }
 

@@ -14,7 +14,7 @@ namespace sparkout {
 
 QString StockFit::text(const Document& document) {
     const auto& before = document.project().cycle.stages;
-    if (before.empty() || stocksAddUp(document.project())) {
+    if (before.empty() || document.isOpen("/part/stock_mm") || stocksAddUp(document.project())) {
         return {};
     }
     const auto after = withFittedStocks(document.project()).cycle.stages;

@@ -153,6 +153,13 @@ void VerdictPanel::setOutcome(OutcomePtr outcome) {
         Qt::QueuedConnection);
 }
 
+void VerdictPanel::forget() {
+    m_good.reset();
+    m_latest.reset();
+    m_chosen.reset();
+    showTexts();
+}
+
 void VerdictPanel::showOutcome() {
     const bool ran = m_latest && m_latest->ran();
     if (ran) {
@@ -168,7 +175,10 @@ void VerdictPanel::showOutcome() {
 void VerdictPanel::showTexts() {
     const bool refused = m_latest && !m_latest->ran();
     QString notice;
-    if (refused) {
+    const bool incomplete = refused && !m_good && Names::incomplete(m_latest->issues);
+    if (incomplete) {
+        notice = tr("Not checked: requirements or other inputs are missing. Still needed:");
+    } else if (refused) {
         notice = (m_good ? tr("The inputs are refused; the numbers are those of the last "
                               "accepted ones.")
                          : tr("The inputs are refused:"))
@@ -183,7 +193,9 @@ void VerdictPanel::showTexts() {
         w->setVisible(m_good != nullptr);
     }
     m_off->clear(); // links take the palette's colour when the text is another
-    m_off->setText(m_good ? LimitNames::notCheckedLinks(m_good->result.project) : QString());
+    m_off->setText(m_good       ? LimitNames::notCheckedLinks(m_good->result.project)
+                   : incomplete ? Names::missingLinks(m_latest->issues)
+                                : QString());
     m_off->setVisible(!m_off->text().isEmpty());
     m_shop->setVisible(m_good && !m_good->shop.stages.empty());
     const ConstraintResult* about = m_good ? explained() : nullptr;

@@ -34,6 +34,7 @@ public:
 
 public slots:
     void setOutcome(sparkout::OutcomePtr outcome); ///< shown once, later in the event loop
+    void forget();                                 ///< another document comes
     void retranslate();
     void copy() const; ///< the requirements as tab-separated text to the clipboard
     /// Says that so many fields of the inputs show a text that is not what was computed.

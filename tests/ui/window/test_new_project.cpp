@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A new project: its drawing is yet to be given, and until then nothing is said of it.
+#include "core/study/new_project.h"
+#include "tests/registry.h"
+#include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/window_bench.h"
+#include "ui/fields/number_field.h"
+#include "ui/inputs/inputs_panel.h"
+#include "ui/inputs/messages_panel.h"
+#include "ui/plot/plot_view.h"
+#include "ui/views/feeds/feeds_view.h"
+#include "ui/views/verdict/verdict_panel.h"
+#include "ui/window/file_commands.h"
+#include "ui/window/main_window.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QLabel>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cstdlib>
+#include <map>
+
+namespace test_new_project {
+
+using namespace sparkout;
+
+namespace {
+
+const std::map<std::string, QString> drawing{{"/part/diameter_mm", QStringLiteral("40")},
+                                             {"/part/upper_deviation_um", QStringLiteral("0")},
+                                             {"/part/lower_deviation_um", QStringLiteral("-25")},
+                                             {"/part/length_mm", QStringLiteral("80")},
+                                             {"/part/stock_mm", QStringLiteral("0,15")}};
+
+struct NewBench : Bench {
+    explicit NewBench(const char* command = "newTraverse") : Bench(QStringLiteral("en")) {
+        open(examplePaths().front());
+        action(command)->trigger();
+    }
+    [[nodiscard]] NumberField& field(const std::string& path) {
+        return *window->findChild<NumberField*>(QString::fromStdString(path));
+    }
+    void type(const std::string& path, const QString& text) {
+        NumberField& to = field(path);
+        to.setFocus();
+        to.selectAll();
+        QTest::keyClicks(&to, text);
+        QTest::keyClick(&to, Qt::Key_Return);
+    }
+    [[nodiscard]] QLabel& verdict(const char* part) {
+        return *window->findChild<VerdictPanel*>()->findChild<QLabel*>(QString::fromLatin1(part));
+    }
+    [[nodiscard]] bool incomplete() {
+        return QTest::qWaitFor([this] {
+            return window->outcome() && !window->outcome()->ran()
+                   && window->outcome()->issues.size() == window->document().openInputs().size();
+        });
+    }
+};
+
+} // namespace
+
+class TestNewProject : public QObject {
+    Q_OBJECT
+
+private slots:
+    void itStartsAtThePartAndAsksForTheDrawing() {
+        for (const char* command : {"newTraverse", "newPlunge"}) {
+            NewBench bench(command);
+            QVERIFY(bench.incomplete());
+            QCOMPARE(QApplication::focusWidget(), &bench.field("/part/diameter_mm"));
+            for (const std::string& path : drawingInputs()) {
+                QVERIFY2(bench.field(path).text().isEmpty(), path.c_str());
+                QVERIFY(!bench.field(path).refused());
+                QCOMPARE(bench.field(path).remark().mark, Mark::error);
+            }
+            QCOMPARE(bench.window->messages().count(), int(drawingInputs().size()));
+            QVERIFY(!bench.window->document().modified());
+        }
+    }
+
+    void theVerdictIsNeutralAndTheViewsLeadToWhatIsMissing() {
+        NewBench bench;
+        QVERIFY(bench.incomplete());
+        QTRY_VERIFY(bench.verdict("notice").text().startsWith(QStringLiteral("Not checked")));
+        QVERIFY(!bench.verdict("overall").isVisible());
+        QVERIFY(bench.verdict("notChecked").text().contains(QStringLiteral("/part/stock_mm")));
+        auto* feeds = bench.window->findChild<FeedsView*>();
+        auto* notice = feeds->findChild<QLabel*>(feeds->objectName() + QStringLiteral("Notice"));
+        QTRY_VERIFY(notice->text().contains(QStringLiteral("Still needed")));
+        emit notice->linkActivated(QStringLiteral("/part/length_mm"));
+        QCOMPARE(QApplication::focusWidget(), &bench.field("/part/length_mm"));
+    }
+
+    void onceTheDrawingIsGivenItIsComputedAndUndoAsksAgain() {
+        NewBench bench;
+        QVERIFY(bench.incomplete());
+        for (const auto& [path, text] : drawing) {
+            QVERIFY(!bench.window->document().openInputs().empty());
+            bench.type(path, text);
+            QVERIFY(!bench.window->document().isOpen(path));
+        }
+        QTRY_VERIFY(bench.window->outcome()->ran());
+        QCOMPARE(bench.window->document().project().part.diameter_mm, 40.0);
+        QCOMPARE(bench.window->document().project().part.stock_mm, 0.15);
+        QTRY_VERIFY(bench.verdict("overall").isVisible());
+        bench.window->document().undo();
+        QVERIFY(bench.incomplete());
+        QCOMPARE(bench.window->document().openInputs().size(), std::size_t(1));
+        bench.window->document().redo();
+        QTRY_VERIFY(bench.window->outcome()->ran());
+    }
+
+    void aNumberThatIsDeletedAgainIsAskedForAgain() {
+        NewBench bench;
+        NumberField& field = bench.field("/part/diameter_mm");
+        field.setFocus();
+        QTest::keyClicks(&field, QStringLiteral("40"));
+        QVERIFY(!bench.window->document().isOpen("/part/diameter_mm"));
+        QTest::keyClick(&field, Qt::Key_Backspace);
+        QTest::keyClick(&field, Qt::Key_Backspace);
+        QVERIFY(bench.window->document().isOpen("/part/diameter_mm"));
+        QVERIFY(!bench.window->document().modified()); // as if nothing had been typed
+        QVERIFY(bench.incomplete());
+        QVERIFY(field.text().isEmpty());
+    }
+
+    void anotherOperationLeavesTheDrawingOpen() {
+        NewBench bench;
+        Project plunge = bench.window->document().project();
+        plunge.operation = Operation::plunge;
+        plunge.part.length_mm = 20;
+        bench.window->document().edit(plunge, {"Input", "Operation"});
+        QCOMPARE(bench.window->document().openInputs().size(), drawingInputs().size());
+        QVERIFY(bench.incomplete());
+    }
+
+    void savingSaysWhyNot() {
+        NewBench bench;
+        {
+            const DialogAnswers answers({QStringLiteral("Escape")});
+            QVERIFY(!bench.window->files().save());
+            QCOMPARE(answers.fault(), QString());
+            QVERIFY(answers.text().contains(QStringLiteral("Diameter")));
+        }
+        bench.type("/part/diameter_mm", QStringLiteral("40"));
+        const DialogAnswers again({QStringLiteral("Escape")});
+        QVERIFY(!bench.window->files().saveAs());
+        QCOMPARE(again.fault(), QString());
+        QVERIFY(!again.text().contains(QStringLiteral("Diameter")));
+    }
+};
+
+} // namespace test_new_project
+
+SPARKOUT_TEST(test_new_project, TestNewProject)
+#include "test_new_project.moc"
