@@ -202,6 +202,7 @@ private slots:
             const DialogAnswers answers({QStringLiteral("file:") + path});
             bench.action("pdf-card")->trigger();
             QCOMPARE(answers.fault(), QString());
+            QTRY_VERIFY(noticeButton(bench, button)); // it is shown later in the event loop
             click(noticeButton(bench, button));
             QTRY_COMPARE(opened.urls.value(opened.urls.size() - 1), QUrl::fromLocalFile(url));
             QVERIFY(!noticeButton(bench, button)); // the notice has been answered
@@ -222,6 +223,7 @@ private slots:
             bench.action("pdf-card")->trigger();
             QCOMPARE(answers.fault(), QString());
             QVERIFY(!gone || QFile::remove(path));
+            QTRY_VERIFY(noticeButton(bench, "Open")); // it is shown later in the event loop
             click(noticeButton(bench, "Open"));
             QTRY_VERIFY(said().contains(gone ? QStringLiteral("is no longer there")
                                              : QStringLiteral("names no program")));
