@@ -58,7 +58,11 @@ void StageTable::retranslate() {
 
 void StageTable::showFit() {
     const QString text = StockFit::text(document());
-    m_fit->setText(text);
+    // In two lines: the page is narrow.
+    m_fit->setText(QString(text)
+                       .replace(QStringLiteral(": "), QStringLiteral(":\n"))
+                       .replace(QStringLiteral(", "), QStringLiteral(",\n")));
+    m_fit->setAccessibleName(text);
     m_fit->setVisible(!text.isEmpty());
 }
 
