@@ -39,12 +39,12 @@ std::vector<std::string> drawingInputs() {
 Project undrawnProject(Operation operation) {
     constexpr double never = 1.7e-7; // is added by no one
     Project project = newProject(operation);
-    project.part.tolerance = {};
-    project.part.diameter_mm += never;
-    project.part.upper_deviation_um += never;
-    project.part.lower_deviation_um -= never;
-    project.part.length_mm -= never; // a plunge reaches as far as the wheel
-    project.part.stock_mm += never;
+    project.part->tolerance = {};
+    project.part->diameter_mm += never;
+    project.part->upper_deviation_um += never;
+    project.part->lower_deviation_um -= never;
+    project.part->length_mm -= never; // a plunge reaches as far as the wheel
+    project.part->stock_mm += never;
     return project;
 }
 

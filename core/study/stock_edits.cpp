@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/stock_edits.h"
 
+#include "core/project/cycle.h"
+#include "core/project/part.h"
+
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -27,15 +30,15 @@ double sumFrom(const std::vector<Stage>& stages, std::size_t first) {
 } // namespace
 
 bool stocksAddUp(const Project& project) {
-    return std::abs(sumFrom(project.cycle.stages, 0) - project.part.stock_mm) <= sameStock_mm;
+    return std::abs(sumFrom(project.cycle->stages, 0) - project.part->stock_mm) <= sameStock_mm;
 }
 
 Project withFittedStocks(Project project) {
-    auto& stages = project.cycle.stages;
+    auto& stages = project.cycle->stages;
     if (stages.empty() || stocksAddUp(project)) {
         return project;
     }
-    const double stock_mm = project.part.stock_mm;
+    const double stock_mm = project.part->stock_mm;
     if (sumFrom(stages, 1) >= stock_mm) {
         const double scale = stock_mm / sumFrom(stages, 0);
         for (Stage& stage : stages) {

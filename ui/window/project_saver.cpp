@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/project_saver.h"
 
+#include "core/project/part.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/files/file_guard.h"
 #include "ui/session/document.h"
@@ -131,7 +132,7 @@ QString ProjectSaver::suggestedPath() const {
         return folder + u'/' + tr("%1 copy").arg(file.completeBaseName()) + suffix;
     }
     const Project& project = m_document.project(); // named after the part, as its drawing is
-    QString name = fileNameOf({QString::fromStdString(project.part.name)});
+    QString name = fileNameOf({QString::fromStdString(project.part->name)});
     if (name.isEmpty()) {
         name = fileNameOf({QString::fromStdString(project.title)});
     }

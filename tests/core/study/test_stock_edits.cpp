@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/cycle.h"
+#include "core/project/part.h"
 #include "core/study/stock_edits.h"
 
 #include "core/project/validate.h"
@@ -20,7 +22,7 @@ namespace {
 
 double sum(const Project& project) {
     double sum = 0;
-    for (const Stage& stage : project.cycle.stages) {
+    for (const Stage& stage : project.cycle->stages) {
         sum += stage.stock_mm;
     }
     return sum;
@@ -53,12 +55,12 @@ private slots:
         QFETCH(double, stock);
         Project project = newProject(plunge ? Operation::plunge : Operation::traverse);
         QVERIFY(stocksAddUp(project));
-        project.part.stock_mm = stock;
+        project.part->stock_mm = stock;
         QVERIFY(!stocksAddUp(project) && remarked(project));
         const Project fitted = withFittedStocks(project);
         QVERIFY(stocksAddUp(fitted) && !remarked(fitted));
-        for (std::size_t i = 1; i < project.cycle.stages.size(); ++i) {
-            QCOMPARE(fitted.cycle.stages[i].stock_mm, project.cycle.stages[i].stock_mm);
+        for (std::size_t i = 1; i < project.cycle->stages.size(); ++i) {
+            QCOMPARE(fitted.cycle->stages[i].stock_mm, project.cycle->stages[i].stock_mm);
         }
         // The cycle itself is the one that ran before.
         const SimulationResult before = simulate(project), after = simulate(fitted);
@@ -68,27 +70,27 @@ private slots:
 
     void whereTheLaterOnesLeaveNothingAllKeepTheirShare() {
         Project project = newProject(Operation::traverse);
-        const std::vector<Stage> before = project.cycle.stages;
-        project.part.stock_mm = before[1].stock_mm / 2;
-        const double scale = project.part.stock_mm / (before[0].stock_mm + before[1].stock_mm);
+        const std::vector<Stage> before = project.cycle->stages;
+        project.part->stock_mm = before[1].stock_mm / 2;
+        const double scale = project.part->stock_mm / (before[0].stock_mm + before[1].stock_mm);
         const Project fitted = withFittedStocks(project);
         QVERIFY(stocksAddUp(fitted));
-        QVERIFY(std::abs(sum(fitted) - project.part.stock_mm) < 1e-12);
+        QVERIFY(std::abs(sum(fitted) - project.part->stock_mm) < 1e-12);
         for (std::size_t i = 0; i < before.size(); ++i) {
-            QVERIFY(fitted.cycle.stages[i].stock_mm > 0);
-            QVERIFY(std::abs(fitted.cycle.stages[i].stock_mm - before[i].stock_mm * scale) < 2e-9);
+            QVERIFY(fitted.cycle->stages[i].stock_mm > 0);
+            QVERIFY(std::abs(fitted.cycle->stages[i].stock_mm - before[i].stock_mm * scale) < 2e-9);
         }
     }
 
     void stocksThatAddUpStay() {
         const Project project = newProject(Operation::plunge);
         const Project fitted = withFittedStocks(project);
-        for (std::size_t i = 0; i < project.cycle.stages.size(); ++i) {
-            QCOMPARE(fitted.cycle.stages[i].stock_mm, project.cycle.stages[i].stock_mm);
+        for (std::size_t i = 0; i < project.cycle->stages.size(); ++i) {
+            QCOMPARE(fitted.cycle->stages[i].stock_mm, project.cycle->stages[i].stock_mm);
         }
         Project none;
-        none.cycle.stages.clear();
-        QVERIFY(withFittedStocks(none).cycle.stages.empty());
+        none.cycle->stages.clear();
+        QVERIFY(withFittedStocks(none).cycle->stages.empty());
     }
 };
 

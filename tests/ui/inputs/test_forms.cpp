@@ -3,6 +3,7 @@
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
+#include "core/project/optimisation.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "core/study/new_project.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stage table and the clipboard: cells of a spreadsheet pasted, refused, copied.
+#include "core/project/cycle.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
@@ -130,8 +131,8 @@ private slots:
     void aSparkOutStaysTheLastWhereItIsNotGiven() {
         Bench bench;
         Project sparks = bench.document.project();
-        sparks.cycle.stages.back().sparkOutFor(4);
-        sparks.cycle.stages.back().radial_feed_mm.reset();
+        sparks.cycle->stages.back().sparkOutFor(4);
+        sparks.cycle->stages.back().radial_feed_mm.reset();
         bench.document.startUntitled(sparks);
         bench.select(0, 0);
         paste(bench, QStringLiteral("0.006\t1500\t0.08\n0.004\t1200\t0.04\n0.002\t900\t0.03"));
@@ -156,26 +157,26 @@ private slots:
             for (int i = 0; i < 20; ++i) {
                 Bench bench;
                 Project project = bench.document.project();
-                const Stage some = project.cycle.stages.front();
-                project.cycle.stages.assign(1 + random() % 6, some);
-                for (Stage& stage : project.cycle.stages) {
+                const Stage some = project.cycle->stages.front();
+                project.cycle->stages.assign(1 + random() % 6, some);
+                for (Stage& stage : project.cycle->stages) {
                     stage.radial_feed_mm = number(0.001, 0.05);
                     stage.axial_feed_mm_min = number(50, 6000);
                     stage.stock_mm = number(0, 0.2);
                 }
                 if (random() % 2) {
-                    project.cycle.stages.back().sparkOutFor(int(1 + random() % 9));
-                    project.cycle.stages.back().radial_feed_mm.reset();
+                    project.cycle->stages.back().sparkOutFor(int(1 + random() % 9));
+                    project.cycle->stages.back().radial_feed_mm.reset();
                 }
                 bench.document.startUntitled(project);
                 const QString table = copied(bench, Qt::ControlModifier | Qt::ShiftModifier);
                 bench.document.startUntitled(newProject(Operation::traverse));
                 bench.select(1, 1);
                 paste(bench, table);
-                QCOMPARE(bench.stages().size(), project.cycle.stages.size());
+                QCOMPARE(bench.stages().size(), project.cycle->stages.size());
                 for (std::size_t k = 0; k < bench.stages().size(); ++k) {
                     const Stage& is = bench.stages()[k];
-                    const Stage& was = project.cycle.stages[k];
+                    const Stage& was = project.cycle->stages[k];
                     QCOMPARE(is.radial_feed_mm, was.radial_feed_mm);
                     QCOMPARE(is.axial_feed_mm_min, was.axial_feed_mm_min);
                     QCOMPARE(is.stock_mm, was.stock_mm);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stages of the table: added, removed, moved, made to spark out.
 #include "core/project/cycle.h"
+#include "core/project/part.h"
 #include "core/project/validate.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
@@ -184,7 +185,7 @@ private slots:
         auto* fit = bench.table.findChild<QPushButton*>(QStringLiteral("fitStocks"));
         QVERIFY(fit && !fit->isVisible());
         Project thicker = bench.document.project();
-        thicker.part.stock_mm = 0.2;
+        thicker.part->stock_mm = 0.2;
         bench.document.edit(thicker, {"Input", "Stock"});
         QVERIFY(fit->isVisible());
         QVERIFY(fit->text().contains(QLocale().toString(0.16)));
@@ -195,7 +196,7 @@ private slots:
         bench.document.undo();
         QCOMPARE(bench.stages()[0].stock_mm, 0.11);
         QVERIFY(fit->isVisible());
-        thicker.part.stock_mm = 0.02; // less than the last stage has
+        thicker.part->stock_mm = 0.02; // less than the last stage has
         bench.document.edit(thicker, {"Input", "Stock"});
         QVERIFY(fit->text().contains(QStringLiteral("in proportion")));
         fit->setFocus();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window asks before it saves over something, and when saving fails.
+#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/ui/window/file_dialogs_bench.h"
 
@@ -75,7 +76,7 @@ private slots:
         QFETCH(QString, name);
         Bench bench;
         Project project = newProject(Operation::traverse);
-        project.part.name = part.toStdString();
+        project.part->name = part.toStdString();
         project.title = title.toStdString();
         bench.document().startUntitled(project);
         DialogAnswers answers({QStringLiteral("Escape")});

@@ -175,7 +175,7 @@ private slots:
         Bench bench(QStringLiteral("en"));
         bench.open(example("shaft-30h6-factory.sparkout"));
         Project project = bench.window->document().project();
-        project.part.stock_mm += 0.05;
+        project.part->stock_mm += 0.05;
         bench.window->document().edit(project, {"Input", "Stock"});
         MessagesPanel& messages = bench.window->messages();
         const auto line = [&messages] {

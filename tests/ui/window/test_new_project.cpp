@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A new project: its drawing is yet to be given, and until then nothing is said of it.
+#include "core/project/part.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
@@ -103,8 +104,8 @@ private slots:
             QVERIFY(!bench.window->document().isOpen(path));
         }
         QTRY_VERIFY(bench.window->outcome()->ran());
-        QCOMPARE(bench.window->document().project().part.diameter_mm, 40.0);
-        QCOMPARE(bench.window->document().project().part.stock_mm, 0.15);
+        QCOMPARE(bench.window->document().project().part->diameter_mm, 40.0);
+        QCOMPARE(bench.window->document().project().part->stock_mm, 0.15);
         QTRY_VERIFY(bench.verdict("overall").isVisible());
         bench.window->document().undo();
         QVERIFY(bench.incomplete());
@@ -131,7 +132,7 @@ private slots:
         NewBench bench;
         Project plunge = bench.window->document().project();
         plunge.operation = Operation::plunge;
-        plunge.part.length_mm = 20;
+        plunge.part->length_mm = 20;
         bench.window->document().edit(plunge, {"Input", "Operation"});
         QCOMPARE(bench.window->document().openInputs().size(), drawingInputs().size());
         QVERIFY(bench.incomplete());

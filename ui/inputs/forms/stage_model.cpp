@@ -79,14 +79,14 @@ void StageModel::setSparkOut(const QModelIndex& index, Stage edited) {
 }
 
 std::size_t StageModel::lastRowsKept(const std::vector<const Field*>& given) const {
-    const auto& stages = document().project().cycle.stages;
+    const auto& stages = document().project().cycle->stages;
     const bool said = std::ranges::any_of(
         given, [](const Field* field) { return field->kind == Kind::countOrWord; });
     return !said && !stages.empty() && !stages.back().feeds() ? 1 : 0;
 }
 
 void StageModel::resizeRows(Project& project, std::size_t rows, std::size_t last) const {
-    auto& stages = project.cycle.stages;
+    auto& stages = project.cycle->stages;
     const auto end = [&] { return stages.end() - std::ptrdiff_t(last); };
     if (rows < stages.size()) {
         stages.erase(end() - std::ptrdiff_t(stages.size() - rows), end());
@@ -109,7 +109,7 @@ QString StageModel::takeText(Project& project, int row, const Field& column,
 
 QString StageModel::takeSparkOut(Project& project, std::size_t row, const Field& column,
                                  const QString& text) const {
-    Stage& stage = project.cycle.stages[row];
+    Stage& stage = project.cycle->stages[row];
     const QString said = text.simplified();
     const auto isWord = [&said](const QString& word) {
         return said.compare(word, Qt::CaseInsensitive) == 0;
@@ -127,7 +127,7 @@ QString StageModel::takeSparkOut(Project& project, std::size_t row, const Field&
         return tr("“%1” is no spark-out; allowed: %2, “%3”, “%4”")
             .arg(text, rangeShown(column.hard, ""), tr("none"), tr("until size"));
     }
-    if (row + 1 != project.cycle.stages.size()) {
+    if (row + 1 != project.cycle->stages.size()) {
         return tr("“%1”: only the last stage may spark out").arg(text);
     }
     isCount ? stage.sparkOutFor(int(*count)) : stage.sparkOutUntilSize();
