@@ -264,6 +264,16 @@
         </message>
     </context>
     <context>
+        <name>OverviewCharts</name>
+        <message numerus="yes">
+            <source>%n ranges of the machine hold and are not drawn.</source>
+            <translation>
+                <numerusform>%n range of the machine holds and is not drawn.</numerusform>
+                <numerusform>%n ranges of the machine hold and are not drawn.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>ListPaste</name>
         <message numerus="yes">
             <source>%n column(s) too many from the selected cell on</source>

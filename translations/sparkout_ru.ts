@@ -6648,8 +6648,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Строка — ступень: подачи, припуск, выхаживание и время, которое она занимает. Введите число в ячейку — всё сразу пересчитается. На страницах выше — деталь, материал, круг, станок, ПАК и партия.</translation>
         </message>
         <message>
-            <source>Dashed: the feed of the program. Solid: what the part really gets, zone by zone, because everything yields. The other tabs show form, limits, compliance, layers, a batch and compared runs.</source>
-            <translation>Штриховая линия — подача по программе. Сплошная — то, что на деле достаётся детали, по зонам: ведь всё отжимается. На других вкладках — форма, пределы, податливость, слои, партия и сравнение расчётов.</translation>
+            <source>Dashed: the feed of the program. Solid: what the part really gets, zone by zone, because everything yields. The first tab sums the cycle up in bars; the others show form, limits, compliance, layers, a batch and compared runs.</source>
+            <translation>Штриховая линия — подача по программе. Сплошная — то, что на деле достаётся детали, по зонам: ведь всё отжимается. Первая вкладка подводит итог цикла столбцами; на остальных — форма, пределы, податливость, слои, партия и сравнение расчётов.</translation>
         </message>
         <message>
             <source>The last button of the tool bar opens the shipped examples, each as a copy: change what you like. The first one begins a project of your own.</source>
@@ -11249,12 +11249,22 @@ target, µm</source>
             <translation>Коэффициент стандартизованной ранговой регрессии</translation>
         </message>
         <message>
-            <source>Share of the variance: full alone, pale with interactions</source>
-            <translation>Доля дисперсии: ярко — сам фактор, бледно — со взаимодействиями</translation>
-        </message>
-        <message>
             <source>Characteristic</source>
             <translation>Характеристика</translation>
+        </message>
+        <message>
+            <source>Share of the variance</source>
+            <translation>Доля дисперсии</translation>
+        </message>
+        <message>
+            <source>%1 alone</source>
+            <comment>zone</comment>
+            <translation>%1 отдельно</translation>
+        </message>
+        <message>
+            <source>%1 with interactions</source>
+            <comment>zone</comment>
+            <translation>%1 с взаимодействиями</translation>
         </message>
     </context>
     <context>
@@ -11513,12 +11523,8 @@ target, µm</source>
             <translation>%1: цикл, который выдерживает все требования, не найден</translation>
         </message>
         <message>
-            <source>Number of stages</source>
-            <translation>Число ступеней</translation>
-        </message>
-        <message>
-            <source>Machining time, min</source>
-            <translation>Время обработки, мин</translation>
+            <source>Machining time</source>
+            <translation>Время обработки</translation>
         </message>
     </context>
     <context>
@@ -12612,6 +12618,330 @@ mm/min</source>
 µm</source>
             <translation>Радиус,
 мкм</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::OverviewView</name>
+        <message>
+            <source>Add a batch…</source>
+            <translation>Добавить партию…</translation>
+        </message>
+        <message>
+            <source>This project describes no batch. A batch of parts whose stock, runout and wheel scatter shows here how the sizes scatter and how many parts are good.</source>
+            <translation>В проекте нет партии. Партия деталей, у которых рассеиваются припуск, биение и состояние круга, покажет здесь рассеяние размеров и число годных деталей.</translation>
+        </message>
+        <message>
+            <source>The batch has not been run: here will be how its sizes scatter and how many parts are good.</source>
+            <translation>Партия ещё не рассчитана: здесь будут рассеяние её размеров и число годных деталей.</translation>
+        </message>
+        <message>
+            <source>Run the batch…</source>
+            <translation>Рассчитать партию…</translation>
+        </message>
+        <message>
+            <source>No part of the batch has a size to show.</source>
+            <translation>Ни у одной детали партии нет размера.</translation>
+        </message>
+        <message>
+            <source>The batch is of corners: they are no sample and have no quartiles.</source>
+            <translation>Партия состоит из предельных сочетаний: это не выборка, квартилей у неё нет.</translation>
+        </message>
+        <message>
+            <source>To the batch…</source>
+            <translation>К партии…</translation>
+        </message>
+        <message>
+            <source>The cycle is too long to be recorded step by step: fewer radii or sections help.</source>
+            <translation>Цикл слишком длинный для записи по этапам: помогут меньше радиусов или сечений.</translation>
+        </message>
+        <message>
+            <source>present</source>
+            <comment>run</comment>
+            <translation>текущий</translation>
+        </message>
+        <message>
+            <source>No run is kept yet: here will be its time and margin beside those of the present run.</source>
+            <translation>Запомненных расчётов ещё нет: здесь будут их время и запас рядом с текущим расчётом.</translation>
+        </message>
+        <message>
+            <source>Keep this run</source>
+            <translation>Запомнить этот расчёт</translation>
+        </message>
+        <message>
+            <source>Overview</source>
+            <translation>Обзор</translation>
+        </message>
+        <message>
+            <source>Point at a bar to read its value; a click leads to the view with the details. By keyboard: arrows, Enter.</source>
+            <translation>Наведите указатель на столбец, чтобы прочитать значение; щелчок ведёт к виду с подробностями. С клавиатуры: стрелки, Enter.</translation>
+        </message>
+        <message>
+            <source>The batch is of the inputs before the last edit.</source>
+            <translation>Партия рассчитана по исходным данным до последней правки.</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>view, chart</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Legend of the overview</source>
+            <translation>Условные обозначения обзора</translation>
+        </message>
+        <message>
+            <source>State of the overview</source>
+            <translation>Состояние обзора</translation>
+        </message>
+        <message>
+            <source>Values under the mouse</source>
+            <translation>Значения под указателем</translation>
+        </message>
+        <message>
+            <source>Charts of the overview</source>
+            <translation>Диаграммы обзора</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::OverviewTile</name>
+        <message>
+            <source>Back to all charts</source>
+            <translation>Назад ко всем диаграммам</translation>
+        </message>
+        <message>
+            <source>Enlarge: %1</source>
+            <translation>Увеличить: %1</translation>
+        </message>
+        <message>
+            <source>Back to all charts (Esc)</source>
+            <translation>Назад ко всем диаграммам (Esc)</translation>
+        </message>
+        <message>
+            <source>Enlarge this chart to the whole page</source>
+            <translation>Увеличить диаграмму на всю страницу</translation>
+        </message>
+        <message>
+            <source>Legend: %1</source>
+            <translation>Условные обозначения: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>OverviewCharts</name>
+        <message>
+            <source>Time by stage and step</source>
+            <translation>Время по ступеням и этапам</translation>
+        </message>
+        <message>
+            <source>Removed by stage, zone and step</source>
+            <translation>Снятый припуск по ступеням, зонам и этапам</translation>
+        </message>
+        <message>
+            <source>What the diameter deviations are made of</source>
+            <translation>Из чего складываются отклонения диаметра</translation>
+        </message>
+        <message>
+            <source>Limits used up</source>
+            <translation>Использование допусков и пределов</translation>
+        </message>
+        <message>
+            <source>Batch: mean diameter by zone</source>
+            <translation>Партия: средний диаметр по зонам</translation>
+        </message>
+        <message>
+            <source>Batch: parts good and out</source>
+            <translation>Партия: годные и негодные детали</translation>
+        </message>
+        <message>
+            <source>Kept runs: time and margin</source>
+            <translation>Запомненные расчёты: время и запас</translation>
+        </message>
+        <message>
+            <source>Stage</source>
+            <translation>Ступень</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>Время</translation>
+        </message>
+        <message>
+            <source>Stage %1</source>
+            <translation>Ступень %1</translation>
+        </message>
+        <message>
+            <source>The cycle is too long to be recorded step by step.</source>
+            <translation>Цикл слишком длинный для записи по этапам.</translation>
+        </message>
+        <message>
+            <source>%1 of %2 sections: the ends, the gauge's and the one whose diameter is nearest to its limit.</source>
+            <translation>Сечения: %1 из %2 — крайние, сечение прибора и то, диаметр которого ближе всего к пределу.</translation>
+        </message>
+        <message>
+            <source>Stage and zone</source>
+            <translation>Ступень и зона</translation>
+        </message>
+        <message>
+            <source>Removed per side</source>
+            <translation>Снято на сторону</translation>
+        </message>
+        <message>
+            <source>Stage %1, %2</source>
+            <comment>number, zone</comment>
+            <translation>Ступень %1, %2</translation>
+        </message>
+        <message>
+            <source>Diameter</source>
+            <translation>Диаметр</translation>
+        </message>
+        <message>
+            <source>From nominal</source>
+            <translation>От номинала</translation>
+        </message>
+        <message>
+            <source>tolerance field</source>
+            <translation>поле допуска</translation>
+        </message>
+        <message>
+            <source>deviation, the sum</source>
+            <translation>отклонение, сумма</translation>
+        </message>
+        <message>
+            <source>gauge at the end</source>
+            <translation>прибор в конце</translation>
+        </message>
+        <message>
+            <source>zone against the gauge</source>
+            <translation>зона относительно прибора</translation>
+        </message>
+        <message>
+            <source>out of round</source>
+            <translation>некруглость</translation>
+        </message>
+        <message>
+            <source>min</source>
+            <comment>diameter</comment>
+            <translation>мин</translation>
+        </message>
+        <message>
+            <source>max</source>
+            <comment>diameter</comment>
+            <translation>макс</translation>
+        </message>
+        <message>
+            <source>Requirement</source>
+            <translation>Требование</translation>
+        </message>
+        <message>
+            <source>Of the field or limit</source>
+            <translation>Доля допуска или предела</translation>
+        </message>
+        <message>
+            <source>limit</source>
+            <translation>предел</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n ranges of the machine hold and are not drawn.</source>
+            <translation>
+                <numerusform>%n диапазон станка соблюдён и не показан.</numerusform>
+                <numerusform>%n диапазона станка соблюдены и не показаны.</numerusform>
+                <numerusform>%n диапазонов станка соблюдены и не показаны.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Zone or section</source>
+            <translation>Зона или сечение</translation>
+        </message>
+        <message>
+            <source>Mean diameter</source>
+            <translation>Средний диаметр</translation>
+        </message>
+        <message>
+            <source>Box: the middle half of the parts, with their median; whiskers: the smallest and the largest part.</source>
+            <translation>Прямоугольник — средняя половина деталей, черта в нём — медиана; «усы» — до наименьшей и наибольшей детали.</translation>
+        </message>
+        <message>
+            <source>The quartiles are exact to within a bin.</source>
+            <translation>Квартили — с точностью до интервала гистограммы.</translation>
+        </message>
+        <message>
+            <source>%1 of %2 sections, where the Ppk is least.</source>
+            <translation>Сечения: %1 из %2, где Ppk наименьший.</translation>
+        </message>
+        <message>
+            <source>Batch</source>
+            <translation>Партия</translation>
+        </message>
+        <message>
+            <source>Parts</source>
+            <translation>Детали</translation>
+        </message>
+        <message>
+            <source>good</source>
+            <translation>годные</translation>
+        </message>
+        <message>
+            <source>out of tolerance</source>
+            <translation>вне допуска</translation>
+        </message>
+        <message>
+            <source>size not reached</source>
+            <translation>размер не достигнут</translation>
+        </message>
+        <message>
+            <source>%1 of %2
+good</source>
+            <comment>numbers of parts</comment>
+            <translation>%1 из %2
+годны</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>Расчёт</translation>
+        </message>
+        <message>
+            <source>Machining time</source>
+            <translation>Время обработки</translation>
+        </message>
+        <message>
+            <source>Least margin</source>
+            <translation>Наименьший запас</translation>
+        </message>
+        <message>
+            <source>machining time</source>
+            <translation>время обработки</translation>
+        </message>
+        <message>
+            <source>least margin</source>
+            <translation>наименьший запас</translation>
+        </message>
+        <message>
+            <source>Margin: that of the requirement nearest to its limit, below 0 where one fails.</source>
+            <translation>Запас — у требования, ближайшего к пределу; ниже 0, если требование не выполнено.</translation>
+        </message>
+        <message>
+            <source>The present run and the newest %1 of %2 kept ones.</source>
+            <translation>Текущий расчёт и последние %1 из %2 запомненных.</translation>
+        </message>
+    </context>
+    <context>
+        <name>BarChart</name>
+        <message>
+            <source>smallest</source>
+            <translation>наименьший</translation>
+        </message>
+        <message>
+            <source>lower quartile</source>
+            <translation>нижний квартиль</translation>
+        </message>
+        <message>
+            <source>median</source>
+            <translation>медиана</translation>
+        </message>
+        <message>
+            <source>upper quartile</source>
+            <translation>верхний квартиль</translation>
+        </message>
+        <message>
+            <source>largest</source>
+            <translation>наибольший</translation>
         </message>
     </context>
     <context>

@@ -178,6 +178,11 @@ private:
 
 namespace {
 
+/// Ppk, where it was made; else the greatest number.
+double leastPpk(const CharacteristicSummary& summary) {
+    return summary.ppk ? summary.ppk->value : std::numeric_limits<double>::max();
+}
+
 std::vector<RejectCause> causesOf(const BatchStatistics& statistics) {
     std::vector<RejectCause> causes{{std::nullopt, statistics.failed}};
     for (std::size_t i = 0; i < statistics.rejects.size(); ++i) {

@@ -85,4 +85,6 @@ struct BatchSummary {
 placesOf(const BatchSummary& summary, const std::string& name,
          std::size_t most = std::numeric_limits<std::size_t>::max());
 
+inline constexpr std::size_t mostPlaces = 6; ///< of a characteristic, drawn side by side
+
 } // namespace sparkout

@@ -6,6 +6,7 @@
 #include "core/format/table_reader.h"
 #include "core/format/table_writer.h"
 #include "core/project/part.h"
+#include "core/quality/requirement.h"
 #include "core/quality/result_names.h"
 #include "core/text.h"
 #include "core/units.h"
@@ -207,6 +208,18 @@ RunSummary summarise(const SimulationResult& result, const PartAccuracy& accurac
                                         constraint.relativeMargin, constraint.holds});
     }
     return summary;
+}
+
+std::optional<double> leastMargin(const RunSummary& summary) {
+    std::optional<double> least;
+    for (const RequirementSummary& requirement : summary.requirements) {
+        const Requirement* const row = requirementNamed(requirement.name);
+        if (row && (row->source != LimitSource::range || !requirement.ok)) {
+            least =
+                std::min(least.value_or(requirement.relative_margin), requirement.relative_margin);
+        }
+    }
+    return least;
 }
 
 KeptRun keptRun(const SimulationResult& result, const RunSummary& summary, std::string name,

@@ -37,6 +37,7 @@ OutcomePtr evaluate(const Project& project, const std::stop_token& stop) {
     outcome->issues.insert(outcome->issues.end(), remarks.begin(), remarks.end());
     outcome->feeds = makeFeedSeries(outcome->result, outcome->trajectory);
     outcome->layers = makeLayerSeries(outcome->result, outcome->trajectory);
+    outcome->steps = stepShares(outcome->result, outcome->trajectory);
     return outcome;
 }
 

@@ -8,6 +8,7 @@
 #include "core/quality/shop_numbers.h"
 #include "core/simulation/feed_series.h"
 #include "core/simulation/result.h"
+#include "core/simulation/step_shares.h"
 #include "core/simulation/stock_layers.h"
 #include "core/simulation/trajectory.h"
 
@@ -24,6 +25,7 @@ struct Outcome {
     Trajectory trajectory;
     FeedSeries feeds;      ///< the trajectory summed up pass by pass
     LayerSeries layers;    ///< and layer by layer, the means over the radii
+    StepShares steps;      ///< and by stage and step of the double strokes
     PartAccuracy accuracy; ///< form of every zone or section and of the part
     std::vector<ConstraintResult> constraints;
     LimitSeries limits;                     ///< the cuts against the limits of the feed

@@ -49,7 +49,7 @@ ThemeStyle::ThemeStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fus
 int ThemeStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
                             const QWidget* widget) const {
     // All tabs of the views side by side on a small screen.
-    constexpr int besideTabText = 12;
+    constexpr int besideTabText = 8;
     return metric == PM_TabBarTabHSpace ? besideTabText
                                         : QProxyStyle::pixelMetric(metric, option, widget);
 }

@@ -49,6 +49,7 @@ void drawLegendEntry(QPainter& painter, const LegendEntry& entry, const QRect& r
         painter.setPen(frame ? QPen(entry.colour, 2) : QPen(Qt::NoPen));
         painter.setBrush(QBrush(entry.colour, entry.fill));
         painter.drawRect(frame ? swatch.adjusted(4, 0, -4, 0) : swatch);
+        paintHatch(painter, swatch, entry.hatch, entry.hatchLine);
     } else {
         QPen pen(entry.colour, 2, entry.pen, Qt::FlatCap);
         if (!entry.dash.isEmpty()) {

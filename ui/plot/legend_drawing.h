@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/kit/hatch.h"
+
 #include <QColor>
 #include <QFontMetrics>
 #include <QRect>
@@ -24,6 +26,8 @@ struct LegendEntry {
     QVector<qreal> dash = {}; ///< of the line, in widths of the pen; empty: as `pen` says
     QColor halo = {};         ///< around the line; none: nothing
     Qt::BrushStyle fill = Qt::SolidPattern; ///< of a swatch; NoBrush: a frame
+    Hatch hatch = Hatch::none;              ///< over a swatch …
+    QColor hatchLine = {};                  ///< … and its lines
 };
 using LegendEntries = std::vector<LegendEntry>;
 

@@ -272,6 +272,11 @@ void PlotNavigation::onRelease() {
 }
 
 bool PlotNavigation::eventFilter(QObject* watched, QEvent* event) {
+    const bool moves = event->type() == QEvent::Wheel || event->type() == QEvent::KeyPress
+                       || event->type() == QEvent::ShortcutOverride;
+    if (moves && m_plot.axisRectCount() == 0) { // there is nothing to move in
+        return QObject::eventFilter(watched, event);
+    }
     switch (event->type()) {
     case QEvent::Wheel:
         onWheel(static_cast<QWheelEvent*>(event));

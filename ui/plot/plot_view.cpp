@@ -73,7 +73,9 @@ void PlotView::addPage(ViewPlot& plot, PlotSubject subject) {
 QWidget* PlotView::pageButtons(PlotTools& tools) {
     auto* buttons = new QWidget(this);
     auto* row = rowIn<QHBoxLayout>(buttons);
-    row->addWidget(PlotTools::button(tools.fit, buttons));
+    if (tools.fit->isVisible()) { // else all is always in sight
+        row->addWidget(PlotTools::button(tools.fit, buttons));
+    }
     row->addWidget(tools.exportButton(buttons));
     return buttons;
 }

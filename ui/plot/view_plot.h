@@ -67,7 +67,7 @@ public:
     static QCPCurve* addCurve(const QCPAxisRect& rect);
 
     /// Navigation, copies and files, once; the subject needs a heading and what is special.
-    PlotTools& addTools(PlotSubject subject, Settings* settings);
+    virtual PlotTools& addTools(PlotSubject subject, Settings* settings);
     [[nodiscard]] PlotTools* tools() const { return m_tools; } ///< null: none
     PlotCursors& addCursors();                                 ///< once, after the tools
     [[nodiscard]] PlotCursors* cursors() const { return m_cursors; }

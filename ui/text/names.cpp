@@ -40,22 +40,6 @@ QString timesOfEnd(const ConstraintResult& c) {
 
 } // namespace
 
-StrokeStep strokeStep(Zone zone, Step step) {
-    using enum StrokeStep;
-    constexpr StrokeStep rz1[] = {none,          plungeIn,     entryDwell,
-                                  workingStroke, returnStroke, dwellAfterReturn};
-    constexpr StrokeStep nz[] = {none, workingStroke, returnStroke, none, none, none};
-    constexpr StrokeStep rz2[] = {none, workingStroke, exitDwell, returnStroke, none, none};
-    const int i = std::clamp(static_cast<int>(step), 0, 5);
-    switch (zone) {
-    case Zone::rz1: return rz1[i];
-    case Zone::nz: return nz[i];
-    case Zone::rz2: return rz2[i];
-    case Zone::section: break;
-    }
-    return none;
-}
-
 QString Names::zone(Zone zone, int section) {
     switch (zone) {
     case Zone::rz1: return tr("RZ1", "entry reversal zone, short");

@@ -4,6 +4,7 @@
 #include "core/issue.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/result.h"
+#include "core/simulation/stroke_step.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -60,18 +61,5 @@ public:
     static QString millimetres(double value_mm);              ///< 4 decimals
     static QString significant(double value, int digits = 3); ///< never an exponent
 };
-
-/// The physical step of a double stroke behind a zone's E1…E5.
-enum class StrokeStep {
-    plungeIn,
-    entryDwell,
-    workingStroke,
-    exitDwell,
-    returnStroke,
-    dwellAfterReturn, ///< at the entry again
-    none
-};
-
-[[nodiscard]] StrokeStep strokeStep(Zone zone, Step step);
 
 } // namespace sparkout

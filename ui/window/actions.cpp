@@ -178,7 +178,8 @@ void Actions::addRecentFiles(QMenu* menu) {
 
 QList<QAction*> Actions::addViews(int count) {
     for (int i = 0; i < count; ++i) {
-        const QKeySequence keys = i < 9 ? Qt::CTRL | Qt::Key(Qt::Key_1 + i) : QKeySequence();
+        const QKeySequence keys = // Ctrl+1 … Ctrl+9, Ctrl+0
+            i < 10 ? Qt::CTRL | Qt::Key(Qt::Key_0 + (i + 1) % 10) : QKeySequence();
         QAction* action = make("", u"", keys);
         m_views->addAction(action);
         m_showViews += action;
@@ -190,7 +191,9 @@ void Actions::nameViews(const std::vector<View*>& views) {
     for (int i = 0; i < m_showViews.size(); ++i) {
         const View& view = *views[std::size_t(i)];
         m_showViews[i]->setObjectName(QStringLiteral("show-") + view.objectName());
-        m_showViews[i]->setText(QStringLiteral("&%1 %2").arg(i + 1).arg(view.title()));
+        const QString number = QString::number(i + 1);
+        m_showViews[i]->setText(
+            QStringLiteral("%1&%2 %3").arg(number.chopped(1), number.last(1), view.title()));
     }
 }
 

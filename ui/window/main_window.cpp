@@ -21,6 +21,7 @@
 #include "ui/views/feeds/feeds_view.h"
 #include "ui/views/layers/layers_view.h"
 #include "ui/views/optimise/optimise_view.h"
+#include "ui/views/overview/overview_view.h"
 #include "ui/views/profiles/profiles_view.h"
 #include "ui/views/sweep/sweep_view.h"
 #include "ui/views/verdict/verdict_panel.h"
@@ -117,6 +118,8 @@ void MainWindow::buildViews() {
     auto* sweep = new SweepView(this, &m_settings);
     connect(sweep, &SweepView::editWanted, this, edit);
     auto* compare = new CompareView(*m_kept, this, &m_settings);
+    m_overview = new OverviewView(*m_kept, this, &m_settings);
+    connectOverview();
     m_keeper = new RunKeeper(*m_kept, m_runs, m_files->notices(), this);
     connect(compare, &CompareView::keepWanted, m_actions->keepRun, &QAction::trigger);
     connect(m_keeper, &RunKeeper::reported, this,
@@ -129,8 +132,9 @@ void MainWindow::buildViews() {
     connect(optimise, &OptimiseView::searchShown, this, reportEnd(optimise));
     connect(m_keeper, &RunKeeper::compareWanted, this,
             [this, compare] { m_tabs->showView(compare); });
-    for (View* view : std::initializer_list<View*>{m_feeds, m_profiles, m_constraints, compliance,
-                                                   layers, m_batch, sweep, optimise, compare}) {
+    for (View* view :
+         std::initializer_list<View*>{m_overview, m_feeds, m_profiles, m_constraints, compliance,
+                                      layers, m_batch, sweep, optimise, compare}) {
         m_tabs->addView(view);
         view->shareCycle(&m_cursor);
     }
@@ -141,6 +145,26 @@ void MainWindow::buildViews() {
     column->addWidget(m_tabs, 1);
     column->addWidget(m_playback);
     setCentralWidget(m_files->notices().above(middle));
+}
+
+void MainWindow::connectOverview() {
+    connect(m_overview, &OverviewView::stageAsked, this, [this](int stage) {
+        m_tabs->showView(m_feeds);
+        m_feeds->showStage(stage);
+    });
+    connect(m_overview, &OverviewView::sectionAsked, this, [this](int section) {
+        m_tabs->showView(m_profiles);
+        m_profiles->showSection(section);
+    });
+    connect(m_overview, &OverviewView::requirementAsked, this,
+            [this](const ConstraintResult& requirement) {
+                m_tabs->showView(m_constraints);
+                m_constraints->showRequirement(requirement);
+            });
+    connect(m_overview, &OverviewView::viewAsked, this, &MainWindow::showView);
+    connect(m_overview, &OverviewView::keepAsked, m_actions->keepRun, &QAction::trigger);
+    connect(m_batch, &BatchView::batchShown, m_overview,
+            [this] { m_overview->setBatch(m_batch->batch()); });
 }
 
 /// Its compliance is that of the place, so a given one goes.

@@ -24,6 +24,7 @@ class HelpDesk;
 class InputsPanel;
 class KeptRuns;
 class MessagesPanel;
+class OverviewView;
 class PlaybackBar;
 class ProfilesView;
 class RemedyOffers;
@@ -68,6 +69,7 @@ private:
     void buildViews();
     void showPlayback();
     void putGauge(double position_mm); ///< from the headstock end of the ground length
+    void connectOverview();
     void connectActions();
     void connectReports();
     void connectDocument();
@@ -94,6 +96,7 @@ private:
     ProfilesView* m_profiles;
     ConstraintsView* m_constraints;
     BatchView* m_batch = nullptr;
+    OverviewView* m_overview = nullptr;
     VerdictPanel* m_verdict;
     MessagesPanel* m_messages;
     PlaybackBar* m_playback;

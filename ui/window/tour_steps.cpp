@@ -14,6 +14,8 @@
 #include <QToolBar>
 #include <QWidget>
 
+#include <algorithm>
+
 namespace sparkout {
 
 namespace {
@@ -60,8 +62,11 @@ StageTable* shownStages(QMainWindow& window, InputsPanel& inputs) {
     return inputs.findChild<StageTable*>();
 }
 
-QRect placeOfFirstView(ViewTabs& tabs) {
-    View* view = tabs.views().front();
+QRect placeOfView(ViewTabs& tabs, const char* name) {
+    const auto named = [name](const View* view) {
+        return view->objectName() == QLatin1String(name);
+    };
+    View* view = *std::ranges::find_if(tabs.views(), named);
     tabs.attach(view);
     tabs.showView(view);
     return placeOf(view);
@@ -89,12 +94,13 @@ std::vector<TourStep> tourSteps(QMainWindow& window, InputsPanel& inputs, ViewTa
              "A row is a stage: feeds, stock, spark-out, and the time it takes. Type into a "
              "cell; everything is computed again at once. The pages above hold part, "
              "material, wheel, machine, gauge and batch."))},
-        {[&] { return placeOfFirstView(tabs); },
+        {[&] { return placeOfView(tabs, "feeds"); },
          tourText(QT_TRANSLATE_NOOP("Tour", "What is fed and what is cut")),
          tourText(QT_TRANSLATE_NOOP(
              "Tour", "Dashed: the feed of the program. Solid: what the part really gets, zone by "
-                     "zone, because everything yields. The other tabs show form, limits, "
-                     "compliance, layers, a batch and compared runs."))},
+                     "zone, because everything yields. The first tab sums the cycle up in bars; "
+                     "the others show form, limits, compliance, layers, a batch and compared "
+                     "runs."))},
         {[&] {
              showDock(window, "verdict");
              return namedPart(window, "verdict")();

@@ -32,6 +32,7 @@ namespace {
 struct CycleBench : Bench {
     CycleBench() : Bench(QStringLiteral("en")) {}
     [[nodiscard]] bool openFactory() {
+        window->showView(QStringLiteral("feeds"));
         return open(
             QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout"));
     }

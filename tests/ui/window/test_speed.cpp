@@ -42,6 +42,7 @@ private slots:
         window.resize(1366, 768);
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QVERIFY(window.showView(QStringLiteral("feeds")));
         auto* view = window.findChild<FeedsView*>();
         QSignalSpy drawn(view, &FeedsView::updated);
         QVERIFY(window.document()
@@ -88,6 +89,7 @@ private slots:
         window.resize(1366, 768);
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QVERIFY(window.showView(QStringLiteral("feeds")));
         auto* view = window.findChild<FeedsView*>();
         QSignalSpy drawn(view, &FeedsView::updated);
         QVERIFY(window.document()

@@ -13,12 +13,14 @@
 #include "ui/report/parts/operation_setup.h"
 #include "ui/report/parts/part_sketch.h"
 #include "ui/text/example_texts.h"
+#include "ui/views/overview/overview_charts.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 namespace sparkout::report {
 
@@ -43,6 +45,8 @@ public:
         add(OperationSetup::settings(m_outcome));
         heading(tr("Regimes by stage"));
         add(OperationSetup::stages(m_outcome));
+        addBars(OverviewChart::times, OverviewCharts::times(m_outcome));
+        addBars(OverviewChart::stock, OverviewCharts::stock(m_outcome));
         section(tr("Batch: factors and scenarios"), PassportInputs::scenarios(m_subject));
         addPrediction();
         addProfiles();
@@ -51,6 +55,9 @@ public:
         }
         rows(tr("Requirements of the nominal part"), PassportPrediction::requirements(m_outcome));
         rows(tr("Requirements of the settings"), PassportPrediction::settings(m_outcome));
+        if (!m_outcome.constraints.empty()) {
+            addBars(OverviewChart::requirements, OverviewCharts::requirements(m_outcome));
+        }
         addTexts();
         section(tr("Recomputing"), PassportInputs::recomputing(m_subject));
         heading(tr("Appendix: all inputs"));
@@ -66,6 +73,12 @@ private:
         m_report.blocks.push_back(std::move(block));
     }
     void heading(const QString& text) { add(Heading{text}); }
+
+    void addBars(OverviewChart which, BarChart chart) {
+        if (auto figure = PassportFigures::bars(which, std::move(chart))) {
+            add(std::move(*figure));
+        }
+    }
 
     void section(const QString& name, std::vector<Block> blocks) {
         heading(name);
@@ -104,6 +117,7 @@ private:
             return; // no part reached size
         }
         heading(tr("Capability and share out of tolerance"));
+        addBars(OverviewChart::parts, OverviewCharts::parts(*m_subject.batch));
         add(PassportPrediction::capability(summary));
         if (auto chart = CapabilityChart::figure(summary)) {
             add(std::move(*chart));
@@ -121,6 +135,7 @@ private:
         }
         heading(tr("Distribution against the tolerance field"));
         addHistograms(summary);
+        addBars(OverviewChart::boxes, OverviewCharts::boxes(*m_subject.batch));
     }
 
     /// Of the mean diameter, and of what decides when that is not a diameter.
@@ -138,6 +153,7 @@ private:
             heading(tr("Nominal part at the end of the cycle"));
             add(PassportFigures::alongThePart(m_outcome));
             add(PassportFigures::crossSections(m_outcome));
+            addBars(OverviewChart::diameters, OverviewCharts::diameters(m_outcome));
         }
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/documents/passport_figures.h"
 
+#include "ui/bars/bar_plot.h"
 #include "ui/report/format/plot_figure.h"
 #include "ui/views/batch/batch_text.h"
 #include "ui/views/batch/histogram_plot.h"
@@ -15,6 +16,7 @@ namespace sparkout::report {
 namespace {
 
 constexpr int histogramHeight = 240, alongHeight = 300, acrossHeight = 320;
+constexpr int leastBarsHeight = 150;
 constexpr std::size_t mostAcross = 4; ///< cross-sections beside each other
 constexpr double narrowBar = 0.8;     ///< at least so wide
 
@@ -83,6 +85,22 @@ Figure PassportFigures::crossSections(const Outcome& outcome) {
     return plotFigure(plot, plot.entriesOf({profile, target, leastSquares, field}),
                       tr("Cross-sections, deviations magnified"),
                       ProfilesText::summary(series, shown));
+}
+
+std::optional<Figure> PassportFigures::bars(OverviewChart which, BarChart chart) {
+    if (chart.empty()) {
+        return {};
+    }
+    const QString name = OverviewCharts::title(which);
+    const QString caption =
+        chart.remark.isEmpty() ? name : QStringLiteral("%1. %2").arg(name, chart.remark);
+    const QString description = chart.description();
+    BarPlot plot;
+    setUpForPaper(plot, leastBarsHeight);
+    plot.resize(figureWidth,
+                std::max(BarDrawing::leastHeight(chart, plot.font()), leastBarsHeight));
+    plot.setChart(std::move(chart));
+    return plotFigure(plot, plot.legendEntries(), caption, description);
 }
 
 } // namespace sparkout::report

@@ -4,9 +4,11 @@
 #include "core/batch/batch_summary.h"
 #include "core/study/outcome.h"
 #include "ui/report/format/report.h"
+#include "ui/views/overview/overview_charts.h"
 
 #include <QCoreApplication>
 
+#include <optional>
 #include <string>
 
 namespace sparkout::report {
@@ -18,6 +20,8 @@ public:
     static Figure histograms(const BatchSummary& summary, const std::string& name);
     static Figure alongThePart(const Outcome& outcome);
     static Figure crossSections(const Outcome& outcome);
+    /// A chart of the overview; nothing where it is empty.
+    static std::optional<Figure> bars(OverviewChart which, BarChart chart);
 };
 
 } // namespace sparkout::report

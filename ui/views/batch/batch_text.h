@@ -46,6 +46,4 @@ public:
     static QString part(const BatchOutcome& outcome, std::int64_t part);
 };
 
-inline constexpr std::size_t mostPlaces = 6; ///< of a characteristic, drawn side by side
-
 } // namespace sparkout

@@ -283,6 +283,15 @@ void ConstraintsView::selectChosen() {
     m_plot->setMarked(chosen());
 }
 
+void ConstraintsView::showRequirement(const ConstraintResult& requirement) {
+    redraw();
+    const int row = good() ? m_model->rowOf(requirement) : -1;
+    if (row >= 0) {
+        choose(row);
+        selectChosen();
+    }
+}
+
 void ConstraintsView::choose(int row) {
     m_chosen = m_model->at(row);
     if (m_chosen->at || m_chosen->section >= 0) {

@@ -35,6 +35,8 @@ public:
     [[nodiscard]] QString title() const override;
     [[nodiscard]] bool showsMoment() const override { return true; }
     void forget() override;
+    /// Chooses it at its place, as by a click on its row.
+    void showRequirement(const ConstraintResult& requirement);
 
 signals:
     /// Chosen: other views may follow; entered: it wants to be seen where it came about.

@@ -328,6 +328,16 @@ void FeedsView::showPlace(const Place& place) {
     onStrokeChosen(place.cycleCount);
 }
 
+void FeedsView::showStage(int stage) {
+    redraw();
+    const int index = m_span->findData(stage);
+    if (good() && m_span->isEnabled() && stage > 0 && index >= 0) {
+        const QSignalBlocker blocker(m_span);
+        m_span->setCurrentIndex(index);
+        onSpanChosen(index);
+    }
+}
+
 /// Shows the whole cycle; the values' axes are scaled anew.
 void FeedsView::fitAll() {
     m_what = Span::whole;

@@ -31,6 +31,7 @@ public:
     [[nodiscard]] bool showsMoment() const override { return true; }
     [[nodiscard]] QString brief() const override;
     void showPlace(const Place& place); ///< the double stroke or revolution, and its section
+    void showStage(int stage);          ///< from 1; nothing of one that never began
 
 protected:
     [[nodiscard]] bool draws(const Outcome& outcome) const override;

@@ -103,9 +103,9 @@ private slots:
         QVERIFY(desk.told().contains(desk.cell(0, FoundModel::time)));
         const ComparedFeeds& found = desk.view->curves()->runs().back();
         QVERIFY(std::abs(found.feeds->end_s - engine.best->time_s) < 1e-5);
-        const QCPGraph& times = *desk.view->times()->curve(StageCountPlot::quickest);
-        QCOMPARE(times.data()->size(), 2);
-        QCOMPARE(times.data()->at(1)->value, engine.best->time_s / 60);
+        const BarChart& times = desk.view->times()->chart();
+        QCOMPARE(times.categories.size(), 2);
+        QCOMPARE(times.value(0, 1), engine.best->time_s / 60);
     }
 
     void aCycleIsTakenByOneEditAndUndone() {

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/step_shares.h"
+
+#include "core/simulation/progress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace sparkout {
+
+namespace {
+
+/// Whether the time of a pass is that of another one beside it: all zones of a stroke and all
+/// sections of a revolution are ground at once.
+bool isBeside(const Pass& pass) {
+    const bool isStroke = pass.axialFeed_mm_min > 0;
+    return pass.place.zone == Zone::section ? pass.place.section > 0
+                                            : isStroke && pass.place.zone != Zone::rz1;
+}
+
+/// Mean over the radii of what a pass cuts; a value that is no number counts for nothing.
+double meanDepth(const Trajectory& trajectory, const Pass& pass) {
+    double sum = 0;
+    for (int k = 0; k < trajectory.radii; ++k) {
+        const double depth =
+            trajectory.visits[pass.firstVisit + static_cast<std::size_t>(k)].actual_mm;
+        sum += std::isfinite(depth) ? depth : 0;
+    }
+    return trajectory.radii > 0 ? sum / trajectory.radii : 0;
+}
+
+} // namespace
+
+double StepSums::total() const {
+    return std::accumulate(of.begin(), of.end(), 0.0);
+}
+
+StepShares stepShares(const SimulationResult& result, const Trajectory& trajectory) {
+    StepShares shares;
+    if (trajectory.passes.empty()) {
+        return shares;
+    }
+    const std::size_t stages = result.timeByStage_s.size();
+    shares.time_s.resize(stages);
+    shares.removed_mm.assign(result.sections.size(), std::vector<StepSums>(stages));
+    for (const Pass& pass : trajectory.passes) {
+        const auto stage = static_cast<std::size_t>(std::max(pass.place.stage - 1, 0));
+        const StrokeStep step = strokeStep(pass.place.zone, pass.place.step);
+        if (!isBeside(pass)) {
+            shares.time_s.at(stage)[step] += pass.duration_s;
+        }
+        shares.removed_mm.at(sectionOf(pass.place)).at(stage)[step] += meanDepth(trajectory, pass);
+    }
+    return shares;
+}
+
+} // namespace sparkout

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/result.h"
+
+#include <cstddef>
+
+namespace sparkout {
+
+/// The physical step of a double stroke behind a zone's E1…E5.
+enum class StrokeStep {
+    plungeIn,
+    entryDwell,
+    workingStroke,
+    exitDwell,
+    returnStroke,
+    dwellAfterReturn, ///< at the entry again
+    none              ///< a revolution of plunge grinding
+};
+inline constexpr std::size_t strokeSteps = static_cast<std::size_t>(StrokeStep::none) + 1;
+
+[[nodiscard]] StrokeStep strokeStep(Zone zone, Step step);
+/// The other way round: none where the zone is not ground in that step.
+[[nodiscard]] Step stepOf(Zone zone, StrokeStep step);
+
+} // namespace sparkout

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How much of a limit is used up, and the least margin of a summary.
+#include "core/project/validate.h"
+#include "core/quality/constraints.h"
+#include "core/quality/run_summary.h"
+#include "core/quality/usage.h"
+#include "core/simulation/simulate.h"
+#include "tests/core/support/project_samples.h"
+#include "tests/registry.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+namespace test_usage {
+
+using namespace sparkout;
+
+class TestUsage : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// Of a tolerance value over limit; of a field, at least half, 1 at either end.
+    void usageIsOneAtTheLimit() {
+        const ConstraintResult tolerance =
+            held(ConstraintKind::radialRunout, Side::atMost, 6, 4.5, 6);
+        QCOMPARE(usageOf(tolerance), 0.75);
+        QCOMPARE(usageOf(held(ConstraintKind::radialRunout, Side::atMost, 6, 6, 6)), 1.0);
+        QCOMPARE(usageOf(held(ConstraintKind::diameterMin, Side::atLeast, -16, -16, 16)), 1.0);
+        QCOMPARE(usageOf(held(ConstraintKind::diameterMax, Side::atMost, 0, 8, 16)), 1.5);
+        QCOMPARE(usageOf(held(ConstraintKind::diameterMax, Side::atMost, 0, -32, 16)), 0.0);
+    }
+
+    void ofARangeItIsHowCloseTheNearerEndIs() {
+        const auto of = [](Side side, double limit, double value) {
+            return usageOf(held(ConstraintKind::rangeRadialFeed, side, limit, value, 10));
+        };
+        QCOMPARE(of(Side::atLeast, 1, 2), 0.5);
+        QCOMPARE(of(Side::atMost, 8, 2), 0.25);
+        QCOMPARE(of(Side::atLeast, 0, 2), 0.0);
+        QVERIFY(std::isfinite(of(Side::atLeast, 1, 0)));
+    }
+
+    void inEveryExampleWhatUsesUpMoreThanItsLimitFails() {
+        int held = 0;
+        for (const std::string& name : samples::names()) {
+            const Project project = samples::project(name);
+            if (hasErrors(validate(project))) {
+                continue;
+            }
+            for (const ConstraintResult& of : evaluateConstraints(simulateUnchecked(project))) {
+                const bool isRange = requirementOf(of.kind).source == LimitSource::range;
+                if (!isRange && of.isWhole) {
+                    QVERIFY(of.holds ? usageOf(of) <= 1 + 1e-6 : usageOf(of) >= 1);
+                    ++held;
+                }
+            }
+        }
+        QVERIFY(held > 40);
+    }
+
+    void theLeastMarginLeavesOutRangesThatHold() {
+        RunSummary summary;
+        QVERIFY(!leastMargin(summary));
+        const auto add = [&summary](ConstraintKind kind, double margin, bool ok) {
+            RequirementSummary of;
+            of.name = requirementOf(kind).key;
+            of.relative_margin = margin;
+            of.ok = ok;
+            summary.requirements.push_back(of);
+        };
+        add(ConstraintKind::rangeAxialFeed, 0.001, true);
+        QVERIFY(!leastMargin(summary));
+        add(ConstraintKind::radialRunout, 0.4, true);
+        add(ConstraintKind::diameterMax, 0.25, true);
+        QCOMPARE(*leastMargin(summary), 0.25);
+        add(ConstraintKind::rangeWorkSpeed, -0.1, false);
+        QCOMPARE(*leastMargin(summary), -0.1);
+        summary.requirements.push_back({"of another version", "", 0, 0, 0, -5, false});
+        QCOMPARE(*leastMargin(summary), -0.1);
+    }
+};
+
+} // namespace test_usage
+
+SPARKOUT_TEST(test_usage, TestUsage)
+#include "test_usage.moc"

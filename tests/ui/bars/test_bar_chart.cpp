@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Charts of bars: what Qt Charts draws stands where it is said to stand, numbers never meet, and a
+// chart is told, tabulated and told apart without colours.
+#include "tests/registry.h"
+#include "tests/ui/support/view_fixtures.h"
+#include "ui/bars/bar_plot.h"
+#include "ui/kit/theme.h"
+#include "ui/plot/plot_tools.h"
+
+#include <QBarSeries>
+#include <QBarSet>
+#include <QChart>
+#include <QGraphicsRectItem>
+#include <QGraphicsScene>
+#include <QImage>
+#include <QPainter>
+#include <QTest>
+#include <QXmlStreamReader>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace test_bar_chart {
+
+using namespace sparkout;
+
+namespace {
+
+using Shape = BarChart::Shape;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+const QSize size(360, 260);
+
+BarChart chartOf(Shape shape, bool isLying, int categories, int series) {
+    BarChart chart;
+    chart.shape = shape;
+    chart.isLying = isLying;
+    chart.what = QStringLiteral("What");
+    chart.axis = QStringLiteral("Time");
+    chart.unit = QStringLiteral("min");
+    for (int c = 0; c < categories; ++c) {
+        chart.categories << QStringLiteral("Category %1").arg(c + 1);
+    }
+    for (int s = 0; s < series; ++s) {
+        BarSeries bars{QStringLiteral("Series %1").arg(s + 1),
+                       barColour(style::oneOfSeries(std::size_t(s))),
+                       hatchAt(std::size_t(s)),
+                       {}};
+        for (int c = 0; c < categories; ++c) {
+            bars.values.push_back((s % 3 == 1 ? -0.7 : 1.3) * (1 + c % 4) + 0.1 * s);
+        }
+        chart.series.push_back(std::move(bars));
+    }
+    return chart;
+}
+
+struct Drawn {
+    explicit Drawn(BarChart chart, QSize of = size, QStringList* texts = nullptr) {
+        drawing.setChart(std::move(chart));
+        drawing.setLook({paletteOf(Theme::light), QApplication::font(), false});
+        image = QImage(of, QImage::Format_RGB32);
+        image.fill(Qt::white);
+        QPainter painter(&image);
+        drawing.paint(painter, of);
+        if (texts) {
+            *texts = drawing.texts();
+        }
+    }
+    BarDrawing drawing;
+    QImage image;
+};
+
+/// Rectangles of the bars among the items of the scene.
+std::vector<QRectF> rectsOf(const BarDrawing& drawing) {
+    std::vector<QRectF> rects;
+    QChart* const chart = drawing.scene().chart();
+    for (QGraphicsItem* item : chart->scene()->items()) {
+        if (auto* rect = dynamic_cast<QGraphicsRectItem*>(item)) {
+            rects.push_back(rect->mapRectToScene(rect->rect()));
+        }
+    }
+    return rects;
+}
+
+} // namespace
+
+class TestBarChart : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyBarStandsWhereQtChartsDrawsIt_data() {
+        QTest::addColumn<int>("shape");
+        QTest::addColumn<bool>("lying");
+        QTest::addColumn<int>("categories");
+        QTest::addColumn<int>("series");
+        QTest::addColumn<bool>("second");
+        for (const bool lying : {false, true}) {
+            for (const int series : {1, 2, 5}) {
+                QTest::addRow("stacked %d %d", lying, series)
+                    << int(Shape::stacked) << lying << 4 << series << false;
+                QTest::addRow("grouped %d %d", lying, series)
+                    << int(Shape::grouped) << lying << 3 << series << false;
+            }
+        }
+        QTest::addRow("two axes") << int(Shape::grouped) << false << 4 << 2 << true;
+        QTest::addRow("one category") << int(Shape::stacked) << false << 1 << 3 << false;
+    }
+
+    void everyBarStandsWhereQtChartsDrawsIt() {
+        QFETCH(int, shape);
+        QFETCH(bool, lying);
+        QFETCH(int, categories);
+        QFETCH(int, series);
+        QFETCH(bool, second);
+        BarChart chart = chartOf(Shape(shape), lying, categories, series);
+        if (second) {
+            chart.series[1].onSecond = true;
+            chart.secondAxis = QStringLiteral("Margin");
+        }
+        const Drawn of(chart);
+        QCOMPARE(of.drawing.parts().size(), std::size_t(categories * series));
+        const std::vector<QRectF> rects = rectsOf(of.drawing);
+        for (const BarPart& part : of.drawing.parts()) {
+            const auto same = [&part](const QRectF& rect) {
+                return std::abs(rect.left() - part.rect.left()) < 0.6
+                       && std::abs(rect.right() - part.rect.right()) < 0.6
+                       && std::abs(rect.top() - part.rect.top()) < 0.6
+                       && std::abs(rect.bottom() - part.rect.bottom()) < 0.6;
+            };
+            QVERIFY2(
+                std::ranges::any_of(rects, same),
+                qPrintable(
+                    QStringLiteral("series %1, category %2").arg(part.series).arg(part.category)));
+            QCOMPARE(of.drawing.partAt(part.rect.center()), int(&part - of.drawing.parts().data()));
+        }
+    }
+
+    void valuesChangeInPlace() {
+        Drawn of(chartOf(Shape::stacked, true, 4, 3));
+        const QChart* const before = of.drawing.scene().chart();
+        BarChart other = chartOf(Shape::stacked, true, 4, 3);
+        other.series[0].values[2] = 9.5;
+        QPainter painter(&of.image);
+        of.drawing.setChart(other);
+        of.drawing.paint(painter, size);
+        QCOMPARE(of.drawing.scene().chart(), before);
+        const auto* bars = qobject_cast<QAbstractBarSeries*>(of.drawing.scene().series().front());
+        QCOMPARE(bars->barSets()[0]->at(1), 9.5); // of lying ones the last is the first
+        of.drawing.setChart(chartOf(Shape::stacked, true, 5, 3));
+        of.drawing.paint(painter, size);
+        QCOMPARE(of.drawing.parts().size(), std::size_t(15));
+    }
+
+    void axesFollowAnotherSize() {
+        for (const bool lying : {false, true}) {
+            Drawn of(chartOf(Shape::stacked, lying, 4, 3));
+            QImage larger(640, 420, QImage::Format_RGB32);
+            larger.fill(Qt::white);
+            QPainter painter(&larger);
+            of.drawing.paint(painter, larger.size());
+            painter.end();
+            const QImage anew = Drawn(chartOf(Shape::stacked, lying, 4, 3), larger.size()).image;
+            QCOMPARE(larger, anew);
+        }
+    }
+
+    void theAxisHasRoundStepsAndHoldsAllBars() {
+        for (const double scale : {1e-4, 0.03, 1.0, 77.0, 12345.0}) {
+            BarChart chart = chartOf(Shape::stacked, false, 4, 3);
+            for (BarSeries& series : chart.series) {
+                for (double& value : series.values) {
+                    value *= scale;
+                }
+            }
+            const BarScale axis = scalesOf(chart, 5).first;
+            const double digits =
+                axis.step / std::pow(10, std::floor(std::log10(axis.step) + 1e-9));
+            QVERIFY(std::abs(digits - 1) < 1e-6 || std::abs(digits - 2) < 1e-6
+                    || std::abs(digits - 5) < 1e-6);
+            for (std::size_t c = 0; c < 4; ++c) {
+                double up = 0, down = 0;
+                for (std::size_t s = 0; s < 3; ++s) {
+                    (chart.value(s, c) < 0 ? down : up) += chart.value(s, c);
+                }
+                QVERIFY(axis.low() <= down && up <= axis.high());
+            }
+            QVERIFY(axis.below + axis.above <= 12);
+        }
+    }
+
+    void bothAxesHaveTheirZeroAtTheSameHeight() {
+        BarChart chart = chartOf(Shape::grouped, false, 3, 2);
+        chart.series[1].onSecond = true;
+        chart.series[1].values = {-40, 55, 3};
+        const BarScales scales = scalesOf(chart, 4);
+        QCOMPARE(scales.first.share(0), scales.second.share(0));
+        QVERIFY(scales.second.low() <= -40 && scales.second.high() >= 55);
+    }
+
+    void noTextMeetsAnother_data() {
+        QTest::addColumn<QSize>("of");
+        for (const QSize of : {QSize(160, 110), QSize(230, 160), size, QSize(800, 500)}) {
+            QTest::addRow("%d × %d", of.width(), of.height()) << of;
+        }
+    }
+
+    void noTextMeetsAnother() {
+        QFETCH(QSize, of);
+        for (const Shape shape : {Shape::stacked, Shape::grouped, Shape::ring}) {
+            for (const bool lying : {false, true}) {
+                BarChart chart = chartOf(shape, lying, shape == Shape::ring ? 1 : 6, 4);
+                for (BarSeries& series : chart.series) {
+                    for (double& value : series.values) {
+                        value = shape == Shape::ring ? std::abs(value) : value;
+                    }
+                }
+                chart.hasTotals = shape == Shape::stacked;
+                const Drawn drawn(chart, of);
+                const std::vector<QRectF>& taken = drawn.drawing.numberBoxes();
+                for (std::size_t i = 0; i < taken.size(); ++i) {
+                    for (std::size_t k = i + 1; k < taken.size(); ++k) {
+                        QVERIFY(!taken[i].intersects(taken[k]));
+                    }
+                }
+            }
+        }
+    }
+
+    void whereThereIsRoomEveryBarHasItsNumber() {
+        BarChart chart = chartOf(Shape::grouped, true, 3, 1);
+        chart.series[0].values = {1.25, 2.5, 3.75};
+        QStringList texts;
+        const Drawn drawn(chart, {600, 300}, &texts);
+        for (const double value : chart.series[0].values) {
+            QVERIFY2(texts.contains(chart.numberText(value)), qPrintable(texts.join(u' ')));
+        }
+    }
+
+    void aCutBarTellsItsWholeValue() {
+        BarChart chart = chartOf(Shape::stacked, true, 2, 1);
+        chart.series[0].values = {50, 4321};
+        chart.most = 200;
+        chart.hasTotals = true;
+        QStringList texts;
+        const Drawn drawn(chart, {600, 200}, &texts);
+        QVERIFY(texts.contains(chart.numberText(4321)));
+        QVERIFY(drawn.drawing.parts()[1].rect.width()
+                < 4.5 * drawn.drawing.parts()[0].rect.width());
+    }
+
+    void barsAreToldApartWithoutColours() {
+        BarChart chart = chartOf(Shape::stacked, true, 1, 5);
+        for (BarSeries& series : chart.series) {
+            series.values = {1};
+            series.colour = barColour(Tone::blue);
+        }
+        const Drawn drawn(chart, {700, 160});
+        std::set<QByteArray> looks;
+        for (const BarPart& part : drawn.drawing.parts()) {
+            QRect middle(0, 0, 24, 24);
+            middle.moveCenter(part.rect.center().toPoint() - QPoint(28, 0)); // beside its number
+            const QImage look = drawn.image.copy(middle).convertToFormat(QImage::Format_Grayscale8);
+            int light = 0;
+            for (int y = 0; y < look.height(); ++y) {
+                for (int x = 0; x < look.width(); ++x) {
+                    light += qGray(look.pixel(x, y)) > 160 ? 1 : 0;
+                }
+            }
+            looks.insert(
+                QByteArray(reinterpret_cast<const char*>(look.constBits()), look.sizeInBytes()));
+            QVERIFY(light < 24 * 24 / 2);
+        }
+        QCOMPARE(looks.size(), std::size_t(5));
+    }
+
+    void aHiddenSeriesIsNeitherDrawnNorTabulated() {
+        BarPlot plot;
+        plot.resize(size);
+        plot.setChart(chartOf(Shape::stacked, false, 3, 3));
+        plot.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&plot));
+        plot.replot();
+        QCOMPARE(plot.drawing().parts().size(), std::size_t(9));
+        plot.toggleCurve(1);
+        plot.replot();
+        QCOMPARE(plot.drawing().parts().size(), std::size_t(6));
+        for (const BarPart& part : plot.drawing().parts()) {
+            QVERIFY(part.series != 1);
+        }
+        QCOMPARE(plot.table().header.size(), qsizetype(3));
+        QVERIFY(!plot.legendEntries()[1].shown);
+        plot.showOnly(2);
+        plot.replot();
+        QCOMPARE(plot.drawing().parts().size(), std::size_t(3));
+    }
+
+    void aTableHasEveryValueWithAllItsDigits() {
+        BarChart chart = chartOf(Shape::stacked, false, 3, 2);
+        chart.series[0].values[1] = 1.0 / 3;
+        chart.series[1].values[2] = none;
+        const CsvTable table = chart.table([](std::size_t) { return true; });
+        QCOMPARE(table.header,
+                 QStringList({QStringLiteral("What"), QStringLiteral("Time: Series 1, min"),
+                              QStringLiteral("Time: Series 2, min")}));
+        QCOMPARE(std::get<double>(table.rows[1][1]), 1.0 / 3);
+        QVERIFY(std::holds_alternative<std::monostate>(table.rows[2][2]));
+    }
+
+    void aBarIsChosenReadAndEnteredByKeyboard() {
+        BarPlot plot;
+        PlotSubject subject;
+        subject.heading = [] { return QStringList(QStringLiteral("Chart")); };
+        plot.addTools(std::move(subject), nullptr);
+        plot.resize(size);
+        plot.setChart(chartOf(Shape::stacked, true, 3, 2));
+        plot.show();
+        QVERIFY(QTest::qWaitForWindowActive(&plot));
+        plot.replot();
+        plot.setFocus(Qt::TabFocusReason);
+        QStringList told;
+        std::vector<std::pair<std::size_t, std::size_t>> entered;
+        connect(&plot, &ViewPlot::pointed, this, [&told](const QString& text) { told << text; });
+        connect(&plot, &BarPlot::entered, this,
+                [&entered](std::size_t s, std::size_t c) { entered.emplace_back(s, c); });
+        QTest::keyClick(&plot, Qt::Key_Down);
+        QTest::keyClick(&plot, Qt::Key_Down);
+        QTest::keyClick(&plot, Qt::Key_Return);
+        QCOMPARE(entered.size(), std::size_t(1));
+        const auto [series, category] = entered.front();
+        QCOMPARE(told.last(), plot.chart().told(series, category));
+        QCOMPARE(plot.accessibleDescription(), told.last());
+        QTest::keyClick(&plot, Qt::Key_Up);
+        QVERIFY(told.last() != plot.chart().told(series, category));
+        for (int i = 0; i < 20; ++i) {
+            QTest::keyClick(&plot, Qt::Key_Right); // the end holds
+        }
+        QTest::keyClick(&plot, Qt::Key_Space);
+        QCOMPARE(entered.size(), std::size_t(2));
+    }
+
+    void aDrawingIsVectorsInSvgAndPdf() {
+        BarPlot plot;
+        plot.resize(size);
+        plot.setChart(chartOf(Shape::stacked, true, 3, 3));
+        const PlotPicture picture{&plot, {QStringLiteral("Chart")}, plot.legendEntries()};
+        const QByteArray svg = svgWork(picture)();
+        QXmlStreamReader reader(svg);
+        int paths = 0, images = 0, texts = 0;
+        while (!reader.atEnd()) {
+            if (reader.readNext() == QXmlStreamReader::StartElement) {
+                paths += reader.name() == u"path" ? 1 : 0;
+                images += reader.name() == u"image" ? 1 : 0;
+                texts += reader.name() == u"text" ? 1 : 0;
+            }
+        }
+        QVERIFY(!reader.hasError());
+        QVERIFY(paths > 9 && texts > 6);
+        QCOMPARE(images, 0);
+        QVERIFY(pdfWork(picture)().startsWith("%PDF"));
+        QVERIFY(pngWork(picture, 2)().startsWith("\x89PNG"));
+    }
+};
+
+} // namespace test_bar_chart
+
+SPARKOUT_TEST(test_bar_chart, TestBarChart)
+#include "test_bar_chart.moc"

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/kit/hatch.h"
+#include "ui/kit/theme.h"
+#include "ui/plot/legend_drawing.h"
+#include "ui/plot/quantity_colour.h"
+#include "ui/tables/csv_table.h"
+
+#include <QColor>
+#include <QPalette>
+#include <QString>
+#include <QStringList>
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace sparkout {
+
+/// A colour by the palette that is drawn with.
+using BarColour = std::function<QColor(const QPalette&)>;
+[[nodiscard]] BarColour barColour(Tone tone);
+[[nodiscard]] BarColour barColour(style::Drawn what);
+
+/// The bars of one kind: a value for each category.
+struct BarSeries {
+    QString name;
+    BarColour colour;
+    Hatch hatch = Hatch::none;
+    std::vector<double> values; ///< no number: no bar
+    bool onSecond = false;      ///< of the second axis, of grouped standing bars alone
+};
+
+/// Five values of a distribution, from the least to the greatest.
+struct BarBox {
+    double least = 0, low = 0, median = 0, high = 0, most = 0;
+};
+
+/// Values that are allowed, as a band behind the bars.
+struct BarBand {
+    double low = 0, high = 0;
+    QString name;
+};
+
+/// A value with a name, as a line across the bars.
+struct BarLimit {
+    double at = 0;
+    QString name;
+    Qt::PenStyle pen = Qt::DashLine;
+    BarColour colour = {}; ///< none: that of texts
+};
+
+/// A chart as a value: what is drawn, told and tabulated of categories side by side.
+struct BarChart {
+    enum class Shape {
+        stacked, ///< the series on top of one another, what is below 0 downwards
+        grouped, ///< side by side
+        boxes,   ///< boxes with whiskers, in place of series
+        ring,    ///< one category: the series as slices
+    };
+    using Number = std::function<QString(double)>;
+
+    Shape shape = Shape::stacked;
+    bool isLying = false; ///< bars from left to right, the first category on top
+    QString what;         ///< the categories are: "Stage"
+    QStringList categories;
+    QString axis, unit; ///< of the values: "Time", "min"
+    QString secondAxis, secondUnit;
+    std::vector<BarSeries> series;
+    std::vector<BarBox> boxes; ///< by category
+    BarColour boxColour = {};
+    std::vector<double> sums; ///< by category, drawn as marks where bars lead up and down
+    QString sumName;
+    bool hasTotals = false; ///< the stacks' heights are told
+    std::optional<BarBand> band;
+    std::vector<BarLimit> limits;
+    std::optional<double> most; ///< bars beyond it are cut; their numbers are not
+    Number number = {};         ///< a value as a text without its unit
+    Number secondNumber = {};   ///< the same of the second axis
+    Number axisNumber = {};     ///< and along the axis, where that is another
+    QString centre = {};        ///< of a ring
+    QString remark = {};        ///< what is not shown, and the like: a sentence
+    /// The name of a series in a category, where it has one of its own.
+    std::function<QString(std::size_t series, std::size_t category)> partName = {};
+
+    [[nodiscard]] bool empty() const { return categories.isEmpty(); }
+    [[nodiscard]] QString axisText() const;       ///< "Time, min"
+    [[nodiscard]] QString secondAxisText() const; ///< likewise
+    [[nodiscard]] QString numberText(double value, bool onSecond = false) const;
+    [[nodiscard]] double value(std::size_t series, std::size_t category) const; ///< no number: none
+    [[nodiscard]] double total(std::size_t category) const;                     ///< of all series
+    /// "Stage 1, working stroke: 0.42 min".
+    [[nodiscard]] QString told(std::size_t series, std::size_t category) const;
+    /// All of it in words, a line a category.
+    [[nodiscard]] QString description() const;
+    /// A row a category; of those series that are shown.
+    [[nodiscard]] CsvTable table(const std::function<bool(std::size_t)>& shows) const;
+    /// Keys: the series in order, where hiding one leaves others.
+    [[nodiscard]] LegendEntries legend(const QPalette& palette, bool isDimmed,
+                                       const std::function<bool(std::size_t)>& shows) const;
+};
+
+} // namespace sparkout

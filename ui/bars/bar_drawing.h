@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/bars/bar_chart.h"
+#include "ui/bars/bar_scale.h"
+#include "ui/bars/chart_scene.h"
+
+#include <QFontMetricsF>
+#include <QPainterPath>
+#include <QRectF>
+
+#include <cstddef>
+#include <vector>
+
+class QPainter;
+
+namespace sparkout {
+
+/// A bar, a box or a slice, where it was painted.
+struct BarPart {
+    std::size_t series = 0, category = 0; ///< of the chart; of a box the category alone counts
+    QRectF rect;                          ///< of a slice, about its shape
+    QPainterPath slice = {};              ///< empty: the rect
+
+    [[nodiscard]] bool holds(const QPointF& at) const;
+};
+
+/// Draws a chart: bars and axes by Qt Charts, over them texts that never overlap, hatches, marks
+/// and limits. The same on screen, on paper and in a file.
+class BarDrawing {
+public:
+    void setChart(BarChart chart);
+    void setShown(std::vector<bool> shown); ///< by series; of those beyond: shown
+    void setLook(ChartLook look) { m_look = std::move(look); }
+
+    void paint(QPainter& painter, const QSizeF& size);
+
+    [[nodiscard]] const BarChart& chart() const { return m_chart; }
+    [[nodiscard]] bool shows(std::size_t series) const;
+    /// As painted last; in the order of the categories.
+    [[nodiscard]] const std::vector<BarPart>& parts() const { return m_parts; }
+    [[nodiscard]] int partAt(const QPointF& at) const;     ///< −1: none
+    [[nodiscard]] int categoryAt(const QPointF& at) const; ///< beside its bars, too
+    [[nodiscard]] const ChartScene& scene() const { return m_scene; }
+    [[nodiscard]] const QStringList& texts() const { return m_texts; } ///< as painted last
+    [[nodiscard]] const std::vector<QRectF>& numberBoxes() const { return m_taken; } ///< likewise
+    /// The least height in which every category has a line of its own.
+    [[nodiscard]] static int leastHeight(const BarChart& chart, const QFont& font);
+
+private:
+    struct Layout;
+
+    [[nodiscard]] BarChart drawnChart() const;
+    [[nodiscard]] double shownTotal(std::size_t category) const;
+    [[nodiscard]] Layout layOut(const QSizeF& size) const;
+    [[nodiscard]] QRectF besideAxes(const QSizeF& size, const BarScales& scales) const;
+    [[nodiscard]] QString axisNumber(const BarScale& scale, int tick, bool onSecond) const;
+    [[nodiscard]] double widestNumber(const BarScale& scale, bool onSecond) const;
+    void findParts(const Layout& layout);
+    void findSlices(const Layout& layout);
+    void paintBand(QPainter& painter, const Layout& layout) const;
+    void paintHatches(QPainter& painter) const;
+    void paintMarks(QPainter& painter, const Layout& layout) const;
+    void paintNumbers(QPainter& painter, const Layout& layout);
+    void paintTotals(QPainter& painter, const Layout& layout);
+    void paintSliceNumbers(QPainter& painter, const Layout& layout);
+    void paintCategories(QPainter& painter, const Layout& layout);
+    void paintAxis(QPainter& painter, const Layout& layout, bool onSecond);
+    void paintAxisName(QPainter& painter, const Layout& layout, bool onSecond);
+    /// Writes a text where no other stands; false: there is no room.
+    bool write(QPainter& painter, const QRectF& box, const QString& text, bool onBar = false);
+
+    BarChart m_chart;
+    std::vector<bool> m_hidden;
+    ChartLook m_look;
+    ChartScene m_scene;
+    BarChart m_drawn; ///< of the shown series
+    std::vector<std::size_t> m_drawnSeries;
+    ChartArea m_area; ///< as painted last
+    std::vector<BarPart> m_parts;
+    std::vector<QRectF> m_taken; ///< by texts
+    QStringList m_texts;
+};
+
+} // namespace sparkout

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/bars/chart_scene.h"
+
+#include "ui/plot/plot_style.h"
+
+#include <QBarCategoryAxis>
+#include <QBarSeries>
+#include <QBarSet>
+#include <QBoxPlotSeries>
+#include <QBoxSet>
+#include <QChart>
+#include <QGraphicsLayout>
+#include <QHorizontalBarSeries>
+#include <QHorizontalStackedBarSeries>
+#include <QLegend>
+#include <QPainter>
+#include <QPieSeries>
+#include <QPieSlice>
+#include <QStackedBarSeries>
+#include <QValueAxis>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace sparkout {
+
+namespace {
+
+using Shape = BarChart::Shape;
+
+constexpr int lineAlpha = 150, gridAlpha = 35;
+
+/// The bars of a category from the bottom on: Qt Charts puts the first of lying ones there.
+int indexOf(const BarChart& chart, std::size_t category) {
+    const auto i = static_cast<int>(category);
+    return chart.isLying ? static_cast<int>(chart.categories.size()) - 1 - i : i;
+}
+
+QAbstractBarSeries* makeBars(const BarChart& chart) {
+    if (chart.shape == Shape::stacked) {
+        return chart.isLying ? static_cast<QAbstractBarSeries*>(new QHorizontalStackedBarSeries)
+                             : new QStackedBarSeries;
+    }
+    return chart.isLying ? static_cast<QAbstractBarSeries*>(new QHorizontalBarSeries)
+                         : new QBarSeries;
+}
+
+bool hasSecond(const BarChart& chart) {
+    return std::ranges::any_of(chart.series, &BarSeries::onSecond);
+}
+
+} // namespace
+
+QColor ChartLook::toned(const BarColour& colour) const {
+    return style::dimmed(colour(palette), isDimmed);
+}
+
+QColor ChartLook::ink() const {
+    return style::dimmed(palette.color(QPalette::Text), isDimmed);
+}
+
+// --- where things stand -------------------------------------------------------------------------
+
+double ChartArea::room(const BarChart& chart) const {
+    const auto categories = static_cast<double>(std::max<qsizetype>(chart.categories.size(), 1));
+    return (chart.isLying ? rect.height() : rect.width()) / categories;
+}
+
+double ChartArea::barShare(const BarChart& chart) const {
+    const double bars =
+        chart.shape == Shape::grouped ? static_cast<double>(chart.series.size()) : 1;
+    return std::min(most, widest * std::max(bars, 1.0) / std::max(room(chart), 1.0));
+}
+
+double ChartArea::middle(const BarChart& chart, std::size_t category) const {
+    const double start = chart.isLying ? rect.top() : rect.left();
+    return start + (static_cast<double>(category) + 0.5) * room(chart);
+}
+
+double ChartArea::at(const BarChart& chart, const BarScale& scale, double value) const {
+    const double share = scale.share(value);
+    return chart.isLying ? rect.left() + share * rect.width()
+                         : rect.bottom() - share * rect.height();
+}
+
+QRectF ChartArea::bar(const BarChart& chart, const BarScale& scale, std::size_t category,
+                      double from, double to, double middleOf, double width) const {
+    const double a = at(chart, scale, from), b = at(chart, scale, to);
+    const double across = middle(chart, category) + middleOf - width / 2;
+    return chart.isLying ? QRectF(std::min(a, b), across, std::abs(b - a), width)
+                         : QRectF(across, std::min(a, b), width, std::abs(b - a));
+}
+
+// --- building -----------------------------------------------------------------------------------
+
+ChartScene::ChartScene() = default;
+ChartScene::~ChartScene() = default;
+
+bool ChartScene::isAlike(const BarChart& chart) const {
+    return m_chart && m_shown.shape == chart.shape && m_shown.isLying == chart.isLying
+           && m_shown.categories.size() == chart.categories.size()
+           && m_shown.boxes.size() == chart.boxes.size()
+           && std::ranges::equal(m_shown.series, chart.series, {}, &BarSeries::onSecond,
+                                 &BarSeries::onSecond);
+}
+
+void ChartScene::build(const BarChart& chart) {
+    m_series.clear();
+    m_scene.clear(); // with the chart, its series and axes
+    m_values = m_secondValues = nullptr;
+    m_categories = nullptr;
+    m_chart = new QChart;
+    m_scene.addItem(m_chart);
+    m_chart->setAnimationOptions(QChart::NoAnimation);
+    m_chart->setBackgroundVisible(false);
+    m_chart->setMargins(QMargins());
+    m_chart->layout()->setContentsMargins(0, 0, 0, 0);
+    m_chart->legend()->hide();
+    if (chart.shape == Shape::ring) {
+        auto* slices = new QPieSeries;
+        slices->setHoleSize(ChartArea::hole);
+        slices->setPieSize(1);
+        for (std::size_t i = 0; i < chart.series.size(); ++i) {
+            slices->append(QString::number(i), 1);
+        }
+        m_chart->addSeries(slices);
+        m_series << slices;
+        return;
+    }
+    buildAxes(chart);
+    if (chart.shape == Shape::boxes) {
+        auto* boxes = new QBoxPlotSeries;
+        for (std::size_t i = 0; i < chart.boxes.size(); ++i) {
+            boxes->append(new QBoxSet(QString::number(i)));
+        }
+        m_chart->addSeries(boxes);
+        boxes->attachAxis(m_categories);
+        boxes->attachAxis(m_values);
+        m_series << boxes;
+        return;
+    }
+    for (const bool onSecond : {false, true}) {
+        if (std::ranges::count(chart.series, onSecond, &BarSeries::onSecond) > 0) {
+            buildBars(chart, onSecond);
+        }
+    }
+}
+
+void ChartScene::buildAxes(const BarChart& chart) {
+    auto* categories = new QBarCategoryAxis;
+    QStringList names; // each another, as Qt Charts wants them
+    for (qsizetype i = 0; i < chart.categories.size(); ++i) {
+        names << QString::number(i);
+    }
+    categories->append(names);
+    m_categories = categories;
+    m_values = new QValueAxis;
+    const auto add = [this](QAbstractAxis* axis, Qt::Alignment side) {
+        axis->setLabelsVisible(false);
+        m_chart->addAxis(axis, side);
+    };
+    add(m_categories, chart.isLying ? Qt::AlignLeft : Qt::AlignBottom);
+    add(m_values, chart.isLying ? Qt::AlignBottom : Qt::AlignLeft);
+    m_categories->setGridLineVisible(false);
+    if (hasSecond(chart)) {
+        m_secondValues = new QValueAxis;
+        add(m_secondValues, Qt::AlignRight);
+        m_secondValues->setGridLineVisible(false); // that of the first
+    }
+}
+
+void ChartScene::buildBars(const BarChart& chart, bool onSecond) {
+    QAbstractBarSeries* const bars = makeBars(chart);
+    for (const BarSeries& of : chart.series) {
+        if (of.onSecond == onSecond) {
+            auto* set = new QBarSet(of.name);
+            for (qsizetype i = 0; i < chart.categories.size(); ++i) {
+                *set << 0;
+            }
+            bars->append(set);
+        }
+    }
+    m_chart->addSeries(bars);
+    bars->attachAxis(m_categories);
+    bars->attachAxis(onSecond ? m_secondValues : m_values);
+    m_series << bars;
+}
+
+// --- values and colours -------------------------------------------------------------------------
+
+void ChartScene::show(const BarChart& chart, const BarScales& scales, const ChartLook& look) {
+    if (!isAlike(chart)) {
+        build(chart);
+    }
+    m_shown = chart;
+    fill(chart, scales);
+    colour(chart, look);
+}
+
+void ChartScene::fill(const BarChart& chart, const BarScales& scales) {
+    if (chart.shape == Shape::ring) {
+        const QList<QPieSlice*> slices = static_cast<QPieSeries*>(m_series[0])->slices();
+        for (std::size_t i = 0; i < chart.series.size(); ++i) {
+            slices[static_cast<qsizetype>(i)]->setValue(chart.value(i, 0));
+        }
+        return;
+    }
+    const auto range = [](QValueAxis& axis, const BarScale& scale) {
+        axis.setRange(scale.low(), scale.high());
+        axis.setTickCount(scale.below + scale.above + 1);
+    };
+    range(*m_values, scales.first);
+    if (m_secondValues) {
+        range(*m_secondValues, scales.second);
+    }
+    if (chart.shape == Shape::boxes) {
+        const QList<QBoxSet*> boxes = static_cast<QBoxPlotSeries*>(m_series[0])->boxSets();
+        for (std::size_t i = 0; i < chart.boxes.size(); ++i) {
+            const BarBox& box = chart.boxes[i];
+            QBoxSet& set = *boxes[static_cast<qsizetype>(i)];
+            set.setValue(QBoxSet::LowerExtreme, box.least);
+            set.setValue(QBoxSet::LowerQuartile, box.low);
+            set.setValue(QBoxSet::Median, box.median);
+            set.setValue(QBoxSet::UpperQuartile, box.high);
+            set.setValue(QBoxSet::UpperExtreme, box.most);
+        }
+        return;
+    }
+    std::array<int, 2> next{}; // of the sets of either axis
+    for (std::size_t i = 0; i < chart.series.size(); ++i) {
+        const bool onSecond = chart.series[i].onSecond;
+        const std::size_t axis = onSecond ? 1 : 0;
+        const qsizetype place = onSecond && m_series.size() > 1 ? 1 : 0;
+        QBarSet& set =
+            *static_cast<QAbstractBarSeries*>(m_series[place])->barSets()[next.at(axis)++];
+        const BarScale& scale = onSecond ? scales.second : scales.first;
+        for (std::size_t c = 0; c < static_cast<std::size_t>(chart.categories.size()); ++c) {
+            const double value = chart.value(i, c);
+            // What is stacked is cut as a whole, by the axis.
+            const double drawn = !std::isfinite(value)           ? 0
+                                 : chart.shape == Shape::stacked ? value
+                                                                 : scale.clamped(value);
+            set.replace(indexOf(chart, c), drawn);
+        }
+    }
+}
+
+void ChartScene::colour(const BarChart& chart, const ChartLook& look) {
+    const QPen edge(look.palette.color(QPalette::Base), 1);
+    if (chart.shape == Shape::ring) {
+        const QList<QPieSlice*> slices = static_cast<QPieSeries*>(m_series[0])->slices();
+        for (std::size_t i = 0; i < chart.series.size(); ++i) {
+            slices[static_cast<qsizetype>(i)]->setBrush(look.toned(chart.series[i].colour));
+            slices[static_cast<qsizetype>(i)]->setPen(edge);
+        }
+        return;
+    }
+    QColor line = look.palette.color(QPalette::Text), grid = line;
+    line.setAlpha(lineAlpha);
+    grid.setAlpha(gridAlpha);
+    for (QAbstractAxis* axis :
+         std::initializer_list<QAbstractAxis*>{m_categories, m_values, m_secondValues}) {
+        if (axis) {
+            axis->setLinePen(QPen(line, 1));
+            axis->setGridLinePen(QPen(grid, 1));
+        }
+    }
+    if (chart.shape == Shape::boxes) {
+        auto& boxes = *static_cast<QBoxPlotSeries*>(m_series[0]);
+        boxes.setPen(QPen(look.ink(), 1.4));
+        boxes.setBrush(look.toned(chart.boxColour));
+        return;
+    }
+    std::array<int, 2> next{};
+    for (const BarSeries& of : chart.series) {
+        const std::size_t axis = of.onSecond ? 1 : 0;
+        const qsizetype place = of.onSecond && m_series.size() > 1 ? 1 : 0;
+        QBarSet& set =
+            *static_cast<QAbstractBarSeries*>(m_series[place])->barSets()[next.at(axis)++];
+        set.setBrush(look.toned(of.colour));
+        set.setPen(edge);
+    }
+}
+
+void ChartScene::paint(QPainter& painter, const QSizeF& size, const ChartArea& area) {
+    m_scene.setSceneRect(QRectF(QPointF(), size));
+    m_chart->resize(size);
+    m_chart->setPlotArea(area.rect);
+    for (QAbstractSeries* of : m_series) {
+        if (auto* bars = qobject_cast<QAbstractBarSeries*>(of)) {
+            bars->setBarWidth(area.barShare(m_shown));
+        } else if (auto* boxes = qobject_cast<QBoxPlotSeries*>(of)) {
+            boxes->setBoxWidth(area.barShare(m_shown));
+        }
+    }
+    m_chart->layout()->invalidate(); // another plot area alone moves the bars, but not the axes
+    m_chart->layout()->activate();
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing,
+                          m_shown.shape == Shape::ring || m_shown.shape == Shape::boxes);
+    m_scene.render(&painter, QRectF(QPointF(), size), QRectF(QPointF(), size),
+                   Qt::IgnoreAspectRatio);
+    painter.restore();
+}
+
+} // namespace sparkout

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/bars/bar_chart.h"
+#include "ui/bars/bar_scale.h"
+
+#include <QGraphicsScene>
+#include <QPointer>
+#include <QRectF>
+
+#include <vector>
+
+class QAbstractAxis;
+class QAbstractBarSeries;
+class QAbstractSeries;
+class QChart;
+class QPainter;
+class QValueAxis;
+
+namespace sparkout {
+
+/// How a chart is painted.
+struct ChartLook {
+    QPalette palette;
+    QFont font;
+    bool isDimmed = false;
+
+    [[nodiscard]] QColor toned(const BarColour& colour) const;
+    [[nodiscard]] QColor ink() const;
+};
+
+/// Where the bars of a chart stand: what Qt Charts makes of an area, told beforehand.
+struct ChartArea {
+    static constexpr double hole = 0.58; ///< of the radius of a ring
+    static constexpr double most = 0.72; ///< of a category's room that its bars take
+    static constexpr double widest = 46; ///< bars of a category together, of standing or lying ones
+
+    QRectF rect;
+    /// Share of a category's room its bars take, of so many categories.
+    [[nodiscard]] double barShare(const BarChart& chart) const;
+    [[nodiscard]] double at(const BarChart& chart, const BarScale& scale, double value) const;
+    [[nodiscard]] double middle(const BarChart& chart, std::size_t category) const; ///< across
+    [[nodiscard]] double room(const BarChart& chart) const; ///< of a category, across
+    /// From a value to another, in a category, across by its bar's place among others.
+    [[nodiscard]] QRectF bar(const BarChart& chart, const BarScale& scale, std::size_t category,
+                             double from, double to, double middle, double width) const;
+};
+
+/// A chart of Qt Charts: its bars, boxes or slices, axes and grid. The texts are not its own: those
+/// of Qt Charts are cut short where they lack room. Values change in place; where the series or
+/// categories do, the chart is made anew.
+class ChartScene {
+public:
+    ChartScene();
+    ~ChartScene();
+
+    /// No series without a value for each category.
+    void show(const BarChart& chart, const BarScales& scales, const ChartLook& look);
+    void paint(QPainter& painter, const QSizeF& size, const ChartArea& area);
+
+    [[nodiscard]] QChart* chart() const { return m_chart; } ///< null before the first show()
+    [[nodiscard]] const QList<QAbstractSeries*>& series() const { return m_series; }
+
+private:
+    [[nodiscard]] bool isAlike(const BarChart& chart) const;
+    void build(const BarChart& chart);
+    void buildBars(const BarChart& chart, bool onSecond);
+    void buildAxes(const BarChart& chart);
+    void fill(const BarChart& chart, const BarScales& scales);
+    void colour(const BarChart& chart, const ChartLook& look);
+
+    QGraphicsScene m_scene;
+    QChart* m_chart = nullptr; ///< of the scene
+    QList<QAbstractSeries*> m_series;
+    QAbstractAxis* m_categories = nullptr;
+    QValueAxis* m_values = nullptr;
+    QValueAxis* m_secondValues = nullptr;
+    BarChart m_shown;
+};
+
+} // namespace sparkout

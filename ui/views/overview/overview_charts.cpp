@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/overview/overview_charts.h"
+
+#include "core/process/system_compliance.h"
+#include "core/project/part.h"
+#include "core/quality/diameter_shares.h"
+#include "core/quality/usage.h"
+#include "core/units.h"
+#include "ui/charts/verdict_model.h"
+#include "ui/text/limit_names.h"
+#include "ui/text/names.h"
+#include "ui/text/texts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+using Shape = BarChart::Shape;
+using style::Drawn;
+
+constexpr double noNumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double mostUsage = 200; ///< % that is drawn
+constexpr std::array zoneOrder{Zone::rz1, Zone::nz, Zone::rz2};
+
+QString threeDigits(double value) {
+    return Names::significant(value);
+}
+
+/// The diameter nearest to its limit, of which section.
+std::optional<int> criticalSection(const Outcome& outcome) {
+    const ConstraintResult* worst = nullptr;
+    for (const ConstraintResult& of : outcome.constraints) {
+        const bool isDiameter =
+            of.kind == ConstraintKind::diameterMin || of.kind == ConstraintKind::diameterMax;
+        if (isDiameter && (!worst || of.margin < worst->margin)) {
+            worst = &of;
+        }
+    }
+    return worst ? std::optional(worst->section) : std::nullopt;
+}
+
+/// All zones, or some of the sections, the critical one among them.
+std::vector<int> drawnSections(const Outcome& outcome) {
+    const Project& project = outcome.result.project;
+    const auto count = static_cast<int>(outcome.result.sections.size());
+    return project.operation->hasZones
+               ? shownSections(count, 0)
+               : shownSections(count, gaugeSection(project), criticalSection(outcome));
+}
+
+QString nameOfSection(const Outcome& outcome, int section) {
+    return Names::zone(outcome.result.sections[static_cast<std::size_t>(section)].zone, section);
+}
+
+BarColour colourOfStep(std::size_t step) {
+    return [step](const QPalette& palette) {
+        return tone(style::stepOfStroke(step, palette), palette);
+    };
+}
+
+/// The steps that take time, in their order.
+std::vector<std::size_t> stepsTaken(const Outcome& outcome) {
+    std::vector<std::size_t> steps;
+    for (std::size_t step = 0; step < strokeSteps; ++step) {
+        if (std::ranges::any_of(outcome.steps.time_s,
+                                [step](const StepSums& sums) { return sums.of[step] > 0; })) {
+            steps.push_back(step);
+        }
+    }
+    return steps;
+}
+
+double shareOrNone(const std::optional<double>& value) {
+    return value ? 100 * *value : noNumber;
+}
+
+} // namespace
+
+QString OverviewCharts::title(OverviewChart chart) {
+    switch (chart) {
+    case OverviewChart::times: return tr("Time by stage and step");
+    case OverviewChart::stock: return tr("Removed by stage, zone and step");
+    case OverviewChart::diameters: return tr("What the diameter deviations are made of");
+    case OverviewChart::requirements: return tr("Limits used up");
+    case OverviewChart::boxes: return tr("Batch: mean diameter by zone");
+    case OverviewChart::parts: return tr("Batch: parts good and out");
+    case OverviewChart::runs: return tr("Kept runs: time and margin");
+    }
+    return {};
+}
+
+// --- time and stock -----------------------------------------------------------------------------
+
+/// "E3/E1/E1 working stroke": the codes of the zones that are ground in it.
+QString OverviewCharts::stepName(StrokeStep step) {
+    QStringList codes;
+    QString meaning;
+    for (const Zone zone : zoneOrder) {
+        const Step of = stepOf(zone, step);
+        if (of != Step::none) {
+            codes << Names::step(of);
+            meaning = Names::stepMeaning(zone, of);
+        }
+    }
+    return codes.isEmpty() ? QString() : QStringLiteral("%1 %2").arg(codes.join(u'/'), meaning);
+}
+
+/// A series for each step that takes time, without values.
+std::vector<BarSeries> OverviewCharts::stepSeries(const Outcome& outcome) {
+    std::vector<BarSeries> series;
+    for (const std::size_t step : stepsTaken(outcome)) {
+        const bool isStep = static_cast<StrokeStep>(step) != StrokeStep::none;
+        series.push_back({stepName(static_cast<StrokeStep>(step)),
+                          isStep ? colourOfStep(step) : barColour(Drawn::actualFeed),
+                          hatchAt(series.size()),
+                          {}});
+    }
+    return series;
+}
+
+BarChart OverviewCharts::times(const Outcome& outcome) {
+    BarChart chart;
+    chart.isLying = true;
+    chart.what = tr("Stage");
+    chart.axis = tr("Time");
+    chart.unit = unitText("min");
+    chart.number = threeDigits;
+    const std::vector<double>& times = outcome.result.timeByStage_s;
+    for (std::size_t stage = 0; stage < times.size(); ++stage) {
+        chart.categories << tr("Stage %1").arg(stage + 1);
+    }
+    const auto inMinutes = [](double time_s) { return time_s / units::secondsPerMinute; };
+    if (outcome.steps.empty()) { // not recorded
+        BarSeries all{{}, barColour(Drawn::actualFeed), Hatch::none, {}};
+        std::ranges::transform(times, std::back_inserter(all.values), inMinutes);
+        chart.series.push_back(std::move(all));
+        chart.remark = tr("The cycle is too long to be recorded step by step.");
+        return chart;
+    }
+    chart.series = stepSeries(outcome);
+    const std::vector<std::size_t> steps = stepsTaken(outcome);
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        for (const StepSums& sums : outcome.steps.time_s) {
+            chart.series[i].values.push_back(inMinutes(sums.of[steps[i]]));
+        }
+    }
+    chart.hasTotals = chart.series.size() > 1;
+    return chart;
+}
+
+QString OverviewCharts::sectionsRemark(const Outcome& outcome) {
+    const std::size_t all = outcome.result.sections.size();
+    const std::size_t shown = drawnSections(outcome).size();
+    return shown < all ? tr("%1 of %2 sections: the ends, the gauge's and the one whose diameter "
+                            "is nearest to its limit.")
+                             .arg(shown)
+                             .arg(all)
+                       : QString();
+}
+
+BarChart OverviewCharts::stock(const Outcome& outcome) {
+    BarChart chart;
+    if (outcome.steps.empty()) {
+        return chart;
+    }
+    chart.isLying = true;
+    chart.what = tr("Stage and zone");
+    chart.axis = tr("Removed per side");
+    chart.unit = unitText("µm");
+    chart.number = threeDigits;
+    chart.series = stepSeries(outcome);
+    chart.hasTotals = chart.series.size() > 1;
+    chart.remark = sectionsRemark(outcome);
+    const std::vector<std::size_t> steps = stepsTaken(outcome);
+    std::vector<Zone> zoneOf; // by category
+    for (std::size_t stage = 0; stage < outcome.steps.time_s.size(); ++stage) {
+        for (const int section : drawnSections(outcome)) {
+            const auto index = static_cast<std::size_t>(section);
+            chart.categories << tr("Stage %1, %2", "number, zone")
+                                    .arg(stage + 1)
+                                    .arg(nameOfSection(outcome, section));
+            zoneOf.push_back(outcome.result.sections[index].zone);
+            for (std::size_t i = 0; i < steps.size(); ++i) {
+                chart.series[i].values.push_back(outcome.steps.removed_mm[index][stage].of[steps[i]]
+                                                 * units::umPerMm);
+            }
+        }
+    }
+    chart.partName = [steps, zoneOf](std::size_t series, std::size_t category) {
+        const Zone zone = zoneOf[category];
+        const Step step = stepOf(zone, static_cast<StrokeStep>(steps[series]));
+        return step == Step::none
+                   ? QString()
+                   : QStringLiteral("%1 %2").arg(Names::step(step), Names::stepMeaning(zone, step));
+    };
+    return chart;
+}
+
+std::vector<int> OverviewCharts::stagesOfStock(const Outcome& outcome) {
+    std::vector<int> stages;
+    const std::size_t sections = drawnSections(outcome).size();
+    for (std::size_t stage = 1; stage <= outcome.steps.time_s.size(); ++stage) {
+        stages.insert(stages.end(), sections, static_cast<int>(stage));
+    }
+    return stages;
+}
+
+// --- diameters and requirements -----------------------------------------------------------------
+
+BarChart OverviewCharts::diameters(const Outcome& outcome) {
+    BarChart chart;
+    if (outcome.result.sections.empty()) {
+        return chart;
+    }
+    chart.what = tr("Diameter");
+    chart.axis = tr("From nominal");
+    chart.unit = unitText("µm");
+    chart.number = Names::signedMicrometres;
+    chart.remark = sectionsRemark(outcome);
+    const Part& part = *outcome.result.project.part;
+    chart.band = BarBand{part.lower_deviation_um, part.upper_deviation_um, tr("tolerance field")};
+    chart.sumName = tr("deviation, the sum");
+    chart.series = {{tr("gauge at the end"), barColour(Drawn::gauge), hatchAt(0), {}},
+                    {tr("zone against the gauge"), barColour(Tone::orange), hatchAt(1), {}},
+                    {tr("out of round"), barColour(Tone::purple), hatchAt(2), {}}};
+    for (const int section : drawnSections(outcome)) {
+        for (const DiameterEnd end : {DiameterEnd::smallest, DiameterEnd::largest}) {
+            const DiameterShares shares =
+                diameterShares(outcome.result, static_cast<std::size_t>(section), end);
+            const QString which =
+                end == DiameterEnd::smallest ? tr("min", "diameter") : tr("max", "diameter");
+            chart.categories << nameOfSection(outcome, section) + u'\n' + which;
+            chart.series[0].values.push_back(shares.reading_um);
+            chart.series[1].values.push_back(shares.section_um);
+            chart.series[2].values.push_back(shares.form_um);
+            chart.sums.push_back(shares.deviation_um());
+        }
+    }
+    return chart;
+}
+
+std::vector<int> OverviewCharts::sectionsOfDiameters(const Outcome& outcome) {
+    std::vector<int> sections;
+    for (const int section : drawnSections(outcome)) {
+        sections.insert(sections.end(), 2, section);
+    }
+    return sections;
+}
+
+/// The worst of each kind, what fails first and then by how much is used up; of the settings, which
+/// hold up to the ends of their ranges, those that fail.
+std::vector<ConstraintResult> OverviewCharts::requirementsShown(const Outcome& outcome) {
+    std::vector<ConstraintResult> shown = worstByKind(outcome.constraints);
+    std::erase_if(shown,
+                  [](const ConstraintResult& of) { return Names::isRange(of.kind) && of.holds; });
+    std::ranges::stable_sort(shown, std::greater(), [](const ConstraintResult& of) {
+        return std::pair(!of.holds, usageOf(of));
+    });
+    return shown;
+}
+
+BarChart OverviewCharts::requirements(const Outcome& outcome) {
+    BarChart chart;
+    chart.isLying = true;
+    chart.what = tr("Requirement");
+    chart.axis = tr("Of the field or limit");
+    chart.unit = QStringLiteral("%");
+    chart.number = [](double value) { return Names::fixed(value, value < 10 ? 1 : 0); };
+    chart.most = mostUsage;
+    chart.hasTotals = true;
+    chart.limits = {{100, tr("limit")}};
+    const std::vector<ConstraintResult> shown = requirementsShown(outcome);
+    constexpr std::array lights{Light::fails, Light::close, Light::holds};
+    constexpr std::array drawn{Drawn::fails, Drawn::close, Drawn::holds};
+    constexpr std::array hatches{Hatch::crossed, Hatch::rising, Hatch::none};
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        BarSeries series{lightName(lights[i]), barColour(drawn[i]), hatches[i], {}};
+        for (const ConstraintResult& of : shown) {
+            series.values.push_back(of.isWhole && lightOf(of) == lights[i] ? 100 * usageOf(of)
+                                                                           : noNumber);
+        }
+        if (std::ranges::any_of(series.values, [](double value) { return std::isfinite(value); })) {
+            chart.series.push_back(std::move(series));
+        }
+    }
+    for (const ConstraintResult& of : shown) {
+        chart.categories << QStringLiteral("%1, %2").arg(Names::constraintBrief(of.kind),
+                                                         Names::where(of));
+    }
+    const auto settings = static_cast<int>(worstByKind(outcome.constraints).size() - shown.size());
+    chart.remark = settings > 0
+                       ? tr("%n ranges of the machine hold and are not drawn.", nullptr, settings)
+                       : QString();
+    return chart;
+}
+
+// --- batch --------------------------------------------------------------------------------------
+
+/// Empty of corners, which are no sample, and where no part reached size.
+BarChart OverviewCharts::boxes(const BatchOutcome& batch) {
+    BarChart chart;
+    const BatchSummary& summary = batch.summary;
+    const std::vector<std::size_t> places = placesOf(summary, "diameter", mostPlaces);
+    const auto percentile = [](const CharacteristicSummary& of, double order) {
+        const auto found = std::ranges::find(of.percentiles, order, &Percentile::order);
+        return found == of.percentiles.end() ? noNumber : found->value;
+    };
+    for (const std::size_t place : places) {
+        const CharacteristicSummary& of = summary.characteristics[place];
+        if (!summary.isSample || of.count == 0) {
+            return {};
+        }
+        chart.categories << Names::zone(of.characteristic.zone, of.characteristic.section);
+        chart.boxes.push_back({of.least.value, percentile(of, 0.25), percentile(of, 0.5),
+                               percentile(of, 0.75), of.most.value});
+        if (of.characteristic.low && of.characteristic.high) {
+            chart.band =
+                BarBand{*of.characteristic.low, *of.characteristic.high, tr("tolerance field")};
+        }
+    }
+    chart.shape = Shape::boxes;
+    chart.what = tr("Zone or section");
+    chart.axis = tr("Mean diameter");
+    chart.unit = unitText("µm");
+    chart.number = Names::signedMicrometres;
+    chart.boxColour = barColour(Drawn::frequency);
+    QStringList remarks{tr("Box: the middle half of the parts, with their median; whiskers: the "
+                           "smallest and the largest part.")};
+    if (!summary.exactPercentiles) {
+        remarks << tr("The quartiles are exact to within a bin.");
+    }
+    if (const std::size_t all = placesOf(summary, "diameter").size(); places.size() < all) {
+        remarks << tr("%1 of %2 sections, where the Ppk is least.").arg(places.size()).arg(all);
+    }
+    chart.remark = remarks.join(u' ');
+    return chart;
+}
+
+BarChart OverviewCharts::parts(const BatchOutcome& batch) {
+    const BatchSummary& summary = batch.summary;
+    BarChart chart;
+    const std::int64_t good = summary.parts - summary.bad.count;
+    const std::int64_t out = summary.bad.count - summary.failed;
+    if (summary.parts <= 0) {
+        return chart;
+    }
+    chart.shape = Shape::ring;
+    chart.what = tr("Batch");
+    chart.axis = tr("Parts");
+    chart.categories << tr("Parts");
+    const auto all = static_cast<double>(summary.parts);
+    chart.number = [all](double value) {
+        return QStringLiteral("%1 (%2)").arg(Names::fixed(value, 0),
+                                             LimitNames::percent(value / all));
+    };
+    const auto slice = [&chart](const QString& name, Drawn drawn, Hatch hatch, std::int64_t count) {
+        if (count > 0) {
+            chart.series.push_back({name, barColour(drawn), hatch, {static_cast<double>(count)}});
+        }
+    };
+    slice(tr("good"), Drawn::goodPart, Hatch::none, good);
+    slice(tr("out of tolerance"), Drawn::partOutside, Hatch::crossed, out);
+    slice(tr("size not reached"), Drawn::sizeNotReached, Hatch::rising, summary.failed);
+    chart.centre = tr("%1 of %2\ngood", "numbers of parts").arg(good).arg(summary.parts);
+    return chart;
+}
+
+// --- runs ---------------------------------------------------------------------------------------
+
+BarChart OverviewCharts::runs(const std::vector<RunBars>& runs, int kept) {
+    BarChart chart;
+    if (kept == 0) {
+        return chart;
+    }
+    chart.shape = Shape::grouped;
+    chart.what = tr("Run");
+    chart.axis = tr("Machining time");
+    chart.unit = unitText("min");
+    chart.secondAxis = tr("Least margin");
+    chart.secondUnit = QStringLiteral("%");
+    chart.number = threeDigits;
+    chart.secondNumber = [](double value) {
+        return Names::fixed(value, std::abs(value) < 10 ? 1 : 0);
+    };
+    chart.series = {
+        {tr("machining time"), barColour(Drawn::yourCycle), hatchAt(0), {}},
+        {tr("least margin"), barColour(Drawn::everyRequirementHolds), hatchAt(1), {}, true}};
+    for (const RunBars& run : runs) {
+        chart.categories << run.name;
+        chart.series[0].values.push_back(run.time_min.value_or(noNumber));
+        chart.series[1].values.push_back(shareOrNone(run.margin));
+    }
+    const int shown = static_cast<int>(runs.size()) - 1;
+    QStringList remarks{tr("Margin: that of the requirement nearest to its limit, below 0 where "
+                           "one fails.")};
+    if (shown < kept) {
+        remarks << tr("The present run and the newest %1 of %2 kept ones.").arg(shown).arg(kept);
+    }
+    chart.remark = remarks.join(u' ');
+    return chart;
+}
+
+} // namespace sparkout

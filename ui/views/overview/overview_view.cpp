@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/overview/overview_view.h"
+
+#include "core/quality/run_summary.h"
+#include "core/study/batch_edits.h"
+#include "core/units.h"
+#include "ui/bars/bar_plot.h"
+#include "ui/kit/font_size.h"
+#include "ui/kit/metrics.h"
+#include "ui/plot/legend_strip.h"
+#include "ui/session/kept_runs.h"
+#include "ui/text/names.h"
+#include "ui/text/texts.h"
+#include "ui/views/overview/overview_tile.h"
+
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+using enum OverviewChart;
+
+constexpr int columnWidth = 300; ///< at least, at the usual size of type
+constexpr int mostColumns = 3;
+constexpr std::array tileNames{"overviewTimes",        "overviewStock", "overviewDiameters",
+                               "overviewRequirements", "overviewBoxes", "overviewParts",
+                               "overviewRuns"};
+static_assert(tileNames.size() == allOverviewCharts.size());
+
+} // namespace
+
+OverviewView::OverviewView(const KeptRuns& kept, QWidget* parent, Settings* settings)
+    : PlotView(QStringLiteral("overview"), parent, settings)
+    , m_kept(kept)
+    , m_scroll(new QScrollArea(this)) {
+    build();
+    connect(&m_kept, &KeptRuns::changed, this, [this] {
+        m_runsChanged = true;
+        if (isVisible()) {
+            showRuns();
+        }
+    });
+    built();
+}
+
+void OverviewView::build() {
+    auto* page = new QWidget(m_scroll);
+    m_grid = new QGridLayout(page);
+    m_grid->setContentsMargins(0, 0, 0, 0);
+    m_grid->setSpacing(metrics::gap);
+    for (const OverviewChart chart : allOverviewCharts) {
+        const auto index = static_cast<std::size_t>(chart);
+        auto* tile = new OverviewTile(QLatin1String(tileNames[index]), page);
+        m_tiles[index] = tile;
+        PlotSubject subject;
+        subject.name = [chart] { return OverviewCharts::title(chart); };
+        subject.heading = [this, chart] { return headingOf(chart); };
+        addPlot(*tile->plot(), std::move(subject));
+        tile->addExport();
+        connect(tile, &OverviewTile::enlargeAsked, this, [this, chart] { enlarge(chart); });
+        connect(tile, &OverviewTile::stepAsked, this, [this, chart] {
+            chart == runs ? emit keepAsked() : emit viewAsked(QStringLiteral("batch"));
+        });
+        connect(tile->plot(), &BarPlot::entered, this,
+                [this, chart](std::size_t series, std::size_t category) {
+                    follow(chart, series, category);
+                });
+    }
+    m_scroll->setObjectName(QStringLiteral("overviewPage"));
+    m_scroll->setWidget(page);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    hideUntilDrawn({m_scroll});
+    addColumn({notice(), m_scroll, values()}, m_scroll)->addStretch();
+    arrange();
+}
+
+// --- the page -----------------------------------------------------------------------------------
+
+/// Of its own width: that of the page follows later.
+int OverviewView::columnsWithRoom() const {
+    const int room = width() - 2 * metrics::gap - m_scroll->verticalScrollBar()->sizeHint().width();
+    return std::clamp(room / atFontSize(columnWidth), 1, mostColumns);
+}
+
+/// The last tile takes what is left of its row. Alone, a tile has all of the page.
+void OverviewView::arrange() {
+    m_columns = columnsWithRoom();
+    while (m_grid->count() > 0) {
+        delete m_grid->takeAt(0); // its tile stays
+    }
+    for (int i = 0; i < mostColumns; ++i) {
+        m_grid->setColumnStretch(i, i < m_columns ? 1 : 0);
+    }
+    int place = 0;
+    for (std::size_t i = 0; i < m_tiles.size(); ++i) {
+        const bool isShown = !m_alone || static_cast<std::size_t>(*m_alone) == i;
+        m_tiles[i]->setVisible(isShown);
+        m_tiles[i]->setAlone(m_alone && isShown);
+        if (!isShown) {
+            continue;
+        }
+        const bool isLast = m_alone || i + 1 == m_tiles.size();
+        const int column = place % m_columns;
+        m_grid->addWidget(m_tiles[i], place / m_columns, column, 1,
+                          isLast ? m_columns - column : 1);
+        ++place;
+    }
+    for (int row = 0; row < static_cast<int>(m_tiles.size()); ++row) {
+        m_grid->setRowStretch(row, row * m_columns < place ? 1 : 0);
+    }
+}
+
+void OverviewView::enlarge(OverviewChart chart) {
+    const bool back = m_alone.has_value();
+    m_alone = back ? std::nullopt : std::optional(chart);
+    arrange();
+    if (back) {
+        m_scroll->ensureWidgetVisible(tile(chart));
+    } else {
+        m_scroll->verticalScrollBar()->setValue(0);
+    }
+    replotAll();
+}
+
+void OverviewView::resizeEvent(QResizeEvent* event) {
+    PlotView::resizeEvent(event);
+    if (columnsWithRoom() != m_columns) {
+        arrange();
+    }
+}
+
+void OverviewView::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape && m_alone) {
+        enlarge(*m_alone);
+    } else {
+        PlotView::keyPressEvent(event);
+    }
+}
+
+/// New type needs other heights, and fewer columns.
+void OverviewView::recolour() {
+    for (OverviewTile* tile : m_tiles) {
+        tile->fitHeight();
+    }
+    arrange();
+}
+
+// --- what is drawn ------------------------------------------------------------------------------
+
+void OverviewView::takeOutcome(const OutcomePtr&) {
+    showCycle();
+    showBatch();
+    showRuns();
+}
+
+void OverviewView::showCycle() {
+    tile(times)->setChart(OverviewCharts::times(*good()));
+    tile(diameters)->setChart(OverviewCharts::diameters(*good()));
+    tile(requirements)->setChart(OverviewCharts::requirements(*good()));
+    BarChart removed = OverviewCharts::stock(*good());
+    if (removed.empty()) {
+        tile(stock)->setEmpty(tr("The cycle is too long to be recorded step by step: fewer radii "
+                                 "or sections help."));
+    } else {
+        tile(stock)->setChart(std::move(removed));
+    }
+}
+
+void OverviewView::setBatch(BatchOutcomePtr batch) {
+    m_batch = std::move(batch);
+    m_batchChanged = true;
+    if (isVisible()) {
+        showBatch();
+        showState();
+        replotAll();
+    }
+}
+
+bool OverviewView::isBatchStale() const {
+    return !m_batch || !good() || !sameBatch(m_batch->result.project, good()->result.project);
+}
+
+void OverviewView::showBatch() {
+    if (!good()) {
+        return;
+    }
+    m_batchChanged = false;
+    QString text, step;
+    if (!good()->result.project.batch) {
+        text = tr("This project describes no batch. A batch of parts whose stock, runout and wheel "
+                  "scatter shows here how the sizes scatter and how many parts are good.");
+        step = tr("Add a batch…");
+    } else if (!m_batch || !m_batch->ran()) {
+        text = tr("The batch has not been run: here will be how its sizes scatter and how many "
+                  "parts are good.");
+        step = tr("Run the batch…");
+    } else {
+        tile(parts)->setChart(OverviewCharts::parts(*m_batch));
+        BarChart scatter = OverviewCharts::boxes(*m_batch);
+        if (scatter.empty()) {
+            tile(boxes)->setEmpty(
+                m_batch->summary.isSample
+                    ? tr("No part of the batch has a size to show.")
+                    : tr("The batch is of corners: they are no sample and have no quartiles."),
+                tr("To the batch…"));
+        } else {
+            tile(boxes)->setChart(std::move(scatter));
+        }
+        return;
+    }
+    tile(boxes)->setEmpty(text, step);
+    tile(parts)->setEmpty(text, step);
+}
+
+/// The present run, then the newest kept ones.
+std::vector<RunBars> OverviewView::shownRuns() const {
+    const auto barsOf = [](const QString& name, const RunSummary& summary) {
+        return RunBars{name, summary.cycle_time_min, leastMargin(summary)};
+    };
+    std::vector<RunBars> shown{barsOf(
+        tr("present", "run"), summarise(good()->result, good()->accuracy, good()->constraints))};
+    for (int run = std::max(m_kept.count() - OverviewCharts::mostRuns, 0); run < m_kept.count();
+         ++run) {
+        const KeptRun& kept = m_kept.all()[static_cast<std::size_t>(run)];
+        RunBars bars{printableText(QString::fromStdString(kept.name)), {}, {}};
+        if (const ReadSummary* const read = m_kept.summary(run)) {
+            const bool hasTime = !read->missing.contains("/cycle_time_min");
+            bars = hasTime ? barsOf(bars.name, read->summary)
+                           : RunBars{bars.name, std::nullopt, leastMargin(read->summary)};
+        }
+        shown.push_back(std::move(bars));
+    }
+    return shown;
+}
+
+void OverviewView::showRuns() {
+    if (!good()) {
+        return;
+    }
+    m_runsChanged = false;
+    if (m_kept.count() == 0) {
+        tile(runs)->setEmpty(tr("No run is kept yet: here will be its time and margin beside those "
+                                "of the present run."),
+                             tr("Keep this run"));
+    } else {
+        tile(runs)->setChart(OverviewCharts::runs(shownRuns(), m_kept.count()));
+        tile(runs)->plot()->setAccessibleDescription({}); // names are the user's own words
+        tile(runs)->plot()->replot(QCustomPlot::rpQueuedReplot);
+    }
+}
+
+void OverviewView::showEvent(QShowEvent* event) {
+    PlotView::showEvent(event);
+    if (m_runsChanged) {
+        showRuns();
+    }
+    if (m_batchChanged) {
+        showBatch();
+        showState();
+    }
+}
+
+void OverviewView::forget() {
+    m_batch.reset();
+    m_alone.reset();
+    arrange();
+    showBatch();
+}
+
+bool OverviewView::isFaint(const ViewPlot& plot) const {
+    const bool ofBatch = &plot == tile(boxes)->plot() || &plot == tile(parts)->plot();
+    return faint() || (ofBatch && isBatchStale());
+}
+
+void OverviewView::showState() {
+    PlotView::showState();
+    legend()->hide(); // each tile has its own
+    for (OverviewTile* tile : m_tiles) {
+        if (tile && tile->isEmpty() && tile->plot()->tools()) {
+            tile->plot()->tools()->setEnabled(false);
+        }
+    }
+}
+
+/// To the view that has the details.
+void OverviewView::follow(OverviewChart chart, std::size_t, std::size_t category) {
+    if (!good()) {
+        return;
+    }
+    const auto at = [category](const auto& of) { return of.at(category); };
+    switch (chart) {
+    case times: emit stageAsked(static_cast<int>(category) + 1); break;
+    case stock: emit viewAsked(QStringLiteral("layers")); break;
+    case diameters: emit sectionAsked(at(OverviewCharts::sectionsOfDiameters(*good()))); break;
+    case requirements: emit requirementAsked(at(OverviewCharts::requirementsShown(*good()))); break;
+    case boxes:
+    case parts: emit viewAsked(QStringLiteral("batch")); break;
+    case runs: emit viewAsked(QStringLiteral("compare")); break;
+    }
+}
+
+// --- words --------------------------------------------------------------------------------------
+
+QString OverviewView::title() const {
+    return tr("Overview");
+}
+
+QString OverviewView::hint() const {
+    return tr("Point at a bar to read its value; a click leads to the view with the details. By "
+              "keyboard: arrows, Enter.");
+}
+
+QString OverviewView::remark() const {
+    QStringList texts;
+    if (const RunStatus status = good()->result.status; status != RunStatus::completed) {
+        texts << Names::status(status);
+    }
+    texts << Names::uncutStrips(good()->result.project);
+    if (good()->result.project.batch && m_batch && isBatchStale()) {
+        texts << tr("The batch is of the inputs before the last edit.");
+    }
+    texts.removeAll(QString());
+    return texts.join(u'\n');
+}
+
+QStringList OverviewView::headingOf(OverviewChart chart) const {
+    QStringList lines = heading();
+    lines[0] = tr("%1: %2", "view, chart").arg(title(), OverviewCharts::title(chart));
+    lines << tile(chart)->plot()->chart().remark;
+    lines.removeAll(QString());
+    return lines;
+}
+
+void OverviewView::nameParts() {
+    nameAround(tr("Legend of the overview"), tr("State of the overview"),
+               tr("Values under the mouse"));
+    m_scroll->setAccessibleName(tr("Charts of the overview"));
+    for (const OverviewChart chart : allOverviewCharts) {
+        tile(chart)->setTitle(OverviewCharts::title(chart));
+        tile(chart)->retranslate();
+    }
+    if (good()) {
+        takeOutcome(good());
+    }
+}
+
+} // namespace sparkout
