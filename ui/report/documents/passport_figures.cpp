@@ -16,7 +16,7 @@ namespace sparkout::report {
 namespace {
 
 constexpr int histogramHeight = 240, alongHeight = 300, acrossHeight = 320;
-constexpr int leastBarsHeight = 150;
+constexpr int leastBarsHeight = 110, standingBarsHeight = 230;
 constexpr std::size_t mostAcross = 4; ///< cross-sections beside each other
 constexpr double narrowBar = 0.8;     ///< at least so wide
 
@@ -97,8 +97,8 @@ std::optional<Figure> PassportFigures::bars(OverviewChart which, BarChart chart)
     const QString description = chart.description();
     BarPlot plot;
     setUpForPaper(plot, leastBarsHeight);
-    plot.resize(figureWidth,
-                std::max(BarDrawing::leastHeight(chart, plot.font()), leastBarsHeight));
+    plot.resize(figureWidth, std::max(BarDrawing::leastHeight(chart, plot.font()),
+                                      chart.isLying ? leastBarsHeight : standingBarsHeight));
     plot.setChart(std::move(chart));
     return plotFigure(plot, plot.legendEntries(), caption, description);
 }
