@@ -11577,6 +11577,10 @@ target, µm</source>
     <context>
         <name>sparkout::StageTable</name>
         <message>
+            <source>Fit the stocks</source>
+            <translation>Согласовать припуски</translation>
+        </message>
+        <message>
             <source>Stages</source>
             <translation>Ступени</translation>
         </message>
@@ -12672,8 +12676,8 @@ mm/min</source>
             <translation>Обзор</translation>
         </message>
         <message>
-            <source>Point at a bar to read its value; a click leads to the view with the details. By keyboard: arrows, Enter.</source>
-            <translation>Наведите указатель на столбец, чтобы прочитать значение; щелчок ведёт к виду с подробностями. С клавиатуры: стрелки, Enter.</translation>
+            <source>Point at a bar to read its value; a click leads to its view. By keyboard: arrows, Enter.</source>
+            <translation>Значение столбца — под указателем; щелчок ведёт к виду. С клавиатуры: стрелки, Enter.</translation>
         </message>
         <message>
             <source>The batch is of the inputs before the last edit.</source>
@@ -12813,7 +12817,7 @@ mm/min</source>
         </message>
         <message>
             <source>out of round</source>
-            <translation>некруглость</translation>
+            <translation>отклонение от круглости</translation>
         </message>
         <message>
             <source>min</source>

@@ -68,6 +68,7 @@ SearchCombo::SearchCombo(QWidget* parent)
     m_popup->setFocusProxy(m_search);
     m_search->setObjectName(QStringLiteral("search"));
     m_search->setClearButtonEnabled(true);
+    m_search->setAccessibleName(tr("Search the list"));
     m_search->installEventFilter(this);
     auto* layout = new QVBoxLayout(m_popup);
     layout->setContentsMargins(metrics::hair, metrics::hair, metrics::hair, metrics::hair);
@@ -82,6 +83,13 @@ SearchCombo::SearchCombo(QWidget* parent)
 
 void SearchCombo::showPopup() {
     open({});
+}
+
+void SearchCombo::changeEvent(QEvent* event) {
+    QComboBox::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        m_search->setAccessibleName(tr("Search the list"));
+    }
 }
 
 void SearchCombo::hidePopup() {

@@ -92,8 +92,10 @@ bool everywhere(const QObject& object) {
     return true;
 }
 
-/// Nothing is said, so that the panel is closed.
-void showMessages(const Bench& bench) {
+/// All panels: nothing is said, so that the messages are closed, and the playback stands below a
+/// view that shows a moment.
+void showAllPanels(const Bench& bench) {
+    (void)bench.window->showView(QStringLiteral("feeds"));
     bench.window->findChild<QDockWidget*>(QStringLiteral("messages"))->show();
     bench.settle();
 }
@@ -244,7 +246,7 @@ private slots:
     void tabReachesEveryPanelAndComesBack() {
         Bench bench(QStringLiteral("en"));
         QVERIFY(bench.open(examplePaths().front()));
-        showMessages(bench);
+        showAllPanels(bench);
         QVERIFY(QTest::qWaitForWindowActive(bench.window.get()));
         bench.window->inputs().showPage(0);
         bench.settle();
@@ -278,7 +280,7 @@ private slots:
         Bench bench(QStringLiteral("en"));
         QVERIFY(bench.open(examplePaths().front()));
         QVERIFY(QTest::qWaitForWindowActive(bench.window.get()));
-        showMessages(bench);
+        showAllPanels(bench);
         bench.window->inputs().showPage(0);
         auto* field = bench.window->findChild<QWidget*>(QStringLiteral("/part/diameter_mm"));
         field->setFocus();
@@ -323,7 +325,7 @@ private slots:
         QVERIFY(bench.open(examplePaths().front()));
         QVERIFY(QTest::qWaitForWindowActive(bench.window.get()));
         MainWindow& window = *bench.window;
-        showMessages(bench);
+        showAllPanels(bench);
         window.inputs().showPage(0);
         window.findChild<QWidget*>(QStringLiteral("/part/diameter_mm"))->setFocus();
         QSet<const QWidget*> seen;

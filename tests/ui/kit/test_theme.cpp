@@ -9,6 +9,7 @@
 #include "ui/inputs/inputs_panel.h"
 #include "ui/kit/theme_icon.h"
 #include "ui/plot/plot_style.h"
+#include "ui/plot/view.h"
 #include "ui/views/feeds/feeds_plot.h"
 #include "ui/window/view_tabs.h"
 
@@ -373,8 +374,13 @@ private slots:
         QVERIFY(bench.open(examplePaths().front()));
         bench.action("theme-dark")->trigger();
         bench.settle();
-        for (auto* plot : bench.window->findChildren<QCustomPlot*>()) {
-            QVERIFY(lightShare(plot->toPixmap(300, 300).toImage()) < 0.3);
+        for (View* view : bench.window->views()) {
+            QVERIFY(bench.window->showView(view->objectName()));
+            bench.settle();
+            for (auto* plot : view->findChildren<QCustomPlot*>()) {
+                QVERIFY2(lightShare(plot->toPixmap(300, 300).toImage()) < 0.3,
+                         qPrintable(view->objectName()));
+            }
         }
     }
 };

@@ -88,6 +88,7 @@ private slots:
         QTRY_VERIFY(bench.verdict("notice").text().startsWith(QStringLiteral("Not checked")));
         QVERIFY(!bench.verdict("overall").isVisible());
         QVERIFY(bench.verdict("notChecked").text().contains(QStringLiteral("/part/stock_mm")));
+        QVERIFY(bench.window->showView(QStringLiteral("feeds")));
         auto* feeds = bench.window->findChild<FeedsView*>();
         auto* notice = feeds->findChild<QLabel*>(feeds->objectName() + QStringLiteral("Notice"));
         QTRY_VERIFY(notice->text().contains(QStringLiteral("Still needed")));

@@ -96,6 +96,7 @@ private slots:
                     .open(QStringLiteral(SPARKOUT_SOURCE_DIR
                                          "/resources/examples/shaft-30h6-factory.sparkout"))
                     .opened());
+        QVERIFY(window.showView(QStringLiteral("feeds")));
         QTRY_VERIFY(!drawn.isEmpty());
         auto* slider = window.findChild<ValueSlider*>(QStringLiteral("radial_feed_mm/slider"));
         QVERIFY(slider && slider->isVisible());
@@ -106,7 +107,8 @@ private slots:
             drawn.clear();
             QElapsedTimer clock;
             clock.start();
-            QTest::mouseMove(slider, QPoint(step % 2 == 0 ? 50 : 60, slider->height() / 2));
+            QTest::mouseMove(slider, QPoint(slider->width() / 2 + (step % 2 == 0 ? 0 : 10),
+                                            slider->height() / 2));
             while (drawn.isEmpty() && clock.elapsed() < 5000) {
                 QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
             }

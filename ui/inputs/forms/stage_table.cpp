@@ -62,7 +62,7 @@ void StageTable::showFit() {
     m_fit->setText(QString(text)
                        .replace(QStringLiteral(": "), QStringLiteral(":\n"))
                        .replace(QStringLiteral(", "), QStringLiteral(",\n")));
-    m_fit->setAccessibleName(text);
+    m_fit->setAccessibleName(text.isEmpty() ? tr("Fit the stocks") : text);
     m_fit->setVisible(!text.isEmpty());
 }
 

@@ -74,6 +74,7 @@ void OverviewTile::addExport() {
 void OverviewTile::setTitle(const QString& title) {
     m_title->setText(title);
     m_plot->setAccessibleName(title);
+    nameStep();
 }
 
 QString OverviewTile::title() const {
@@ -98,7 +99,12 @@ void OverviewTile::setChart(BarChart chart) {
 void OverviewTile::setEmpty(const QString& text, const QString& step) {
     m_empty->setText(text);
     m_step->setText(step);
+    nameStep();
     setChart({});
+}
+
+void OverviewTile::nameStep() {
+    m_step->setAccessibleName(m_step->text().isEmpty() ? title() : m_step->text());
 }
 
 void OverviewTile::showParts() {

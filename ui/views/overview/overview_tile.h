@@ -42,6 +42,7 @@ signals:
 
 private:
     void showLegend();
+    void nameStep();
     void showParts();
 
     QLabel* m_title;

@@ -317,8 +317,8 @@ QString OverviewView::title() const {
 }
 
 QString OverviewView::hint() const {
-    return tr("Point at a bar to read its value; a click leads to the view with the details. By "
-              "keyboard: arrows, Enter.");
+    return tr("Point at a bar to read its value; a click leads to its view. By keyboard: "
+              "arrows, Enter.");
 }
 
 QString OverviewView::remark() const {
