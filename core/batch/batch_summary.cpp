@@ -226,10 +226,8 @@ std::vector<std::size_t> placesOf(const BatchSummary& summary, const std::string
         }
     }
     if (places.size() > most) {
-        std::ranges::stable_sort(places, {}, [&summary](std::size_t i) {
-            const std::optional<Capability>& ppk = summary.characteristics[i].ppk;
-            return ppk ? ppk->value : std::numeric_limits<double>::max();
-        });
+        std::ranges::stable_sort(
+            places, {}, [&summary](std::size_t i) { return leastPpk(summary.characteristics[i]); });
         places.resize(most);
         std::ranges::sort(places);
     }

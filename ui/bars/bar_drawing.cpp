@@ -393,16 +393,23 @@ void BarDrawing::paintMarks(QPainter& painter, const Layout& layout) const {
 
 // --- numbers ------------------------------------------------------------------------------------
 
-/// Beyond the end of a stack; of sums, beyond all of it.
-void BarDrawing::paintTotals(QPainter& painter, const Layout& layout) {
+QString BarDrawing::totalText(std::size_t category) const {
     const bool isBoxes = m_drawn.shape == Shape::boxes;
     if (!m_drawn.hasTotals && m_drawn.sums.empty() && !isBoxes) {
-        return;
+        return {};
     }
+    return m_drawn.numberText(!m_drawn.sums.empty() ? m_drawn.sums[category]
+                              : isBoxes             ? m_drawn.boxes[category].median
+                                                    : shownTotal(category));
+}
+
+/// Beyond the end of a stack; of sums, beyond all of it.
+void BarDrawing::paintTotals(QPainter& painter, const Layout& layout) {
     for (std::size_t c = 0; c < static_cast<std::size_t>(m_drawn.categories.size()); ++c) {
-        const QString text = m_drawn.numberText(!m_drawn.sums.empty() ? m_drawn.sums[c]
-                                                : isBoxes             ? m_drawn.boxes[c].median
-                                                                      : shownTotal(c));
+        const QString text = totalText(c);
+        if (text.isEmpty()) {
+            return;
+        }
         QRectF stack;
         for (const BarPart& part : m_parts) {
             stack = part.category == c ? stack | part.rect : stack;
@@ -443,6 +450,9 @@ void BarDrawing::paintNumbers(QPainter& painter, const Layout& layout) {
             continue;
         }
         const QString text = m_chart.numberText(value, of.onSecond);
+        if (isStack && text == totalText(part.category)) { // the whole stack: said beside it
+            continue;
+        }
         const QSizeF size(layout.metrics.horizontalAdvance(text), layout.metrics.height());
         QRectF within(QPointF(), size);
         within.moveCenter(part.rect.center());

@@ -52,6 +52,8 @@ private:
 
     [[nodiscard]] BarChart drawnChart() const;
     [[nodiscard]] double shownTotal(std::size_t category) const;
+    /// What stands beyond a stack, or at a box; empty: nothing.
+    [[nodiscard]] QString totalText(std::size_t category) const;
     [[nodiscard]] Layout layOut(const QSizeF& size) const;
     [[nodiscard]] QRectF besideAxes(const QSizeF& size, const BarScales& scales) const;
     [[nodiscard]] QString axisNumber(const BarScale& scale, int tick, bool onSecond) const;
