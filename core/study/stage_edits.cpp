@@ -4,7 +4,6 @@
 #include "core/project/cycle.h"
 
 #include <cmath>
-#include <utility>
 
 namespace sparkout {
 
@@ -18,7 +17,7 @@ Project withStageAfter(Project project, std::size_t stage) {
     const double micrometres = std::round(added.stock_mm * 500); // of half the stock
     added.stock_mm = micrometres > 0 ? micrometres / 1000 : tidyStock(added.stock_mm / 2);
     stages[stage].stock_mm = tidyStock(stages[stage].stock_mm - added.stock_mm);
-    stages.insert(stages.begin() + static_cast<std::ptrdiff_t>(stage) + 1, std::move(added));
+    stages.insert(stages.begin() + static_cast<std::ptrdiff_t>(stage) + 1, added);
     return project;
 }
 
@@ -37,7 +36,7 @@ Project withSparkOutAfter(Project project, int steps) {
         added.*axial->value = stages.back().*axial->value;
     }
     added.sparkOutFor(steps);
-    stages.push_back(std::move(added));
+    stages.push_back(added);
     return project;
 }
 
