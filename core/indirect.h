@@ -24,10 +24,12 @@ public:
     Indirect& operator=(Indirect&& other) noexcept;
     ~Indirect();
 
-    [[nodiscard]] T& operator*() { return *m_value; }
-    [[nodiscard]] const T& operator*() const { return *m_value; }
-    [[nodiscard]] T* operator->() { return &**this; }
-    [[nodiscard]] const T* operator->() const { return &**this; }
+    [[nodiscard]] T& operator*() & { return *m_value; }
+    [[nodiscard]] const T& operator*() const& { return *m_value; }
+    [[nodiscard]] T* operator->() & { return &**this; }
+    [[nodiscard]] const T* operator->() const& { return &**this; }
+    const T& operator*() const&& = delete; // of an owner that is about to go: give it a name
+    const T* operator->() const&& = delete;
 
 private:
     std::unique_ptr<T> m_value; // null after a move from it

@@ -30,10 +30,12 @@ public:
 
     [[nodiscard]] bool has_value() const { return m_value != nullptr; }
     [[nodiscard]] explicit operator bool() const { return has_value(); }
-    [[nodiscard]] T& operator*() { return *m_value; }
-    [[nodiscard]] const T& operator*() const { return *m_value; }
-    [[nodiscard]] T* operator->() { return &**this; }
-    [[nodiscard]] const T* operator->() const { return &**this; }
+    [[nodiscard]] T& operator*() & { return *m_value; }
+    [[nodiscard]] const T& operator*() const& { return *m_value; }
+    [[nodiscard]] T* operator->() & { return &**this; }
+    [[nodiscard]] const T* operator->() const& { return &**this; }
+    const T& operator*() const&& = delete; // of an owner that is about to go: give it a name
+    const T* operator->() const&& = delete;
     [[nodiscard]] T value_or(T other) const;
 
 private:

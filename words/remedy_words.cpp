@@ -90,7 +90,8 @@ std::string RemedyWording::withSign(const Project& project, const RemedySetting&
         return filled(SPARKOUT_NOOP("Remedy", "{feed} of stage {stage} {is}"),
                       {{"feed", row.symbol}, {"stage", stage}, {"is", is}});
     case RemedyKind::stock: {
-        const Stage& giver = setting.applied(project, value).cycle->stages[setting.other];
+        const Project changed = setting.applied(project, value);
+        const Stage& giver = changed.cycle->stages[setting.other];
         return filled(
             SPARKOUT_NOOP("Remedy", "Stock of stage {stage} {is} (stage {other}: {rest})"),
             {{"stage", stage},
@@ -103,7 +104,8 @@ std::string RemedyWording::withSign(const Project& project, const RemedySetting&
                               : SPARKOUT_NOOP("Remedy", "Revolutions of spark-out {is}"),
                       {{"is", is}});
     case RemedyKind::addFeed: {
-        const Stage& added = setting.applied(project, value).cycle->stages[setting.stage + 1];
+        const Project changed = setting.applied(project, value);
+        const Stage& added = changed.cycle->stages[setting.stage + 1];
         return filled(SPARKOUT_NOOP("Remedy", "One more stage after stage {stage}: {feed} {is}, "
                                               "stock {stock}"),
                       {{"stage", stage},

@@ -182,8 +182,9 @@ Project withOperation(Project project, Operation operation) {
         return project;
     }
     if (!std::holds_alternative<std::monostate>(project.machine->compliance_mm_per_n)) {
-        const double reach_mm = fitted(project, operation).part->length_mm;
-        project.machine->compliance_mm_per_n = givenCompliance(project, operation, reach_mm);
+        const Project reached = fitted(project, operation);
+        project.machine->compliance_mm_per_n =
+            givenCompliance(project, operation, reached.part->length_mm);
     }
     operation.match([&](Traverse) { makeTraverse(project); }, [&](Plunge) { makePlunge(project); });
     project.operation = operation;

@@ -92,7 +92,8 @@ Project withSearchFor(Project project) {
     if (!project.optimisation) {
         return project;
     }
-    const Optimisation usual = *withUsualSearch(project).optimisation;
+    const Project withUsual = withUsualSearch(project);
+    const Optimisation& usual = *withUsual.optimisation;
     Optimisation& asked = *project.optimisation;
     for (const StageFeed& feed : project.operation->feeds) {
         if (asked.*feed.levels == Levels()) {

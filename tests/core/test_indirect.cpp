@@ -96,7 +96,8 @@ private slots:
         const Owner owner;
         QCOMPARE(owner.value->number, 7);
         QVERIFY(!owner.perhaps);
-        QCOMPARE(Project().gauge->commands, Gauge().commands);
+        const Project project;
+        QCOMPARE(project.gauge->commands, Gauge().commands);
     }
 
     void aCopyIsItsOwn() {

@@ -162,10 +162,11 @@ private slots:
         }
         const ScenarioSource strokes(traverse), sections(plunge);
         for (std::int64_t part = 0; part < 5; ++part) {
-            QCOMPARE(strokes.project(part).wheel->width_mm, strokes.values(part).at(0));
-            QCOMPARE(strokes.project(part).part->length_mm, traverse.part->length_mm);
-            QCOMPARE(sections.project(part).part->length_mm, sections.values(part).at(0));
-            QCOMPARE(sections.project(part).wheel->width_mm, plunge.wheel->width_mm);
+            const Project stroked = strokes.project(part), plunged = sections.project(part);
+            QCOMPARE(stroked.wheel->width_mm, strokes.values(part).at(0));
+            QCOMPARE(stroked.part->length_mm, traverse.part->length_mm);
+            QCOMPARE(plunged.part->length_mm, sections.values(part).at(0));
+            QCOMPARE(plunged.wheel->width_mm, plunge.wheel->width_mm);
         }
     }
 

@@ -167,9 +167,10 @@ private slots:
         project.batch->factors.wheel_diameter_mm = wheel;
         const double rate = project.machine->wheel_speed_m_s / project.wheel->diameter_mm;
         const ScenarioSource source(project);
-        QCOMPARE(source.project(9).wheel->diameter_mm, 500.0);
-        QCOMPARE(source.project(10).wheel->diameter_mm, 450.0);
-        QVERIFY(fixtures::close(source.project(10).machine->wheel_speed_m_s, 450 * rate, 1e-14));
+        const Project last = source.project(9), dressed = source.project(10);
+        QCOMPARE(last.wheel->diameter_mm, 500.0);
+        QCOMPARE(dressed.wheel->diameter_mm, 450.0);
+        QVERIFY(fixtures::close(dressed.machine->wheel_speed_m_s, 450 * rate, 1e-14));
     }
 
     // Quantiles of the truncated law by its own distribution function.

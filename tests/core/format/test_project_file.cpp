@@ -174,7 +174,8 @@ private slots:
         for (const char* written : {"36", "36.0", "3.6e1", "360e-1"}) {
             json file = samples::sample("smallest-traverse");
             file["part"]["radii_per_section"] = json::parse(written);
-            QCOMPARE(readProject(file.dump()).project.value().part->radii_per_section, 36);
+            const ReadResult read = readProject(file.dump());
+            QCOMPARE(read.project.value().part->radii_per_section, 36);
         }
     }
 

@@ -183,9 +183,9 @@ private slots:
         QCOMPARE(some.back().start_s, all[13].start_s);
         // A pass seen alone is the pass seen in the row: the feed since the radius' last visit.
         QCOMPARE(some[2].programmed_um.mean, all[11].programmed_um.mean);
-        QVERIFY(
-            std::abs(some[2].programmed_um.mean - 500 / traverseProject().machine->work_speed_rpm)
-            < 1e-9);
+        const Project project = traverseProject();
+        const double perTurn_um = 500 / project.machine->work_speed_rpm;
+        QVERIFY(std::abs(some[2].programmed_um.mean - perTurn_um) < 1e-9);
     }
 
     void everySectionHasItsColumn() {

@@ -90,7 +90,8 @@ private slots:
         }
         Project none;
         none.cycle->stages.clear();
-        QVERIFY(withFittedStocks(none).cycle->stages.empty());
+        none = withFittedStocks(none);
+        QVERIFY(none.cycle->stages.empty());
     }
 };
 

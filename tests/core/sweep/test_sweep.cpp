@@ -190,8 +190,9 @@ private slots:
 
     void whatCannotBeRunIsToldAndHasNoNumbers() {
         // A wheel narrower than the overrun leaves no reversal zone: refused by a rule.
+        const Project whole = shaft();
         const Project narrow =
-            swept(shaft(), {axis("/machine/overrun_entry_mm", 5, shaft().wheel->width_mm + 20, 8)});
+            swept(whole, {axis("/machine/overrun_entry_mm", 5, whole.wheel->width_mm + 20, 8)});
         const SweepResult result = runSweep(narrow);
         int refused = 0;
         for (const SweepPoint& point : result.points) {

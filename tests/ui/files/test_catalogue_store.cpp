@@ -154,7 +154,8 @@ private slots:
                                        [](const CatalogueItem& item) { return item.own; });
         QVERIFY(mine != store->items().end());
         const Project other = newProject(Operation::traverse);
-        QVERIFY(withEntry(mine->entry, other).machine->entry_side == EntrySide::tailstock);
+        const Project taken = withEntry(mine->entry, other);
+        QVERIFY(taken.machine->entry_side == EntrySide::tailstock);
         const auto changes = changesBy(mine->entry, other);
         const auto side = std::find_if(changes.begin(), changes.end(), [](const auto& change) {
             return change.key == "entry_side";

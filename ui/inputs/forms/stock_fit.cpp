@@ -19,7 +19,8 @@ QString StockFit::text(const Document& document) {
     if (before.empty() || document.isOpen("/part/stock_mm") || stocksAddUp(document.project())) {
         return {};
     }
-    const auto after = withFittedStocks(document.project()).cycle->stages;
+    const Project fitted = withFittedStocks(document.project());
+    const auto& after = fitted.cycle->stages;
     const bool firstAlone =
         std::equal(before.begin() + 1, before.end(), after.begin() + 1,
                    [](const Stage& a, const Stage& b) { return a.stock_mm == b.stock_mm; });

@@ -155,7 +155,8 @@ private slots:
 
     /// The curve of a section has its own name and its own numbers, in the legend and the table.
     void eachCurveIsNamedAfterItsSection() {
-        Window window(steppedShaft());
+        const Project project = steppedShaft();
+        Window window(project);
         window.choose(ComplianceContent::gauge);
         const GaugeCurves& gauge = window.plot().gauge();
         const LegendEntries entries = window.plot().legendEntries();
@@ -166,8 +167,8 @@ private slots:
         const CsvTable table = gauge.table();
         const auto& positions = gauge.placement()->positions;
         const double middle =
-            (steppedShaft().part->upper_deviation_um + steppedShaft().part->lower_deviation_um) / 2;
-        const qsizetype sections = steppedShaft().sections;
+            (project.part->upper_deviation_um + project.part->lower_deviation_um) / 2;
+        const qsizetype sections = project.sections;
         QCOMPARE(sections, qsizetype{4});
         for (qsizetype j = 0; j < sections; ++j) {
             const QString name = Names::zone(Zone::section, static_cast<int>(j));
@@ -198,7 +199,8 @@ private slots:
     }
 
     void inTraverseEachZoneIsAskedAndNothingCanBePut() {
-        Window window(example("shaft-30h6-factory"));
+        const Project project = example("shaft-30h6-factory");
+        Window window(project);
         window.choose(ComplianceContent::gauge);
         const GaugeCurves& gauge = window.plot().gauge();
         QCOMPARE(gauge.placement()->positions.size(), std::size_t{3});
@@ -222,7 +224,7 @@ private slots:
         const QCPGraph& curve = *gauge.farthestGraph();
         QCOMPARE(curve.dataCount(), 6);
         QCOMPARE(curve.data()->at(0)->key, 0.0);
-        QCOMPARE(curve.data()->at(5)->key, example("shaft-30h6-factory").part->length_mm);
+        QCOMPARE(curve.data()->at(5)->key, project.part->length_mm);
     }
 
     void coupledAndIndependentAreDrawnWithTheirDifference() {
