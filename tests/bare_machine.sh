@@ -4,10 +4,12 @@
 # clones of the current HEAD in it, "./workbench run" and "./workbench test" in each. One clone is in
 # the home folder, which nobody else may enter (0700), one in a folder with a space and Cyrillic.
 #
-#   bare_machine.sh [--user] [--home | --odd] [--keep]    as root; needs debootstrap, git, about 8 GB
+#   bare_machine.sh [--user] [--home | --odd] [--long] [--keep]    as root; needs debootstrap, git,
+#                                                                  about 8 GB
 #     --user   as an ordinary user with sudo and without a terminal, instead of as root
 #     --home   the clone in the home folder alone
 #     --odd    the clone in the oddly named folder alone
+#     --long   "./workbench test --long" instead of "./workbench test"
 #     --keep   leaves the tree in place and prints where
 #
 # The mounts live in a namespace of their own and end with it, so removing the tree is safe.
@@ -54,21 +56,22 @@ make_tree() { # TREE USER PLACE…
     done
 }
 
-inside() { # TREE USER PLACE…: in the namespace
-    local tree=$1 user=$2 place command result=0 begin
+inside() { # TREE USER TEST PLACE…: in the namespace
+    local tree=$1 user=$2 test=$3 place command result=0 begin
     local -a enter=(chroot "$tree" env -i PATH="$path" HOME=/root)
     [[ -z $user ]] || enter=(chroot --userspec="$user:$user" "$tree" env -i PATH="$path"
         HOME="/home/$user" USER="$user")
-    shift 2
+    shift 3
     mount --bind "$tree" "$tree" # its root is a mount point, as on a machine
     mount -t proc proc "$tree/proc" || echo "no /proc: going on without"
     mount -t tmpfs -o mode=1777 shm "$tree/dev/shm" || true
     for place; do
-        for command in run test; do
+        for command in run "$test"; do
             say "$place/workbench $command, as ${user:-root}"
             begin=$SECONDS
             # From another working directory and without a terminal.
-            "${enter[@]}" "$place/workbench" "$command" </dev/null || result=1
+            # shellcheck disable=SC2086 # words
+            "${enter[@]}" "$place/workbench" $command </dev/null || result=1
             say "$place/workbench $command took $((SECONDS - begin)) s, status $result so far"
         done
         du -sh "$tree$place"
@@ -82,13 +85,14 @@ if [[ ${1-} == --inside ]]; then
     exit
 fi
 
-user="" keep="" only=""
+user="" keep="" only="" test=test
 for argument; do
     case $argument in
         --user) user=builder ;;
         --keep) keep=1 ;;
+        --long) test="test --long" ;;
         --home | --odd) only=${argument#--} ;;
-        *) sed -n '3,14s/^# \{0,1\}//p' "$0"; exit 2 ;;
+        *) sed -n '3,16s/^# \{0,1\}//p' "$0"; exit 2 ;;
     esac
 done
 ((EUID == 0)) || { echo "bare_machine.sh must run as root (debootstrap, chroot)" >&2; exit 2; }
@@ -113,6 +117,6 @@ make_tree "$work/tree" "$user" "${places[@]}"
 say "the bare tree took $((SECONDS - begin)) s, $(du -sh "$work/tree" | cut -f 1)"
 result=0
 unshare --mount --pid --fork --kill-child --propagation private "$0" --inside "$work/tree" "$user" \
-    "${places[@]}" || result=$?
+    "$test" "${places[@]}" || result=$?
 say "$( ((result)) && echo FAIL || echo PASS), $((SECONDS - begin)) s in all"
 exit $result
