@@ -2115,11 +2115,11 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Kept runs</source>
-            <translation>Сохранённые расчёты</translation>
+            <translation>Запомненные расчёты</translation>
         </message>
         <message>
             <source>Runs kept for comparison.</source>
-            <translation>Расчёты, сохранённые для сравнения.</translation>
+            <translation>Расчёты, запомненные для сравнения.</translation>
         </message>
         <message>
             <source>Headstock stiffness</source>
@@ -5878,7 +5878,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Kept run</source>
-            <translation>Сохранённый расчёт</translation>
+            <translation>Запомненный расчёт</translation>
         </message>
         <message>
             <source>Project</source>
@@ -6981,8 +6981,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>прибор в конце %1 мкм</translation>
         </message>
         <message>
-            <source>out of round %1 µm</source>
-            <translation>отклонение от круглости %1 мкм</translation>
+            <source>spread in the section %1 µm</source>
+            <translation>непостоянство диаметра в сечении %1 мкм</translation>
         </message>
         <message>
             <source>%1 in %2, %3 µm from nominal: %4.</source>
@@ -7110,7 +7110,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         <name>sparkout::Actions</name>
         <message>
             <source>Keep run</source>
-            <translation>Сохранить расчёт</translation>
+            <translation>Запомнить расчёт</translation>
         </message>
         <message>
             <source>Cycle card</source>
@@ -7684,7 +7684,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Keep the part with the least margin as a run beside this project and compare the two; the project stays as it is</source>
-            <translation>Сохранить деталь с наименьшим запасом как расчёт рядом с проектом и сравнить их; сам проект не изменится</translation>
+            <translation>Запомнить деталь с наименьшим запасом как расчёт рядом с проектом и сравнить их; сам проект не изменится</translation>
         </message>
         <message>
             <source>Worst part, no. %1</source>
@@ -8932,7 +8932,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         <name>sparkout::FileNotices</name>
         <message>
             <source>Kept runs of this file hold inputs that this version refuses. They stay in the file as they are, but cannot be computed again.</source>
-            <translation>В сохранённых расчётах этого файла есть исходные данные, которые эта версия не принимает. Они останутся в файле как есть, но пересчитать их нельзя.</translation>
+            <translation>В запомненных расчётах этого файла есть исходные данные, которые эта версия не принимает. Они останутся в файле как есть, но пересчитать их нельзя.</translation>
         </message>
         <message>
             <source>Show…</source>
@@ -12816,8 +12816,8 @@ mm/min</source>
             <translation>зона относительно прибора</translation>
         </message>
         <message>
-            <source>out of round</source>
-            <translation>отклонение от круглости</translation>
+            <source>spread in the section</source>
+            <translation>непостоянство в сечении</translation>
         </message>
         <message>
             <source>min</source>

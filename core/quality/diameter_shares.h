@@ -12,7 +12,7 @@ enum class DiameterEnd { smallest, largest };
 struct DiameterShares {
     double reading_um = 0; ///< where the gauge stood at the end, less the nominal diameter
     double section_um = 0; ///< the section's mean diameter, less that reading
-    double form_um = 0;    ///< its smallest or largest diameter, less its mean: out of round
+    double form_um = 0;    ///< its smallest or largest diameter, less its mean
     /// The section's compliance over that of the section the gauge watches; 1: itself or a
     /// position of its own.
     double complianceRatio = 1;

@@ -210,18 +210,6 @@ RunSummary summarise(const SimulationResult& result, const PartAccuracy& accurac
     return summary;
 }
 
-std::optional<double> leastMargin(const RunSummary& summary) {
-    std::optional<double> least;
-    for (const RequirementSummary& requirement : summary.requirements) {
-        const Requirement* const row = requirementNamed(requirement.name);
-        if (row && (row->source != LimitSource::range || !requirement.ok)) {
-            least =
-                std::min(least.value_or(requirement.relative_margin), requirement.relative_margin);
-        }
-    }
-    return least;
-}
-
 KeptRun keptRun(const SimulationResult& result, const RunSummary& summary, std::string name,
                 std::string when) {
     Project inputs = result.project;

@@ -55,10 +55,6 @@ struct RunSummary {
 [[nodiscard]] RunSummary summarise(const SimulationResult& result, const PartAccuracy& accuracy,
                                    const std::vector<ConstraintResult>& constraints);
 
-/// The least relative margin of its requirements; of the machine's ranges, which hold up to their
-/// ends, of those alone that fail. Nothing where no requirement is known.
-[[nodiscard]] std::optional<double> leastMargin(const RunSummary& summary);
-
 /// A run as it is kept: its inputs and its summary.
 [[nodiscard]] KeptRun keptRun(const SimulationResult& result, const RunSummary& summary,
                               std::string name, std::string when);

@@ -45,21 +45,26 @@ std::optional<int> numberBehind(std::string_view word, std::string_view text) {
     return number;
 }
 
-void addRequirements(const RunSummary& summary, RunValues& values) {
-    const bool whole = !leftStrips(summary);
-    std::optional<ConstraintResult> worst;
+/// The requirements that are known, without those of a surface that was ground in part.
+std::vector<ConstraintResult> wholeOf(const RunSummary& summary) {
+    const bool isWhole = !leftStrips(summary);
+    std::vector<ConstraintResult> known;
     for (const RequirementSummary& requirement : summary.requirements) {
-        const std::optional<ConstraintResult> constraint = constraintOf(requirement, whole);
-        if (!constraint || !constraint->isWhole) {
-            continue; // of a part of the surface alone
-        }
-        values.push_back(
-            {"/requirements/" + requirement.name + "/margin", RequirementMargin{*constraint}});
-        if (!worst || constraint->relativeMargin < worst->relativeMargin) {
-            worst = constraint;
+        const std::optional<ConstraintResult> constraint = constraintOf(requirement, isWhole);
+        if (constraint && constraint->isWhole) {
+            known.push_back(*constraint);
         }
     }
-    if (worst) {
+    return known;
+}
+
+void addRequirements(const RunSummary& summary, RunValues& values) {
+    for (const ConstraintResult& constraint : wholeOf(summary)) {
+        values.push_back(
+            {"/requirements/" + std::string(requirementOf(constraint.kind).key) + "/margin",
+             RequirementMargin{constraint}});
+    }
+    if (const std::optional<ConstraintResult> worst = leastMargin(summary)) {
         values.push_back({"/worst", WorstMargin{*worst}});
     }
     if (const std::optional<Light> light = verdictOf(summary)) {
@@ -252,6 +257,18 @@ std::optional<ConstraintResult> constraintOf(const RequirementSummary& requireme
     constraint.holds = requirement.ok;
     constraint.isWhole = isWhole || !row->isOfSurface();
     return constraint;
+}
+
+std::optional<ConstraintResult> leastMargin(const RunSummary& summary) {
+    std::optional<ConstraintResult> least;
+    for (const ConstraintResult& constraint : wholeOf(summary)) {
+        const bool counts =
+            requirementOf(constraint.kind).source != LimitSource::range || !constraint.holds;
+        if (counts && (!least || constraint.relativeMargin < least->relativeMargin)) {
+            least = constraint;
+        }
+    }
+    return least;
 }
 
 std::optional<Light> verdictOf(const RunSummary& summary) {

@@ -14,7 +14,7 @@ double tidyStock(double stock_mm) {
 Project withStageAfter(Project project, std::size_t stage) {
     auto& stages = project.cycle->stages;
     Stage added = stages[stage];
-    const double micrometres = std::round(added.stock_mm * 500); // of half the stock
+    const double micrometres = std::floor(added.stock_mm * 500 + 1e-9); // of half the stock
     added.stock_mm = micrometres > 0 ? micrometres / 1000 : tidyStock(added.stock_mm / 2);
     stages[stage].stock_mm = tidyStock(stages[stage].stock_mm - added.stock_mm);
     stages.insert(stages.begin() + static_cast<std::ptrdiff_t>(stage) + 1, added);

@@ -3,7 +3,9 @@
 
 #include "core/project/cycle.h"
 #include "core/project/part.h"
+#include "core/study/stage_edits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -13,11 +15,6 @@ namespace sparkout {
 namespace {
 
 constexpr double sameStock_mm = 1e-9;
-
-/// Free of last bits such as 0.30000000000000004.
-double tidy(double stock_mm) {
-    return std::round(stock_mm * 1e9) / 1e9;
-}
 
 double sumFrom(const std::vector<Stage>& stages, std::size_t first) {
     double sum = 0;
@@ -39,13 +36,15 @@ Project withFittedStocks(Project project) {
         return project;
     }
     const double stock_mm = project.part->stock_mm;
+    auto rest = stages.begin(); // takes what the others leave
     if (sumFrom(stages, 1) >= stock_mm) {
         const double scale = stock_mm / sumFrom(stages, 0);
         for (Stage& stage : stages) {
-            stage.stock_mm = tidy(stage.stock_mm * scale);
+            stage.stock_mm = tidyStock(stage.stock_mm * scale);
         }
+        rest = std::ranges::max_element(stages, {}, &Stage::stock_mm); // which rounding leaves some
     }
-    stages.front().stock_mm = tidy(stock_mm - sumFrom(stages, 1));
+    rest->stock_mm = tidyStock(rest->stock_mm + stock_mm - sumFrom(stages, 0));
     return project;
 }
 

@@ -79,7 +79,6 @@ struct BarChart {
     std::optional<double> most; ///< bars beyond it are cut; their numbers are not
     Number number = {};         ///< a value as a text without its unit
     Number secondNumber = {};   ///< the same of the second axis
-    Number axisNumber = {};     ///< and along the axis, where that is another
     QString centre = {};        ///< of a ring
     QString remark = {};        ///< what is not shown, and the like: a sentence
     /// The name of a series in a category, where it has one of its own.

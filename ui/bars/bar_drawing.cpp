@@ -38,6 +38,13 @@ double widthOf(const QFontMetricsF& metrics, const QString& text) {
     return width;
 }
 
+/// With as many decimals as the step has.
+QString axisNumber(const BarScale& scale, int tick) {
+    const int decimals =
+        std::clamp(static_cast<int>(std::ceil(-std::log10(scale.step) - 1e-9)), 0, 9);
+    return Names::fixed(tick * scale.step, decimals);
+}
+
 qsizetype mostLines(const QStringList& texts) {
     qsizetype lines = 1;
     for (const QString& text : texts) {
@@ -64,6 +71,8 @@ bool BarPart::holds(const QPointF& at) const {
 
 void BarDrawing::setChart(BarChart chart) {
     m_chart = std::move(chart);
+    m_drawn = {};
+    m_parts.clear(); // of the chart before
 }
 
 void BarDrawing::setShown(std::vector<bool> shown) {
@@ -127,21 +136,11 @@ double BarDrawing::shownTotal(std::size_t category) const {
     return sum;
 }
 
-QString BarDrawing::axisNumber(const BarScale& scale, int tick, bool onSecond) const {
-    const double value = tick * scale.step;
-    if (!onSecond && m_drawn.axisNumber) {
-        return m_drawn.axisNumber(value);
-    }
-    const int decimals =
-        std::clamp(static_cast<int>(std::ceil(-std::log10(scale.step) - 1e-9)), 0, 9);
-    return Names::fixed(value, decimals);
-}
-
-double BarDrawing::widestNumber(const BarScale& scale, bool onSecond) const {
+double BarDrawing::widestNumber(const BarScale& scale) const {
     const QFontMetricsF metrics(m_look.font);
     double width = 0;
     for (int tick = -scale.below; tick <= scale.above; ++tick) {
-        width = std::max(width, metrics.horizontalAdvance(axisNumber(scale, tick, onSecond)));
+        width = std::max(width, metrics.horizontalAdvance(axisNumber(scale, tick)));
     }
     return width;
 }
@@ -151,7 +150,7 @@ QRectF BarDrawing::besideAxes(const QSizeF& size, const BarScales& scales) const
     const QFontMetricsF metrics(m_look.font);
     const double line = metrics.height();
     QRectF area(QPointF(), size);
-    const double number = widestNumber(scales.first, false);
+    const double number = widestNumber(scales.first);
     if (m_drawn.isLying) {
         double names = 0;
         for (const QString& name : m_drawn.categories) {
@@ -161,8 +160,7 @@ QRectF BarDrawing::besideAxes(const QSizeF& size, const BarScales& scales) const
         area.adjust(names + textGap, textGap, -(number / 2 + textGap), -(2 * line + 2 * textGap));
     } else {
         const bool second = !m_drawn.secondAxis.isEmpty();
-        const double right =
-            second ? widestNumber(scales.second, true) + line + 3 * textGap : textGap;
+        const double right = second ? widestNumber(scales.second) + line + 3 * textGap : textGap;
         area.adjust(number + line + 3 * textGap, line / 2 + textGap, -right,
                     -(static_cast<double>(mostLines(m_drawn.categories)) * line + 2 * textGap));
     }
@@ -181,8 +179,8 @@ BarDrawing::Layout BarDrawing::layOut(const QSizeF& size) const {
     layout.scales = scalesOf(m_drawn, 4);
     const double length = m_drawn.isLying ? besideAxes(size, layout.scales).width()
                                           : besideAxes(size, layout.scales).height();
-    const double each = m_drawn.isLying ? widestNumber(layout.scales.first, false) + 3 * textGap
-                                        : 2 * metrics.height();
+    const double each =
+        m_drawn.isLying ? widestNumber(layout.scales.first) + 3 * textGap : 2 * metrics.height();
     layout.scales = scalesOf(m_drawn, std::clamp(static_cast<int>(length / each), 1, 6));
     const QRectF area = besideAxes(size, layout.scales);
     layout.area.rect = area.isValid() ? area : QRectF(area.topLeft(), QSizeF(1, 1));
@@ -566,7 +564,7 @@ void BarDrawing::paintAxis(QPainter& painter, const Layout& layout, bool onSecon
     const BarScale& scale = onSecond ? layout.scales.second : layout.scales.first;
     const double line = layout.metrics.height();
     for (int tick = -scale.below; tick <= scale.above; ++tick) {
-        const QString text = axisNumber(scale, tick, onSecond);
+        const QString text = axisNumber(scale, tick);
         const double at = layout.area.at(m_drawn, scale, tick * scale.step);
         const double width = layout.metrics.horizontalAdvance(text);
         const QRectF box =

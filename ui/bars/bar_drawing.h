@@ -56,8 +56,7 @@ private:
     [[nodiscard]] QString totalText(std::size_t category) const;
     [[nodiscard]] Layout layOut(const QSizeF& size) const;
     [[nodiscard]] QRectF besideAxes(const QSizeF& size, const BarScales& scales) const;
-    [[nodiscard]] QString axisNumber(const BarScale& scale, int tick, bool onSecond) const;
-    [[nodiscard]] double widestNumber(const BarScale& scale, bool onSecond) const;
+    [[nodiscard]] double widestNumber(const BarScale& scale) const;
     void findParts(const Layout& layout);
     void findSlices(const Layout& layout);
     void paintBand(QPainter& painter, const Layout& layout) const;

@@ -74,6 +74,12 @@ QVariant RunTableModel::head(int column, int role) const {
     return role == Qt::DisplayRole ? briefly(name, longestHead) : name;
 }
 
+/// The name of a group cannot be selected.
+Qt::ItemFlags RunTableModel::flags(const QModelIndex& index) const {
+    const bool isGroup = index.isValid() && !rowAt(index.row());
+    return isGroup ? Qt::ItemIsEnabled : TableModel::flags(index);
+}
+
 CsvTable RunTableModel::table() const {
     CsvTable table;
     table.ownUnits = true;

@@ -15,6 +15,7 @@ public:
 
     void setRows(std::vector<RunRow> rows, const QStringList& runs);
     [[nodiscard]] const std::vector<RunRow>& rows() const { return m_rows; }
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
     [[nodiscard]] CsvTable
     table() const; ///< with all digits and the units in a column of their own
 

@@ -211,7 +211,11 @@ QVariant VerdictModel::head(int column, int role) const {
 }
 
 Qt::ItemFlags VerdictModel::flags(const QModelIndex& index) const {
-    return index.isValid() ? Qt::ItemIsEnabled | Qt::ItemIsSelectable : Qt::NoItemFlags;
+    if (!index.isValid()) {
+        return Qt::NoItemFlags;
+    }
+    const bool isGroup = !m_rows[static_cast<std::size_t>(index.row())].constraint;
+    return isGroup ? Qt::ItemIsEnabled : Qt::ItemIsEnabled | Qt::ItemIsSelectable;
 }
 
 QString VerdictModel::asTsv() const {

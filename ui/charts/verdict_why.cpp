@@ -46,7 +46,7 @@ QString VerdictWhy::diameter(const Outcome& outcome, const ConstraintResult& c) 
     }
     const QStringList parts{
         tr("gauge at the end %1 µm").arg(Names::signedMicrometres(shares.reading_um)), own,
-        tr("out of round %1 µm").arg(Names::signedMicrometres(shares.form_um))};
+        tr("spread in the section %1 µm").arg(Names::signedMicrometres(shares.form_um))};
     return tr("%1 in %2, %3 µm from nominal: %4.")
         .arg(Names::constraint(c.kind), zone, Names::signedMicrometres(c.value),
              parts.join(QStringLiteral("; ")));

@@ -55,9 +55,14 @@ void CopyTable::copySelected() const {
     const QStringList lines = text.split(u'\n', Qt::SkipEmptyParts);
     const int rows = model() ? model()->rowCount() : 0;
     QString selected;
-    for (int row = 0; row < rows && lines.size() == rows + 1; ++row) {
-        if (selectionModel()->rowIntersectsSelection(row, {})) {
-            selected += lines[row + 1] + u'\n';
+    qsizetype line = 0; // the heads; the names of groups have none
+    for (int row = 0; row < rows; ++row) {
+        if (!(model()->index(row, 0).flags() & Qt::ItemIsSelectable)) {
+            continue;
+        }
+        ++line;
+        if (line < lines.size() && selectionModel()->isRowSelected(row)) {
+            selected += lines[line] + u'\n';
         }
     }
     CopiedCells::toClipboard(selected.isEmpty() ? text : selected);
@@ -115,7 +120,7 @@ void CopyTable::contextMenuEvent(QContextMenuEvent* event) {
     menu->setAttribute(Qt::WA_DeleteOnClose);
     QAction* rows = menu->addAction(tr("Copy the selected rows"));
     rows->setShortcut(QKeySequence::Copy); // shown, and while the menu is open
-    rows->setEnabled(selectionModel() && selectionModel()->hasSelection());
+    rows->setEnabled(selectionModel() && !selectionModel()->selectedRows().isEmpty());
     connect(rows, &QAction::triggered, this, [this] { copySelected(); });
     QAction* action = menu->addAction(tr("Copy the table"));
     action->setShortcut(copyAllKey);

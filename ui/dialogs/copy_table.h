@@ -18,7 +18,8 @@ namespace sparkout {
 class CopyTable : public QTableView {
     Q_OBJECT
 public:
-    /// @param text the table as tab-separated text
+    /// @param text the table as tab-separated text: a line of heads and one for each row that can
+    /// be selected, as the name of a group cannot
     explicit CopyTable(std::function<QString()> text, QWidget* parent = nullptr);
 
     /// What the context menu saves under the table's accessible name and the project's title; an

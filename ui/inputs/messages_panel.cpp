@@ -80,7 +80,9 @@ void MessagesPanel::fill() {
 QStringList MessagesPanel::paths() const {
     QStringList paths;
     for (int i = 0; m_worst != Mark::none && i < count(); ++i) {
-        paths << item(i)->data(Qt::UserRole).toString();
+        if (!item(i)->data(fitRole).toBool()) { // which is a step to take, not a message
+            paths << item(i)->data(Qt::UserRole).toString();
+        }
     }
     return paths;
 }

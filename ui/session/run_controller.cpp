@@ -18,19 +18,22 @@ void RunController::request(Project project, Issues missing) {
                     const std::stop_token& stop, const NewestJob::Post& post) {
         QElapsedTimer clock;
         clock.start();
-        OutcomePtr outcome;
-        if (missing.empty()) {
-            outcome = m_runner(snapshot, stop);
-        } else {
-            auto incomplete = std::make_shared<Outcome>();
-            incomplete->issues = missing;
-            outcome = std::move(incomplete);
-        }
+        const OutcomePtr outcome = outcomeOf(snapshot, missing, stop);
         const double time_ms = double(clock.nsecsElapsed()) * 1e-6;
         if (outcome) {
-            post([this, outcome = std::move(outcome), time_ms] { deliver(outcome, time_ms); });
+            post([this, outcome, time_ms] { deliver(outcome, time_ms); });
         }
     });
+}
+
+OutcomePtr RunController::outcomeOf(const Project& project, const Issues& missing,
+                                    const std::stop_token& stop) const {
+    if (missing.empty()) {
+        return m_runner(project, stop);
+    }
+    auto incomplete = std::make_shared<Outcome>();
+    incomplete->issues = missing;
+    return incomplete;
 }
 
 void RunController::stop() {

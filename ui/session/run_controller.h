@@ -25,6 +25,9 @@ public:
     /// Numbers that are missing are the outcome of a project that is not complete: it is not run.
     void request(Project project, Issues missing = {});
     void stop(); ///< and drops its outcome
+    /// The same in the calling thread.
+    [[nodiscard]] OutcomePtr outcomeOf(const Project& project, const Issues& missing,
+                                       const std::stop_token& stop = {}) const;
     [[nodiscard]] const Runner& runner() const { return m_runner; }
     [[nodiscard]] bool running() const { return m_running; }
     [[nodiscard]] double lastRun_ms() const { return m_lastRun_ms; }

@@ -217,10 +217,15 @@ private:
         std::string digits;
         int exponent = 0;
         bool behindPoint = false;
+        bool isShort = true; // the exponent
         for (qsizetype i = 0; i < text.size(); ++i) {
             if (isExponentLetter(text[i])) {
-                exponent +=
-                    text.mid(i + 1).replace(u'\u2212', u'-').replace(u'\u2013', u'-').toInt();
+                const int written = text.mid(i + 1)
+                                        .replace(u'\u2212', u'-')
+                                        .replace(u'\u2013', u'-')
+                                        .toInt(&isShort);
+                isShort = isShort && std::abs(long{written}) <= 2 * largestExponent;
+                exponent += isShort ? written : 0;
                 break;
             }
             if (isDigit(text[i])) {
@@ -230,7 +235,10 @@ private:
                 behindPoint = true;
             }
         }
-        if (std::abs(exponent) > 2 * largestExponent) {
+        if (digits.find_first_not_of('0') == std::string::npos) {
+            return 0; // whatever its exponent
+        }
+        if (!isShort || std::abs(exponent) > 2 * largestExponent) {
             fail(Calculation::tr("“%1” is not a number").arg(text));
             return 0;
         }

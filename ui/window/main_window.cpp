@@ -246,7 +246,9 @@ void MainWindow::connectReports() {
     const auto outcomeOfNow = [this] {
         OutcomePtr outcome = m_outcome;
         if (m_runs.running()) { // that one is of the inputs before
-            runAside([&, project = m_document.project()] { outcome = evaluate(project, {}); });
+            runAside([&, project = m_document.project(), missing = m_document.missingInputs()] {
+                outcome = m_runs.outcomeOf(project, missing);
+            });
         }
         return outcome;
     };

@@ -2,7 +2,6 @@
 // How much of a limit is used up, and the least margin of a summary.
 #include "core/project/validate.h"
 #include "core/quality/constraints.h"
-#include "core/quality/run_summary.h"
 #include "core/quality/usage.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/support/project_samples.h"
@@ -58,27 +57,6 @@ private slots:
             }
         }
         QVERIFY(held > 40);
-    }
-
-    void theLeastMarginLeavesOutRangesThatHold() {
-        RunSummary summary;
-        QVERIFY(!leastMargin(summary));
-        const auto add = [&summary](ConstraintKind kind, double margin, bool ok) {
-            RequirementSummary of;
-            of.name = requirementOf(kind).key;
-            of.relative_margin = margin;
-            of.ok = ok;
-            summary.requirements.push_back(of);
-        };
-        add(ConstraintKind::rangeAxialFeed, 0.001, true);
-        QVERIFY(!leastMargin(summary));
-        add(ConstraintKind::radialRunout, 0.4, true);
-        add(ConstraintKind::diameterMax, 0.25, true);
-        QCOMPARE(*leastMargin(summary), 0.25);
-        add(ConstraintKind::rangeWorkSpeed, -0.1, false);
-        QCOMPARE(*leastMargin(summary), -0.1);
-        summary.requirements.push_back({"of another version", "", 0, 0, 0, -5, false});
-        QCOMPARE(*leastMargin(summary), -0.1);
     }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/cycle.h"
 #include "core/project/part.h"
+#include "core/study/stage_edits.h"
 #include "core/study/stock_edits.h"
 
 #include "core/project/validate.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace test_stock_edits {
@@ -79,6 +81,35 @@ private slots:
         for (std::size_t i = 0; i < before.size(); ++i) {
             QVERIFY(fitted.cycle->stages[i].stock_mm > 0);
             QVERIFY(std::abs(fitted.cycle->stages[i].stock_mm - before[i].stock_mm * scale) < 2e-9);
+        }
+    }
+
+    void roundingTakesNoStageBelowNothing() {
+        Project project = newProject(Operation::traverse);
+        project.cycle->stages.assign(4, project.cycle->stages.front());
+        for (Stage& stage : project.cycle->stages) {
+            stage.stock_mm = 0.1;
+        }
+        project.cycle->stages.front().stock_mm = 0;
+        project.part->stock_mm = 0.2;
+        const Project fitted = withFittedStocks(project);
+        QVERIFY(stocksAddUp(fitted) && !hasErrors(validate(fitted)));
+        QCOMPARE(fitted.cycle->stages.front().stock_mm, 0.0);
+        QVERIFY(std::abs(sum(fitted) - 0.2) < 1e-12);
+    }
+
+    /// A stage more takes half the stock, in whole micrometres where there are some.
+    void aStageMoreLeavesTheOneBeforeIt() {
+        for (const auto& [stock_mm, half_mm] : {std::pair{0.001, 0.0005},
+                                                {0.0012, 0.0006},
+                                                {0.003, 0.001},
+                                                {0.004, 0.002},
+                                                {0.05, 0.025}}) {
+            Project project = newProject(Operation::traverse);
+            project.cycle->stages.front().stock_mm = stock_mm;
+            const Project more = withStageAfter(project, 0);
+            QCOMPARE(more.cycle->stages[1].stock_mm, half_mm);
+            QCOMPARE(more.cycle->stages[0].stock_mm, tidyStock(stock_mm - half_mm));
         }
     }
 

@@ -137,6 +137,27 @@ private slots:
         }
     }
 
+    /// Between a new chart and its painting no bar of the old one can be chosen.
+    void barsOfTheChartBeforeAreGone() {
+        BarPlot plot;
+        plot.resize(size);
+        plot.setChart(chartOf(Shape::stacked, false, 5, 2));
+        plot.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&plot));
+        plot.setFocus();
+        plot.replot();
+        QCOMPARE(plot.drawing().parts().size(), std::size_t(10));
+        QTest::keyClick(&plot, Qt::Key_Right);
+        QPointF last = plot.drawing().parts().back().rect.center();
+        int entered = 0;
+        connect(&plot, &BarPlot::entered, this, [&entered] { ++entered; });
+        plot.setChart(chartOf(Shape::stacked, false, 1, 1));
+        QCOMPARE(plot.drawing().partAt(last), -1);
+        QTest::mouseMove(&plot, last.toPoint());
+        QTest::mouseClick(&plot, Qt::LeftButton, {}, last.toPoint());
+        QCOMPARE(entered, 0);
+    }
+
     void valuesChangeInPlace() {
         Drawn of(chartOf(Shape::stacked, true, 4, 3));
         const QChart* const before = of.drawing.scene().chart();

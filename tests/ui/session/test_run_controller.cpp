@@ -78,6 +78,22 @@ private slots:
         QVERIFY(got->trajectory.passes.empty());
     }
 
+    void whatIsMissingIsTheOutcomeAndNothingIsRun() {
+        int begun = 0;
+        const RunController runs(nullptr, [&begun](const Project& project, const std::stop_token&) {
+            ++begun;
+            return outcomeOf(project);
+        });
+        const Project project = newProject(Operation::traverse);
+        const Issues missing{{IssueCode::missingKey, Severity::error, "/part/diameter_mm", {}, {}}};
+        const OutcomePtr outcome = runs.outcomeOf(project, missing);
+        QVERIFY(!outcome->ran());
+        QCOMPARE(outcome->issues.size(), std::size_t(1));
+        QCOMPARE(begun, 0);
+        QVERIFY(runs.outcomeOf(project, {})->ran());
+        QCOMPARE(begun, 1);
+    }
+
     void theNewestOfManyRequestsWinsAndTheOthersAreDropped() {
         std::atomic<int> begun = 0;
         RunController runs(nullptr, [&begun](const Project& project, const std::stop_token& stop) {

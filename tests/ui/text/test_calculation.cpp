@@ -119,6 +119,8 @@ private slots:
         row("010+1", 11);
         row("((((7))))", 7);
         row("0*5", 0);
+        row("0e-2147483648+1", 1); // zero, whatever its exponent
+        row("0.0e-2147483648+1", 1);
         row("1e300*1e300/1e300", 1e300);
     }
     void whatIsTypedIsWorkedOutExactly() {

@@ -52,6 +52,7 @@ private slots:
     void aCycleThatCannotReachSizeSaysWhatRemains();
     void refusedInputsGreyTheVerdict();
     void copyGivesTabSeparatedText();
+    void theSelectedRowIsCopiedAlone();
     void nothingIsClippedAt300Pixels();
     void theVerdictIsRetranslated();
 
@@ -159,6 +160,24 @@ void TestViews::copyGivesTabSeparatedText() {
         QCOMPARE(line.count(u'\t'), 6);
     }
     QVERIFY(lines[1].startsWith(QStringLiteral("RZ1\tSmallest diameter\t")));
+}
+
+/// The names of the groups are no rows to copy, and shift none.
+void TestViews::theSelectedRowIsCopiedAlone() {
+    VerdictPanel panel;
+    panel.show();
+    settle(panel, m_traverse);
+    auto* table = panel.findChild<QTableView*>(QStringLiteral("requirements"));
+    const QAbstractItemModel& model = *table->model();
+    int row = model.rowCount() - 1; // behind all groups
+    table->setFocus();
+    table->selectRow(row);
+    QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
+    const QString copied = QApplication::clipboard()->text();
+    QCOMPARE(copied.count(u'\n'), 1);
+    QCOMPARE(copied.section(u'\t', 2, 2), model.index(row, 1).data().toString());
+    table->selectRow(0); // a group
+    QVERIFY(table->selectionModel()->selectedRows().isEmpty());
 }
 
 void TestViews::nothingIsClippedAt300Pixels() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A new project: its drawing is yet to be given, and until then nothing is said of it.
 #include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
@@ -137,6 +138,20 @@ private slots:
         bench.window->document().edit(plunge, {"Input", "Operation"});
         QCOMPARE(bench.window->document().openInputs().size(), drawingInputs().size());
         QVERIFY(bench.incomplete());
+    }
+
+    void aReportIsRefusedEvenWhileItIsComputed() {
+        NewBench bench;
+        QVERIFY(bench.incomplete());
+        Project project = bench.window->document().project();
+        project.wheel->dullness = 0.03;
+        bench.window->document().edit(project, {"Edit", "Dullness"});
+        QVERIFY(bench.window->runs().running());
+        const DialogAnswers answers({QStringLiteral("Enter")});
+        bench.action("pdf-card")->trigger();
+        QCOMPARE(answers.fault(), QString());
+        QVERIFY2(answers.text().startsWith(QStringLiteral("There is no result of these inputs")),
+                 qPrintable(answers.text()));
     }
 
     void savingSaysWhyNot() {

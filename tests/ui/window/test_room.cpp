@@ -144,6 +144,18 @@ private slots:
         QTRY_VERIFY(!messages->isVisible());
     }
 
+    void theStepThatMendsIsNoMessageOfItsOwn() {
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        wait(bench);
+        Project project = bench.window->document().project();
+        project.cycle->stages.front().stock_mm += 0.01;
+        bench.window->document().edit(project, {"Edit", "Stock"});
+        auto* button = bench.window->findChild<QToolButton*>(QStringLiteral("messagesButton"));
+        QTRY_COMPARE(button->text(), QStringLiteral("1 message"));
+        QVERIFY(bench.window->messages().count() > 1); // with the step
+    }
+
     void theVerdictKeepsItsWidthWhateverIsShown() {
         Bench bench(QStringLiteral("ru"));
         QVERIFY(bench.open(example("shaft-30h6-factory")));

@@ -384,7 +384,7 @@ void BatchView::showState() {
     const bool has = good() && good()->result.project.batch;
     m_add->setVisible(good() && !has);
     m_bar->setVisible(has);
-    m_bar->showRunning(busy(), has);
+    m_bar->showRunning(busy(), has && !refused());
     m_bar->state()->setText(m_batch ? BatchText::run(*m_batch) + u' ' + BatchText::verdict(*m_batch)
                                     : QString());
     const bool mayTake = m_batch && !faint() && !busy();

@@ -313,7 +313,7 @@ void OptimiseView::showState() {
     PlotView::showState();
     tools()->setEnabled(hasCurves());
     m_add->setVisible(good() && !isGiven());
-    m_bar->showRunning(busy(), isGiven());
+    m_bar->showRunning(busy(), isGiven() && !refused());
     for (QCheckBox* wish : {m_phases, m_refine}) { // the progress takes their room
         wish->setVisible(!busy());
         wish->setEnabled(isGiven());

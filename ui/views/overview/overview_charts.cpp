@@ -203,15 +203,6 @@ BarChart OverviewCharts::stock(const Outcome& outcome) {
     return chart;
 }
 
-std::vector<int> OverviewCharts::stagesOfStock(const Outcome& outcome) {
-    std::vector<int> stages;
-    const std::size_t sections = drawnSections(outcome).size();
-    for (std::size_t stage = 1; stage <= outcome.steps.time_s.size(); ++stage) {
-        stages.insert(stages.end(), sections, static_cast<int>(stage));
-    }
-    return stages;
-}
-
 // --- diameters and requirements -----------------------------------------------------------------
 
 BarChart OverviewCharts::diameters(const Outcome& outcome) {
@@ -229,7 +220,7 @@ BarChart OverviewCharts::diameters(const Outcome& outcome) {
     chart.sumName = tr("deviation, the sum");
     chart.series = {{tr("gauge at the end"), barColour(Drawn::gauge), hatchAt(0), {}},
                     {tr("zone against the gauge"), barColour(Tone::orange), hatchAt(1), {}},
-                    {tr("out of round"), barColour(Tone::purple), hatchAt(2), {}}};
+                    {tr("spread in the section"), barColour(Tone::purple), hatchAt(2), {}}};
     for (const int section : drawnSections(outcome)) {
         for (const DiameterEnd end : {DiameterEnd::smallest, DiameterEnd::largest}) {
             const DiameterShares shares =

@@ -3,6 +3,7 @@
 
 #include "core/quality/run_summary.h"
 #include "core/study/batch_edits.h"
+#include "core/study/run_comparison.h"
 #include "core/units.h"
 #include "ui/bars/bar_plot.h"
 #include "ui/kit/font_size.h"
@@ -21,6 +22,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace sparkout {
@@ -35,6 +37,11 @@ constexpr std::array tileNames{"overviewTimes",        "overviewStock", "overvie
                                "overviewRequirements", "overviewBoxes", "overviewParts",
                                "overviewRuns"};
 static_assert(tileNames.size() == allOverviewCharts.size());
+
+std::optional<double> marginOf(const RunSummary& summary) {
+    const std::optional<ConstraintResult> least = leastMargin(summary);
+    return least ? std::optional(least->relativeMargin) : std::nullopt;
+}
 
 } // namespace
 
@@ -226,7 +233,7 @@ void OverviewView::showBatch() {
 /// The present run, then the newest kept ones.
 std::vector<RunBars> OverviewView::shownRuns() const {
     const auto barsOf = [](const QString& name, const RunSummary& summary) {
-        return RunBars{name, summary.cycle_time_min, leastMargin(summary)};
+        return RunBars{name, summary.cycle_time_min, marginOf(summary)};
     };
     std::vector<RunBars> shown{barsOf(
         tr("present", "run"), summarise(good()->result, good()->accuracy, good()->constraints))};
@@ -237,7 +244,7 @@ std::vector<RunBars> OverviewView::shownRuns() const {
         if (const ReadSummary* const read = m_kept.summary(run)) {
             const bool hasTime = !read->missing.contains("/cycle_time_min");
             bars = hasTime ? barsOf(bars.name, read->summary)
-                           : RunBars{bars.name, std::nullopt, leastMargin(read->summary)};
+                           : RunBars{bars.name, std::nullopt, marginOf(read->summary)};
         }
         shown.push_back(std::move(bars));
     }

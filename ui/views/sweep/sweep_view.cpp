@@ -338,7 +338,7 @@ void SweepView::showState() {
     m_add->setEnabled(accepted);
     m_bar->setVisible(has);
     m_toolBar->setVisible(has);
-    m_bar->showRunning(busy(), has && m_refused.empty());
+    m_bar->showRunning(busy(), has && m_refused.empty() && !refused());
     m_bar->state()->setText(m_sweep ? SweepText::run(m_sweep->result) : QString());
     m_take->setEnabled(drawn() && m_chosen && accepted);
     m_takeButton->setEnabled(m_take->isEnabled());

@@ -8,6 +8,7 @@
 #include "core/quality/diameter_shares.h"
 #include "core/quality/run_summary.h"
 #include "core/quality/usage.h"
+#include "core/study/run_comparison.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
 #include "tests/two_stage_projects.h"
@@ -239,7 +240,7 @@ private slots:
         QCOMPARE(chart.value(0, 1), chart.value(0, 0));
         const RunSummary present =
             summarise(desk.outcome().result, desk.outcome().accuracy, desk.outcome().constraints);
-        QCOMPARE(chart.value(1, 0), 100 * *leastMargin(present));
+        QCOMPARE(chart.value(1, 0), 100 * leastMargin(present)->relativeMargin);
     }
 
     // --- where bars lead ------------------------------------------------------------------------
