@@ -61,6 +61,8 @@ public:
     /// For the cursors; the horizontal axis goes by its label.
     [[nodiscard]] virtual CursorSubject cursorSubject();
 
+    /// Measures points of an item by the bottom and left axis of an axis rect.
+    static void anchor(std::initializer_list<QCPItemPosition*> points, QCPAxisRect& rect);
     /// Upright or level through an axis rect, at a value of its bottom or left axis.
     QCPItemStraightLine* addRule(QCPAxisRect& rect, double at, bool upright = true);
     QCPGraph* addLine(const QCPAxisRect& rect); ///< over its bottom and left axis
