@@ -98,7 +98,6 @@ protected:
     void onClick(std::function<void(const QPointF& at)> clicked);
     void built();                       ///< ends a constructor: look and texts
     void setBuilt() { m_built = true; } ///< the same without them: there is nothing yet
-    [[nodiscard]] bool isBuilt() const { return m_built; }
 
     [[nodiscard]] bool shows(int key) const { return m_choice.shows(key); } ///< of the legend
     [[nodiscard]] const CurveChoice& choice() const { return m_choice; }

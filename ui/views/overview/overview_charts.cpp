@@ -203,15 +203,6 @@ BarChart OverviewCharts::stock(const Outcome& outcome) {
     return chart;
 }
 
-std::vector<int> OverviewCharts::stagesOfStock(const Outcome& outcome) {
-    std::vector<int> stages;
-    const std::size_t sections = drawnSections(outcome).size();
-    for (std::size_t stage = 1; stage <= outcome.steps.time_s.size(); ++stage) {
-        stages.insert(stages.end(), sections, static_cast<int>(stage));
-    }
-    return stages;
-}
-
 // --- diameters and requirements -----------------------------------------------------------------
 
 BarChart OverviewCharts::diameters(const Outcome& outcome) {

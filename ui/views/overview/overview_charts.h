@@ -50,9 +50,7 @@ public:
     static BarChart parts(const BatchOutcome& batch);
     static BarChart runs(const std::vector<RunBars>& runs, int kept); ///< of so many kept ones
 
-    /// What the bars of a chart stand for, category by category: a stage, from 1; a section, from
-    /// 0; a requirement.
-    static std::vector<int> stagesOfStock(const Outcome& outcome);
+    /// What the bars of a chart stand for, category by category: a section, from 0; a requirement.
     static std::vector<int> sectionsOfDiameters(const Outcome& outcome);
     static std::vector<ConstraintResult> requirementsShown(const Outcome& outcome);
 
