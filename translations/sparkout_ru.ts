@@ -69,14 +69,6 @@
             <translation>%1 из %2 деталей</translation>
         </message>
         <message>
-            <source>%1, %2 s left</source>
-            <translation>%1, осталось %2 с</translation>
-        </message>
-        <message>
-            <source>%1, %2 min left</source>
-            <translation>%1, осталось %2 мин</translation>
-        </message>
-        <message>
             <source>Part %1</source>
             <translation>Деталь %1</translation>
         </message>
@@ -6307,14 +6299,6 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>%1 из %2 точек</translation>
         </message>
         <message>
-            <source>%1, %2 s left</source>
-            <translation>%1, осталось %2 с</translation>
-        </message>
-        <message>
-            <source>%1, %2 min left</source>
-            <translation>%1, осталось %2 мин</translation>
-        </message>
-        <message>
             <source>Stopped after %1 of %2 points.</source>
             <translation>Остановлено: сделано %1 из %2 точек.</translation>
         </message>
@@ -9715,6 +9699,17 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>sparkout::RunBar</name>
+        <message>
+            <source>%1, %2 s left</source>
+            <translation>%1, осталось %2 с</translation>
+        </message>
+        <message>
+            <source>%1, %2 min left</source>
+            <translation>%1, осталось %2 мин</translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::WindowLayout</name>
         <message>
             <source>Detach or attach the panel</source>
@@ -11513,10 +11508,6 @@ target, µm</source>
                 <numerusform>%n ступени</numerusform>
                 <numerusform>%n ступеней</numerusform>
             </translation>
-        </message>
-        <message>
-            <source>%1: %2 min</source>
-            <translation>%1: %2 мин</translation>
         </message>
         <message>
             <source>%1: no cycle was found that holds every requirement</source>

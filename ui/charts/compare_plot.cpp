@@ -258,8 +258,7 @@ LegendEntries ComparePlot::legendEntries() const {
     LegendEntries entries;
     for (const Quantity quantity : quantities()) {
         const int key = static_cast<int>(quantity);
-        entries.push_back({toned(style::drawnAs(quantity)), Qt::SolidLine, quantityName(quantity),
-                           key, shows(key)});
+        entries.push_back(lineEntry(key, toned(style::drawnAs(quantity)), quantityName(quantity)));
     }
     for (const ComparedFeeds& run : runs()) {
         const int key = runKey + run.number;

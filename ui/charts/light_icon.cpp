@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/light_icon.h"
 
+#include "ui/kit/metrics.h"
 #include "ui/plot/quantity_colour.h"
 
+#include <QAbstractItemView>
 #include <QGuiApplication>
 #include <QPainter>
 #include <QPixmapCache>
@@ -63,6 +65,8 @@ QPixmap lightPixmap(Light light, int size, qreal ratio, bool grey) {
     return pixmap;
 }
 
+namespace {
+
 QPixmap lightOnLine(Light light, int size, int line, qreal ratio, bool grey) {
     const QPixmap drawn = lightPixmap(light, size, ratio, grey);
     const QString key =
@@ -78,6 +82,20 @@ QPixmap lightOnLine(Light light, int size, int line, qreal ratio, bool grey) {
         QPixmapCache::insert(key, pixmap);
     }
     return pixmap;
+}
+
+} // namespace
+
+std::array<QIcon, 3> lightIcons(QAbstractItemView& table, bool grey) {
+    constexpr int size = metrics::iconSmall;
+    const int line = std::max(size, table.fontMetrics().height());
+    table.setIconSize({size, line});
+    std::array<QIcon, 3> icons;
+    for (const Light light : {Light::holds, Light::close, Light::fails}) {
+        icons[static_cast<std::size_t>(light)] =
+            QIcon(lightOnLine(light, size, line, table.devicePixelRatioF(), grey));
+    }
+    return icons;
 }
 
 } // namespace sparkout

@@ -4,8 +4,13 @@
 #include "core/quality/light.h"
 
 #include <QColor>
+#include <QIcon>
 #include <QPalette>
 #include <QPixmap>
+
+#include <array>
+
+class QAbstractItemView;
 
 namespace sparkout {
 
@@ -14,8 +19,8 @@ namespace sparkout {
 /// Circle, triangle or square in the light's colour of the present theme, distinct without
 /// colour too.
 [[nodiscard]] QPixmap lightPixmap(Light light, int size, qreal ratio, bool grey);
-/// The same in the middle of a line of text so high: in a cell of several lines, at its top, it
-/// stands on the first.
-[[nodiscard]] QPixmap lightOnLine(Light light, int size, int line, qreal ratio, bool grey);
+/// For the cells of a table, light by light, each in the middle of a line of text: in a cell of
+/// several lines, at its top, it stands on the first. Sets the table's size of icons.
+[[nodiscard]] std::array<QIcon, 3> lightIcons(QAbstractItemView& table, bool grey);
 
 } // namespace sparkout

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/longitudinal_layers.h"
 
+#include "ui/plot/plot_style.h"
+
 #include <algorithm>
 
 namespace sparkout {
@@ -11,7 +13,7 @@ constexpr double overhang = 1.03; ///< of the centre line
 } // namespace
 
 ShaftLayer::ShaftLayer(QCPAxisRect* rect)
-    : QCPLayerable(rect->parentPlot(), QStringLiteral("bands")), m_rect(rect) {}
+    : PaintedLayer(*rect, QStringLiteral("bands"), Edges::sharp) {}
 
 void ShaftLayer::setBody(std::vector<ShaftStep> steps, double length_mm, double radius_mm,
                          bool bore) {
@@ -31,14 +33,6 @@ void ShaftLayer::setBody(std::vector<ShaftStep> steps, double length_mm, double 
     m_bounds = QRectF(from, -high, to - from, 2 * high);
 }
 
-void ShaftLayer::applyDefaultAntialiasingHint(QCPPainter* painter) const {
-    painter->setAntialiasing(false);
-}
-
-QRect ShaftLayer::clipRect() const {
-    return m_rect->rect();
-}
-
 QRectF ShaftLayer::pixels(double from, double to, double low, double high) const {
     const QCPAxis* x = m_rect->axis(QCPAxis::atBottom);
     const QCPAxis* y = m_rect->axis(QCPAxis::atLeft);
@@ -48,10 +42,8 @@ QRectF ShaftLayer::pixels(double from, double to, double low, double high) const
 
 void ShaftLayer::draw(QCPPainter* painter) {
     const QColor text = mParentPlot->palette().color(QPalette::Text);
-    QColor body = text;
-    body.setAlpha(30);
-    QColor edge = text;
-    edge.setAlpha(150);
+    const QColor body = style::thinned(text, 30);
+    const QColor edge = style::thinned(text, 150);
     painter->setPen(QPen(edge, 1));
     if (m_bore) {
         QBrush hatch(edge, Qt::BDiagPattern);

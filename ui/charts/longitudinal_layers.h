@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/study/length_lines.h"
-
-#include <qcustomplot.h>
+#include "ui/plot/painted_layer.h"
 
 #include <vector>
 
@@ -11,7 +10,7 @@ namespace sparkout {
 
 /// The body of the part in a section through its axis, drawn to scale: the steps of a shaft, or the
 /// wall around a bore; and the centre line.
-class ShaftLayer : public QCPLayerable {
+class ShaftLayer : public PaintedLayer {
     Q_OBJECT
 public:
     explicit ShaftLayer(QCPAxisRect* rect);
@@ -21,14 +20,11 @@ public:
     [[nodiscard]] QRectF bounds() const { return m_bounds; } ///< [mm], y upwards
 
 protected:
-    void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
-    [[nodiscard]] QRect clipRect() const override;
     void draw(QCPPainter* painter) override;
 
 private:
     [[nodiscard]] QRectF pixels(double from, double to, double low, double high) const;
 
-    QCPAxisRect* m_rect;
     std::vector<ShaftStep> m_steps;
     double m_length_mm = 0;
     double m_radius_mm = 0;

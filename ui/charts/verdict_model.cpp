@@ -5,6 +5,7 @@
 #include "ui/charts/margin_model.h"
 #include "ui/charts/result_tables.h"
 #include "ui/text/estimate_names.h"
+#include "ui/text/joined.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
@@ -187,8 +188,7 @@ QVariant VerdictModel::requirementData(const Row& row, int column, int role) con
                           by ? requirementText(by) : QString(), EstimateNames::behind(kind),
                           guessed ? tr("Without a calibration of the wheel Ra comes out too small.")
                                   : QString()};
-        lines.removeAll(QString());
-        return lines.join(u'\n');
+        return joined(lines, QStringLiteral("\n"));
     }
     default: return {};
     }

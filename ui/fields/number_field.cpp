@@ -2,6 +2,7 @@
 #include "ui/fields/number_field.h"
 
 #include "ui/text/calculation.h"
+#include "ui/text/joined.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
@@ -100,8 +101,7 @@ void NumberField::setHint(const QString& hint) {
 
 void NumberField::describe() {
     QStringList said{result(), m_shown.reason, m_hint};
-    said.removeAll(QString());
-    setAccessibleDescription(said.join(QStringLiteral(". ")));
+    setAccessibleDescription(joined(said, QStringLiteral(". ")));
 }
 
 void NumberField::setIssue(const Remark& issue) {

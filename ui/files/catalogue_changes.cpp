@@ -7,6 +7,7 @@
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/wheel.h"
+#include "ui/text/joined.h"
 #include "ui/text/number_text.h"
 #include "ui/text/source_names.h"
 #include "ui/text/texts.h"
@@ -128,8 +129,7 @@ QString sourceShown(const ValueSource& source, const Field& field, bool own) {
                      : inWords(QT_TRANSLATE_NOOP("Catalogue", "estimate, to be calibrated"));
     }
     parts += note;
-    parts.removeAll(QString());
-    QString text = parts.join(QStringLiteral("; "));
+    QString text = joined(parts, QStringLiteral("; "));
     if (source.range && source.range->size() == 2) {
         text += QStringLiteral(" (%1)").arg(
             rangeBrief({source.range->front(), source.range->back()}, field.unit));

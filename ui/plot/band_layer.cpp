@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/band_layer.h"
 
+#include "ui/plot/plot_style.h"
 #include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
 
@@ -30,16 +31,14 @@ Band zoneBand(Zone zone, int section, double from, double to, const QPalette& pa
               int middleAlpha) {
     constexpr int endAlpha = 28;
     const bool middle = zone == Zone::nz;
-    QColor colour =
-        style::colour(middle ? style::Drawn::middleZone : style::Drawn::endZone, palette);
-    colour.setAlpha(middle ? middleAlpha : endAlpha);
+    const QColor colour = style::thinned(
+        style::colour(middle ? style::Drawn::middleZone : style::Drawn::endZone, palette),
+        middle ? middleAlpha : endAlpha);
     return {from, to, colour, Names::zone(zone, section), {}, Names::zoneFull(zone, section)};
 }
 
 BandLayer::BandLayer(QCPAxisRect* rect, bool showNames)
-    : QCPLayerable(rect->parentPlot(), QStringLiteral("bands"))
-    , m_rect(rect)
-    , m_showNames(showNames) {}
+    : PaintedLayer(*rect, QStringLiteral("bands"), Edges::sharp), m_showNames(showNames) {}
 
 const Band* BandLayer::bandAt(double x) const {
     const auto it =
@@ -49,10 +48,6 @@ const Band* BandLayer::bandAt(double x) const {
 
 int BandLayer::nameMargin(const QFont& font) {
     return QFontMetrics(font).height() + 4;
-}
-
-void BandLayer::applyDefaultAntialiasingHint(QCPPainter* painter) const {
-    painter->setAntialiasing(false);
 }
 
 QRect BandLayer::clipRect() const {

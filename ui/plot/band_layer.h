@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/simulation/result.h"
-
-#include <qcustomplot.h>
+#include "ui/plot/painted_layer.h"
 
 #include <vector>
 
@@ -25,7 +24,7 @@ struct Band {
 /// Draws bands behind the curves of one axis rect, and their names in one line of its upper margin,
 /// where they cover no data. A name keeps touching its band and has its colour; where not all names
 /// fit, the brief ones are tried, then the narrowest bands go without.
-class BandLayer : public QCPLayerable {
+class BandLayer : public PaintedLayer {
     Q_OBJECT
 public:
     BandLayer(QCPAxisRect* rect, bool showNames);
@@ -44,7 +43,6 @@ public:
     static int nameMargin(const QFont& font); ///< height the names need above the rect
 
 protected:
-    void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
     [[nodiscard]] QRect clipRect() const override;
     void draw(QCPPainter* painter) override;
 
@@ -53,7 +51,6 @@ private:
     [[nodiscard]] std::vector<Name> namesIn(const QRectF& area, bool brief) const;
     void drawNames(QCPPainter* painter, const QRectF& area);
 
-    QCPAxisRect* m_rect;
     bool m_showNames;
     std::vector<Band> m_bands;
     std::vector<DrawnName> m_drawnNames;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/hair_line.h"
 
+#include "ui/plot/plot_style.h"
+
 namespace sparkout {
 
 namespace {
@@ -16,7 +18,7 @@ QString layerOf(QCustomPlot& plot) {
 } // namespace
 
 HairLine::HairLine(QCustomPlot& plot, Role role)
-    : QCPLayerable(&plot, layerOf(plot)), m_role(role) {}
+    : PaintedLayer(plot, layerOf(plot), Edges::sharp), m_role(role) {}
 
 void HairLine::setAt(std::optional<double> x) {
     if (x != m_x) {
@@ -25,21 +27,14 @@ void HairLine::setAt(std::optional<double> x) {
     }
 }
 
-void HairLine::applyDefaultAntialiasingHint(QCPPainter* painter) const {
-    painter->setAntialiasing(false);
-}
-
-QRect HairLine::clipRect() const {
-    return mParentPlot->viewport();
-}
-
 void HairLine::draw(QCPPainter* painter) {
     if (!m_x) {
         return;
     }
     const bool moment = m_role == Role::moment;
-    QColor colour = mParentPlot->palette().color(moment ? QPalette::Highlight : QPalette::Text);
-    colour.setAlpha(moment ? 255 : 160);
+    const QColor colour =
+        style::thinned(mParentPlot->palette().color(moment ? QPalette::Highlight : QPalette::Text),
+                       moment ? 255 : 160);
     painter->setPen(QPen(colour, moment ? 2 : 0));
     for (const QCPAxisRect* rect : mParentPlot->axisRects()) {
         const QCPAxis* axis = rect->axis(QCPAxis::atBottom);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <qcustomplot.h>
+#include "ui/plot/painted_layer.h"
 
 #include <optional>
 
@@ -10,7 +10,7 @@ namespace sparkout {
 /// A vertical line at one value of the horizontal axes, through every axis rect of a plot whose
 /// range holds it: under the mouse, or at the moment of the cycle that the views share. It has a
 /// layer of its own, so that moving it redraws no curve.
-class HairLine : public QCPLayerable {
+class HairLine : public PaintedLayer {
     Q_OBJECT
 public:
     enum class Role { mouse, moment };
@@ -23,8 +23,6 @@ public:
     static QString layerName() { return QStringLiteral("hairline"); }
 
 protected:
-    void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
-    [[nodiscard]] QRect clipRect() const override;
     void draw(QCPPainter* painter) override;
 
 private:

@@ -43,7 +43,7 @@ std::optional<std::size_t> cursorOf(const QKeyEvent& event) {
 } // namespace
 
 PlotCursors::PlotCursors(QCustomPlot& plot, CursorSubject subject)
-    : QCPLayerable(&plot, cursorsLayer(plot))
+    : PaintedLayer(plot, cursorsLayer(plot), Edges::sharp)
     , toggle(new QAction(&plot))
     , m_subject(std::move(subject)) {
     toggle->setObjectName(QStringLiteral("cursors"));
@@ -107,14 +107,6 @@ std::vector<QCPAxisRect*> PlotCursors::rects() const {
         }
     }
     return all;
-}
-
-void PlotCursors::applyDefaultAntialiasingHint(QCPPainter* painter) const {
-    painter->setAntialiasing(false);
-}
-
-QRect PlotCursors::clipRect() const {
-    return mParentPlot->viewport();
 }
 
 void PlotCursors::draw(QCPPainter* painter) {
@@ -187,7 +179,7 @@ std::optional<std::size_t> PlotCursors::cursorAt(const QPointF& at) const {
 
 double PlotCursors::rounded(double x) const {
     const std::vector<QCPAxisRect*> all = rects();
-    const QCPAxisRect* rect = m_rect ? m_rect : all.empty() ? nullptr : all.front();
+    const QCPAxisRect* rect = m_pressedIn ? m_pressedIn : all.empty() ? nullptr : all.front();
     if (!rect) {
         return x;
     }
@@ -201,7 +193,7 @@ double PlotCursors::rounded(double x) const {
 
 void PlotCursors::dragTo(const QPointF& at) {
     const QCPRange span = m_subject.span();
-    const double x = m_rect->axis(QCPAxis::atBottom)->pixelToCoord(at.x());
+    const double x = m_pressedIn->axis(QCPAxis::atBottom)->pixelToCoord(at.x());
     moveTo(*m_dragged, std::clamp(rounded(x), span.lower, span.upper));
 }
 
@@ -212,7 +204,7 @@ bool PlotCursors::onMouse(QMouseEvent& event) {
     case QEvent::MouseButtonDblClick:
         if (event.button() == Qt::LeftButton) {
             m_dragged = cursorAt(event.position());
-            m_rect = mParentPlot->axisRectAt(event.position());
+            m_pressedIn = mParentPlot->axisRectAt(event.position());
         }
         return m_dragged && event.button() == Qt::LeftButton;
     case QEvent::MouseMove: {
@@ -230,7 +222,7 @@ bool PlotCursors::onMouse(QMouseEvent& event) {
     case QEvent::MouseButtonRelease:
         if (m_dragged && event.button() == Qt::LeftButton) {
             m_dragged.reset();
-            m_rect = nullptr;
+            m_pressedIn = nullptr;
             return true;
         }
         return false;
@@ -260,34 +252,27 @@ void PlotCursors::step(std::size_t cursor, int steps) {
            std::clamp(rounded(x + side * stepShare * visible.size()), span.lower, span.upper));
 }
 
-bool PlotCursors::eventFilter(QObject* watched, QEvent* event) {
-    switch (event->type()) {
+bool PlotCursors::takes(QEvent& event) {
+    switch (event.type()) {
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonDblClick:
     case QEvent::MouseMove:
-    case QEvent::MouseButtonRelease:
-        if (shown() && onMouse(*static_cast<QMouseEvent*>(event))) {
-            event->accept();
-            return true;
-        }
-        break;
-    case QEvent::ShortcutOverride:
-        if (shown() && cursorOf(*static_cast<QKeyEvent*>(event))) {
-            event->accept();
-            return true;
-        }
-        break;
-    case QEvent::KeyPress:
-        if (shown() && onKey(*static_cast<QKeyEvent*>(event))) {
-            event->accept();
-            return true;
-        }
-        break;
-    case QEvent::ShowToParent:
-    case QEvent::HideToParent: emit shownChanged(); break;
-    default: break;
+    case QEvent::MouseButtonRelease: return onMouse(static_cast<QMouseEvent&>(event));
+    case QEvent::ShortcutOverride: return cursorOf(static_cast<QKeyEvent&>(event)).has_value();
+    case QEvent::KeyPress: return onKey(static_cast<QKeyEvent&>(event));
+    default: return false;
     }
-    return QCPLayerable::eventFilter(watched, event);
+}
+
+bool PlotCursors::eventFilter(QObject* watched, QEvent* event) {
+    if (shown() && takes(*event)) {
+        event->accept();
+        return true;
+    }
+    if (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent) {
+        emit shownChanged();
+    }
+    return PaintedLayer::eventFilter(watched, event);
 }
 
 } // namespace sparkout

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/plot/painted_layer.h"
 #include "ui/plot/read_curves.h"
-
-#include <qcustomplot.h>
 
 #include <array>
 #include <functional>
@@ -23,7 +22,7 @@ struct CursorSubject {
 /// Two vertical lines, A and B, through every axis rect of a plot, to read its curves at. They are
 /// dragged with the mouse, moved with Shift and arrows (A) or Ctrl, Shift and arrows (B), and put
 /// to places that are typed; and they are drawn in exported pictures, while shown.
-class PlotCursors : public QCPLayerable {
+class PlotCursors : public PaintedLayer {
     Q_OBJECT
 public:
     static constexpr std::size_t count = 2;
@@ -45,8 +44,6 @@ signals:
     void shownChanged();
 
 protected:
-    void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
-    [[nodiscard]] QRect clipRect() const override;
     void draw(QCPPainter* painter) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -58,14 +55,15 @@ private:
     void dragTo(const QPointF& at);
     bool onMouse(QMouseEvent& event);
     bool onKey(const QKeyEvent& event);
+    bool takes(QEvent& event); ///< of what concerns the cursors shown
     void step(std::size_t cursor, int steps);
     [[nodiscard]] double rounded(double x) const; ///< to what a pixel can tell
 
     CursorSubject m_subject;
     std::array<std::optional<double>, count> m_kept;
     std::optional<std::size_t> m_dragged;
-    QCPAxisRect* m_rect = nullptr; ///< while dragged, the one the mouse was pressed in
-    bool m_pointing = false;       ///< the mouse is over a cursor
+    QCPAxisRect* m_pressedIn = nullptr; ///< while dragged, the one the mouse was pressed in
+    bool m_pointing = false;            ///< the mouse is over a cursor
 };
 
 } // namespace sparkout

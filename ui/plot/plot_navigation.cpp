@@ -277,11 +277,12 @@ bool PlotNavigation::eventFilter(QObject* watched, QEvent* event) {
     if (moves && m_plot.axisRectCount() == 0) { // there is nothing to move in
         return QObject::eventFilter(watched, event);
     }
+    bool taken = false;
     switch (event->type()) {
     case QEvent::Wheel:
         onWheel(static_cast<QWheelEvent*>(event));
-        event->accept();
-        return true;
+        taken = true;
+        break;
     case QEvent::MouseMove: {
         const Target target = targetAt(static_cast<QMouseEvent*>(event)->position());
         if (target.rect) {
@@ -289,21 +290,14 @@ bool PlotNavigation::eventFilter(QObject* watched, QEvent* event) {
         }
         break;
     }
-    case QEvent::ShortcutOverride:
-        if (isKey(static_cast<QKeyEvent*>(event))) {
-            event->accept();
-            return true;
-        }
-        break;
-    case QEvent::KeyPress:
-        if (onKey(static_cast<QKeyEvent*>(event))) {
-            event->accept();
-            return true;
-        }
-        break;
+    case QEvent::ShortcutOverride: taken = isKey(static_cast<QKeyEvent*>(event)); break;
+    case QEvent::KeyPress: taken = onKey(static_cast<QKeyEvent*>(event)); break;
     default: break;
     }
-    return QObject::eventFilter(watched, event);
+    if (taken) {
+        event->accept();
+    }
+    return taken || QObject::eventFilter(watched, event);
 }
 
 } // namespace sparkout

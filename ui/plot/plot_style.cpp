@@ -23,6 +23,11 @@ QColor dimmed(QColor colour, bool dim) {
     return colour;
 }
 
+QColor thinned(QColor colour, int alpha) {
+    colour.setAlpha(alpha);
+    return colour;
+}
+
 void setUpAxis(QCPAxis& axis) {
     axis.setLayer(QStringLiteral("axes"));
     axis.grid()->setLayer(QStringLiteral("grid"));
@@ -32,17 +37,21 @@ void setUpAxis(QCPAxis& axis) {
     axis.setTicker(QSharedPointer<NumberTicker>::create());
 }
 
+void setLogarithmic(QCPAxis& axis, bool on) {
+    axis.setScaleType(on ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+    axis.setTicker(on ? QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog)
+                      : QSharedPointer<QCPAxisTicker>(new NumberTicker));
+}
+
 void applyPalette(QCPAxis& axis, const QPalette& palette) {
     const QColor text = palette.color(QPalette::Text);
-    QColor line = text;
-    line.setAlpha(150);
+    const QColor line = thinned(text, 150);
     axis.setBasePen(line);
     axis.setTickPen(line);
     axis.setSubTickPen(line);
     axis.setTickLabelColor(text);
     axis.setLabelColor(text);
-    QColor grid = text;
-    grid.setAlpha(35);
+    const QColor grid = thinned(text, 35);
     axis.grid()->setPen(QPen(grid, 0));
     axis.grid()->setSubGridVisible(false);
     axis.grid()->setZeroLinePen(QPen(line, 0));
@@ -104,6 +113,12 @@ void setSafeRange(QCPAxis& axis, double low, double high) {
         high += least;
     }
     axis.setRange(low, high);
+}
+
+void setRoomyRange(QCPAxis& axis, double low, double high, double room, double leastRoom) {
+    const double least = std::max({std::abs(low), std::abs(high), 1e-3}) * leastRoom;
+    const double beside = std::max(room * (high - low), least);
+    setSafeRange(axis, low - beside, high + beside);
 }
 
 } // namespace sparkout::style

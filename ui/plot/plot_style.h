@@ -16,9 +16,12 @@ namespace sparkout::style {
 
 [[nodiscard]] QColor dimmed(QColor colour, bool dim); ///< mostly transparent when dim
 
+[[nodiscard]] QColor thinned(QColor colour, int alpha); ///< of this opacity, to 255
+
 void applyPalette(QCustomPlot& plot, const QPalette& palette);
 void applyPalette(QCPAxis& axis, const QPalette& palette);
 void setUpAxis(QCPAxis& axis); ///< its layers, and plain numbers (NumberTicker)
+void setLogarithmic(QCPAxis& axis, bool on);
 
 /// The names of the value axes in that type, or in smaller, to a limit, as a low plot asks for; and
 /// no more numbers than have room. True where that is drawn with the next replot.
@@ -29,5 +32,9 @@ bool fitValueAxes(QCPAxisRect& rect, const QFont& font);
 /// Sets a range QCustomPlot can draw: finite, growing, not narrower than rounding allows. Other
 /// ranges are ignored.
 void setSafeRange(QCPAxis& axis, double low, double high);
+
+/// The same with room beside both ends: a share of the range, and of the values themselves at
+/// least.
+void setRoomyRange(QCPAxis& axis, double low, double high, double room, double leastRoom);
 
 } // namespace sparkout::style

@@ -2,6 +2,7 @@
 #include "ui/plot/plot_view.h"
 
 #include "core/study/outcome.h"
+#include "ui/dialogs/copy_table.h"
 #include "ui/kit/metrics.h"
 #include "ui/plot/cursor_strip.h"
 #include "ui/plot/legend_strip.h"
@@ -9,15 +10,18 @@
 #include "ui/text/names.h"
 
 #include <QAbstractButton>
-#include <QComboBox>
 #include <QElapsedTimer>
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLabel>
+#include <QLocale>
+#include <QSignalBlocker>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace sparkout {
@@ -147,6 +151,29 @@ QVBoxLayout* PlotView::addColumn(std::initializer_list<QWidget*> parts, QWidget*
     return column;
 }
 
+CopyTable* PlotView::addTable(QAbstractItemModel& model, std::function<CsvTable()> table,
+                              std::function<QString()> text) {
+    if (!text) {
+        text = [table] { return tabSeparated(table(), QLocale()); };
+    }
+    auto* const view = new CopyTable(std::move(text), this);
+    view->setModel(&model);
+    view->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    view->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded); // with large type
+    view->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    view->setSaving(
+        std::move(table), [this] { return projectTitle(); }, m_settings);
+    return view;
+}
+
+void PlotView::fillChoice(QComboBox& box, const QStringList& texts) {
+    const QSignalBlocker blocker(box);
+    const int index = std::max(box.currentIndex(), 0);
+    box.clear();
+    box.addItems(texts);
+    box.setCurrentIndex(index);
+}
+
 void PlotView::hideUntilDrawn(std::initializer_list<QWidget*> parts) {
     m_hidden.insert(m_hidden.end(), parts);
 }
@@ -194,6 +221,11 @@ PlotCursors* PlotView::cursors() const {
 
 bool PlotView::refused() const {
     return latest() && !latest()->ran();
+}
+
+bool PlotView::hasOtherPlaces(const OutcomePtr& before) const {
+    return !before || before->result.project.operation != good()->result.project.operation
+           || before->result.sections.size() != good()->result.sections.size();
 }
 
 bool PlotView::draws(const Outcome& outcome) const {

@@ -4,11 +4,14 @@
 #include "ui/plot/plot_tools.h"
 #include "ui/plot/view.h"
 
+#include <QComboBox>
+
+#include <functional>
 #include <initializer_list>
 #include <vector>
 
 class QAbstractButton;
-class QComboBox;
+class QAbstractItemModel;
 class QLabel;
 class QLayout;
 class QSplitter;
@@ -17,6 +20,7 @@ class QVBoxLayout;
 
 namespace sparkout {
 
+class CopyTable;
 class CursorStrip;
 class LegendStrip;
 class PlotCursors;
@@ -66,6 +70,24 @@ protected:
     static void share(QSplitter& splitter, std::initializer_list<std::pair<QWidget*, int>> parts);
     /// The view's column of parts, with the usual margins; the main part takes what room is left.
     QVBoxLayout* addColumn(std::initializer_list<QWidget*> parts, QWidget* main);
+    /// A row of tools for the pages: the box to choose one in, the boxes, the buttons of the page.
+    template <typename Row>
+    QWidget* pageTools(std::initializer_list<QComboBox*> boxes) {
+        auto* bar = new QWidget(this);
+        auto* row = rowIn<Row>(bar);
+        addBoxes(*row, {content()});
+        addBoxes(*row, boxes);
+        setTabOrder((*boxes.begin())->previousInFocusChain(), content()); // made after it
+        row->addStretch(1);
+        addPageButtons(*row);
+        return bar;
+    }
+    /// A table beside the plots, with scroll bars, to copy and to save.
+    /// @param text what is copied of it, with tabs [the table itself]
+    CopyTable* addTable(QAbstractItemModel& model, std::function<CsvTable()> table,
+                        std::function<QString()> text = {});
+    /// Texts in the present language; what was chosen stays.
+    static void fillChoice(QComboBox& box, const QStringList& texts);
     void hideUntilDrawn(std::initializer_list<QWidget*> parts);
     void disableUntilDrawn(std::initializer_list<QWidget*> parts);
     static void nameObjects(std::initializer_list<std::pair<QWidget*, const char*>> names);
@@ -85,6 +107,8 @@ protected:
     // What is drawn.
     [[nodiscard]] const OutcomePtr& good() const { return m_good; } ///< null: nothing yet
     [[nodiscard]] bool refused() const;                             ///< the newest one
+    /// Whether good() is of another operation, or of other zones or sections, than that one.
+    [[nodiscard]] bool hasOtherPlaces(const OutcomePtr& before) const;
     [[nodiscard]] virtual bool draws(const Outcome& outcome) const; ///< here: of zones or sections
     /// good() is another; before it was that one, maybe null.
     virtual void takeOutcome(const OutcomePtr& before) = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/run_bar.h"
 
+#include "core/units.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/tool_row.h"
 #include "ui/session/counted_job.h"
@@ -10,11 +11,13 @@
 #include <QPushButton>
 
 #include <algorithm>
+#include <cmath>
 
 namespace sparkout {
 
 namespace {
 constexpr int progressSteps = 1000;
+constexpr double quickRadii = 2e8; ///< about two seconds of one processor
 } // namespace
 
 RunBar::RunBar(const QString& name, QWidget* parent, Progress text)
@@ -50,9 +53,24 @@ void RunBar::layOut(std::initializer_list<QWidget*> before, std::initializer_lis
     }
 }
 
-void RunBar::follow(const CountedJob& job) {
+void RunBar::follow(CountedJob& job) {
     connect(&job, &CountedJob::progressed, this,
             qOverload<qint64, qint64, double>(&RunBar::showProgress));
+    connect(m_stop, &QPushButton::clicked, &job, &CountedJob::stop);
+}
+
+QString RunBar::withTimeLeft(const QString& count, double left_s) {
+    if (left_s < 0) {
+        return count;
+    }
+    constexpr double perMinute = units::secondsPerMinute;
+    return left_s < 2 * perMinute
+               ? tr("%1, %2 s left").arg(count).arg(std::ceil(left_s), 0, 'f', 0)
+               : tr("%1, %2 min left").arg(count).arg(std::ceil(left_s / perMinute), 0, 'f', 0);
+}
+
+bool RunBar::areQuick(std::int64_t runs, std::int64_t radii) {
+    return static_cast<double>(runs) * static_cast<double>(radii) <= quickRadii;
 }
 
 void RunBar::showProgress(qint64 done, qint64 parts, double left_s) {

@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+#include <cstdint>
 #include <initializer_list>
 
 class QLabel;
@@ -27,9 +28,14 @@ public:
     /// Once: what stands before the text and behind it, which is at least so many letters wide.
     void layOut(std::initializer_list<QWidget*> before, std::initializer_list<QWidget*> behind,
                 int letters = 0);
+    /// A count of what is done with the time that the rest will take, once that is known.
+    [[nodiscard]] static QString withTimeLeft(const QString& count, double left_s);
+    /// Whether so many runs, each of so many radii, take about two seconds of one processor at
+    /// most: they run by themselves.
+    [[nodiscard]] static bool areQuick(std::int64_t runs, std::int64_t radii);
     void takeTurns() { m_turns = true; } ///< the two buttons, in one place
-    /// Shows the progress of work whose parts are counted.
-    void follow(const CountedJob& job);
+    /// Shows the progress of work whose parts are counted, and stops it.
+    void follow(CountedJob& job);
     void showProgress(qint64 done, qint64 parts, double left_s = -1);
     void showProgress(double share, const QString& text);
     void showRunning(bool runs, bool mayRun);

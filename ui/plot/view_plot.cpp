@@ -109,12 +109,16 @@ void ViewPlot::tie(const std::vector<QCPAxisRect*>& rects, QCPAxis::AxisType sid
     }
 }
 
-QCPItemStraightLine* ViewPlot::addRule(QCPAxisRect& rect, double at, bool upright) {
-    auto* const rule = new QCPItemStraightLine(this);
-    for (QCPItemPosition* point : {rule->point1, rule->point2}) {
+void ViewPlot::anchor(std::initializer_list<QCPItemPosition*> points, QCPAxisRect& rect) {
+    for (QCPItemPosition* point : points) {
         point->setAxisRect(&rect);
         point->setAxes(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft));
     }
+}
+
+QCPItemStraightLine* ViewPlot::addRule(QCPAxisRect& rect, double at, bool upright) {
+    auto* const rule = new QCPItemStraightLine(this);
+    anchor({rule->point1, rule->point2}, rect);
     rule->point1->setCoords(upright ? at : 0, upright ? 0 : at);
     rule->point2->setCoords(upright ? at : 1, upright ? 1 : at);
     rule->setClipAxisRect(&rect);

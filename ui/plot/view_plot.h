@@ -61,6 +61,8 @@ public:
     /// For the cursors; the horizontal axis goes by its label.
     [[nodiscard]] virtual CursorSubject cursorSubject();
 
+    /// Measures points of an item by the bottom and left axis of an axis rect.
+    static void anchor(std::initializer_list<QCPItemPosition*> points, QCPAxisRect& rect);
     /// Upright or level through an axis rect, at a value of its bottom or left axis.
     QCPItemStraightLine* addRule(QCPAxisRect& rect, double at, bool upright = true);
     QCPGraph* addLine(const QCPAxisRect& rect); ///< over its bottom and left axis
@@ -96,7 +98,6 @@ protected:
     void onClick(std::function<void(const QPointF& at)> clicked);
     void built();                       ///< ends a constructor: look and texts
     void setBuilt() { m_built = true; } ///< the same without them: there is nothing yet
-    [[nodiscard]] bool isBuilt() const { return m_built; }
 
     [[nodiscard]] bool shows(int key) const { return m_choice.shows(key); } ///< of the legend
     [[nodiscard]] const CurveChoice& choice() const { return m_choice; }

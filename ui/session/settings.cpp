@@ -14,7 +14,6 @@ const QString languageKey = QStringLiteral("language");
 const QString themeKey = QStringLiteral("theme");
 const QString fontKey = QStringLiteral("fontSize");
 const QString tourKey = QStringLiteral("tourSeen");
-const QString csvKey = QStringLiteral("csvDialect");
 const QString handoutKey = QStringLiteral("handout");
 const QString folderKey = QStringLiteral("lastFolder");
 const QString recentKey = QStringLiteral("recentFiles");
@@ -93,15 +92,6 @@ bool Settings::tourSeen() const {
 
 void Settings::setTourSeen() {
     m_file->set(tourKey, true);
-}
-
-QString Settings::csvDialect() const {
-    const QString chosen = oneOf(csvKey, {english, russian});
-    return chosen.isEmpty() ? language() : chosen;
-}
-
-void Settings::setCsvDialect(const QString& dialect) {
-    m_file->set(csvKey, dialect);
 }
 
 QString Settings::handout() const {

@@ -27,8 +27,6 @@ public:
     void setFontSize(int percent);
     [[nodiscard]] bool tourSeen() const; ///< the tour of the window was shown once
     void setTourSeen();
-    [[nodiscard]] QString csvDialect() const; ///< "ru" (; and comma) or "en" (, and point)
-    void setCsvDialect(const QString& dialect);
     [[nodiscard]] QString handout() const; ///< what the last course hand-out had, in words
     void setHandout(const QString& words);
     [[nodiscard]] QString lastFolder() const;

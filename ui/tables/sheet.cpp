@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace sparkout {
 
@@ -61,6 +62,8 @@ QSet<QString> knownUnits() {
     return units;
 }
 
+/// "actual feed, µm: largest" → "actual feed: largest" and "µm"; without a unit that the tables
+/// know nothing is parted.
 std::pair<QString, QString> parted(const QString& header, const QSet<QString>& units) {
     static const QRegularExpression pattern(QStringLiteral("^(.+), ([^,:]+)(: [^:]+)?$"));
     const QRegularExpressionMatch match = pattern.match(header);
@@ -126,10 +129,6 @@ QString firstText(const std::vector<CsvCell>& row) {
 
 bool Sheet::hasUnits() const {
     return std::ranges::any_of(columns, [](const SheetColumn& c) { return !c.unit.isEmpty(); });
-}
-
-std::pair<QString, QString> partedUnit(const QString& header) {
-    return parted(header, knownUnits());
 }
 
 Sheet sheetOf(const CsvTable& table, const QString& name) {

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
-#include <utility>
 
 /// Tables that may be too long to stand in memory, on their way to a file.
 namespace sparkout {
@@ -46,10 +45,6 @@ inline constexpr std::size_t rowsBetweenLooks = 500; ///< at whether to go on
 
 /// One sheet, or for each text of the first column one, in the order they come.
 [[nodiscard]] std::vector<Sheet> sheetsOf(const CsvTable& table, const QString& name);
-
-/// "actual feed, µm: largest" → "actual feed: largest" and "µm"; without a unit that the tables
-/// know nothing is parted.
-[[nodiscard]] std::pair<QString, QString> partedUnit(const QString& header);
 
 /// As csvBytes(table), name and unit in one cell; nothing when it was given up.
 [[nodiscard]] QByteArray csvBytes(const Sheet& sheet, CsvDialect dialect,

@@ -4,6 +4,7 @@
 #include "core/project/member.h"
 #include "core/project/part.h"
 #include "core/quality/roughness.h"
+#include "ui/text/joined.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
 
@@ -94,8 +95,7 @@ QString LimitNames::missingLinks(const Project& project) {
                               .arg(QString::fromStdString(path),
                                    locationText(path).toHtmlEscaped()));
     }
-    lines.removeAll(QString());
-    return lines.join(QStringLiteral("<br>"));
+    return joined(lines, QStringLiteral("<br>"));
 }
 
 QString LimitNames::notCheckedLinks(const Project& project) {

@@ -8,6 +8,7 @@
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/depth_limits.h"
 
+#include "tests/core/support/demanding_project.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
@@ -26,16 +27,11 @@ using fixtures::Traced;
 
 namespace {
 
-Project asking(Project p) {
-    p.material->burn_rise_k = 500;
-    p.part->tolerance = {4, 6, 5, 8, 0.8};
+Project asking(const Project& of) {
+    Project p = fixtures::demanding(of);
     p.machine->geometric_runout_um = 1;
-    p.machine->wheel_drive_kw = 5;
-    p.machine->work_drive_kw = 0.5;
     p.wheel->grain_surface_energy_j_m2 = 18000;
-    p.wheel->grain_modulus_gpa = 390;
     p.wheel->bond_surface_energy_j_m2 = 4000;
-    p.wheel->bond_modulus_gpa = 65;
     return p;
 }
 

@@ -14,6 +14,7 @@
 #include "core/quality/self_sharpening.h"
 
 #include "tests/core/support/allocation_counter.h"
+#include "tests/core/support/demanding_project.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
@@ -40,15 +41,8 @@ namespace {
 constexpr double tableError = 4e-6;
 
 /// Asks for everything there is to ask.
-Project asking(Project p) {
-    p.material->burn_rise_k = 500;
-    p.part->tolerance = {4, 6, 5, 8, 0.8};
-    p.machine->wheel_drive_kw = 5;
-    p.machine->work_drive_kw = 0.5;
-    p.wheel->grain_surface_energy_j_m2 = 1800;
-    p.wheel->grain_modulus_gpa = 390;
-    p.wheel->bond_surface_energy_j_m2 = 400;
-    p.wheel->bond_modulus_gpa = 65;
+Project asking(const Project& of) {
+    Project p = fixtures::demanding(of);
     p.machine->limits.radial_feed_mm = std::vector<double>{0.0005, 0.02, 0.0005};
     p.machine->limits.axial_feed_mm_min = std::vector<double>{50, 5000, 50};
     p.machine->limits.plunge_feed_mm_min = std::vector<double>{0.02, 5, 0.01};

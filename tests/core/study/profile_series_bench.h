@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/project/validate.h"
+#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 #include "core/study/profile_series.h"
 #include "tests/two_stage_projects.h"
@@ -19,6 +21,13 @@ using fixtures::traverseProject;
 inline Project plungeProject(int sections) {
     Project p = fixtures::plungeProject(sections);
     p.machine->geometric_runout_um = 0.5;
+    return p;
+}
+
+inline Project boreProject(int sections) {
+    Project p = plungeProject(sections);
+    p.part->surface = Surface::internal;
+    p.wheel->diameter_mm = 20;
     return p;
 }
 

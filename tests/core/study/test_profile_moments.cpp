@@ -134,10 +134,7 @@ void TestProfileMoments::radiiNeverGrowOutwardsFromStrokeToStroke() {
 }
 
 void TestProfileMoments::internalGrindingBeginsInsideItsEnd() {
-    Project p = plungeProject(2);
-    p.part->surface = Surface::internal;
-    p.wheel->diameter_mm = 20;
-    const ProfileSeries s = series(p);
+    const ProfileSeries s = series(boreProject(2));
     QVERIFY(!s.profiles.empty());
     for (const Profile& profile : s.profiles) {
         const auto [blankLow, blankHigh] = std::ranges::minmax(s.blank_mm);

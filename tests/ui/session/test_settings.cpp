@@ -25,7 +25,6 @@ private slots:
             settings.setLanguage(QStringLiteral("ru"));
             settings.setTheme(QStringLiteral("contrast"));
             settings.setFontSize(115);
-            settings.setCsvDialect(QStringLiteral("en"));
             settings.setLastFolder(QStringLiteral("/tmp/детали"));
             settings.setWindow(geometry, "state");
             settings.addRecentFile(QStringLiteral("/tmp/вал.sparkout"));
@@ -34,7 +33,6 @@ private slots:
         QCOMPARE(again.language(), QStringLiteral("ru"));
         QCOMPARE(again.theme(), QStringLiteral("contrast"));
         QCOMPARE(again.fontSize(), 115);
-        QCOMPARE(again.csvDialect(), QStringLiteral("en"));
         QCOMPARE(again.lastFolder(), QStringLiteral("/tmp/детали"));
         QCOMPARE(again.windowGeometry(), geometry);
         QCOMPARE(again.windowState(), QByteArray("state"));
@@ -107,15 +105,13 @@ private slots:
     void valuesWithoutSenseCountAsNotSet() {
         const QTemporaryDir folder;
         const QString file = folder.filePath(QStringLiteral("settings.json"));
-        trouble::write(
-            file,
-            R"({"language": 7, "theme": "pink", "fontSize": 1000, "csvDialect": [], "recentFiles": 3,
+        trouble::write(file,
+                       R"({"language": 7, "theme": "pink", "fontSize": 1000, "recentFiles": 3,
                                  "window/state": {"a": 1}, "lastFolder": null, "later": "kept"})");
         Settings settings(file);
         QVERIFY(settings.language() == u"en" || settings.language() == u"ru");
         QCOMPARE(settings.theme(), QStringLiteral("system"));
         QCOMPARE(settings.fontSize(), 100);
-        QCOMPARE(settings.csvDialect(), settings.language());
         QVERIFY(settings.recentFiles().isEmpty());
         QVERIFY(settings.windowState().isEmpty());
         QCOMPARE(settings.lastFolder(), QDir::homePath());

@@ -11,6 +11,7 @@
 #include "ui/kit/sealed_state.h"
 #include "ui/session/document.h"
 #include "ui/session/settings.h"
+#include "ui/text/joined.h"
 #include "ui/text/search_text.h"
 #include "ui/text/texts.h"
 
@@ -333,8 +334,7 @@ void CatalogueDialog::showChosen() {
         && !std::holds_alternative<std::monostate>(m_project.machine->compliance_mm_per_n)) {
         said += tr("The compliance is given on this page, so the stiffness is not read.");
     }
-    said.removeAll(QString());
-    m_note->setText(said.join(u' '));
+    m_note->setText(joined(said, QStringLiteral(" ")));
     const Issues errors = newErrors(m_project, withEntry(item->entry, m_project));
     m_refused->setText(errors.empty()
                            ? QString()

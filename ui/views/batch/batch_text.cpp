@@ -3,6 +3,7 @@
 
 #include "core/project/batch.h"
 #include "core/quality/constraints.h"
+#include "ui/plot/run_bar.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
@@ -16,7 +17,6 @@ namespace sparkout {
 namespace {
 
 constexpr double doubtful = 0.05; ///< probability below which a shape is called not normal
-constexpr double minute_s = 60;
 
 /// Never nothing for a little, nor the whole for almost all.
 QString percent(double share) {
@@ -219,13 +219,7 @@ QString BatchText::verdict(const BatchOutcome& outcome) {
 }
 
 QString BatchText::progress(qint64 done, qint64 parts, double left_s) {
-    const QString count = tr("%1 of %2 parts").arg(done).arg(parts);
-    if (left_s < 0) {
-        return count;
-    }
-    return left_s < 2 * minute_s
-               ? tr("%1, %2 s left").arg(count).arg(std::ceil(left_s), 0, 'f', 0)
-               : tr("%1, %2 min left").arg(count).arg(std::ceil(left_s / minute_s), 0, 'f', 0);
+    return RunBar::withTimeLeft(tr("%1 of %2 parts").arg(done).arg(parts), left_s);
 }
 
 QString BatchText::part(const BatchOutcome& outcome, std::int64_t part) {

@@ -38,8 +38,6 @@ namespace {
 constexpr int histogramShare = 200, figuresShare = 220; ///< of the height at first
 constexpr int stateLetters = 36;                        ///< wide, the text on the run at least
 constexpr int mostStretched = 4; ///< columns of figures that have room beside each other
-/// Radii ground in a batch that runs by itself: about two seconds of one processor.
-constexpr double quickVisits = 2e8;
 constexpr int indexPoints = 256; ///< a power of two, as the Sobol sequence wants it
 
 } // namespace
@@ -71,8 +69,9 @@ BatchView::BatchView(QWidget* parent, Settings* settings)
     setUpNotice(*m_bar->state());
     m_bar->layOut({m_worst, m_rows}, {}, stateLetters);
     share(*m_splitter, {{pages(), histogramShare}, {buildFigures(), figuresShare}});
-    QVBoxLayout* const column = addColumn(
-        {buildTools(), m_bar, notice(), m_add, legend(), m_splitter, values()}, m_splitter);
+    QVBoxLayout* const column = addColumn({pageTools<ToolRow>({m_name, m_weights, m_across, m_up}),
+                                           m_bar, notice(), m_add, legend(), m_splitter, values()},
+                                          m_splitter);
     column->setAlignment(m_add, Qt::AlignLeft);
     column->addStretch(0);
     nameObjects({{m_histograms, "batchHistograms"},
@@ -93,31 +92,11 @@ BatchView::BatchView(QWidget* parent, Settings* settings)
     chooseContent();
 }
 
-QWidget* BatchView::buildTools() {
-    auto* bar = new QWidget(this);
-    auto* row = rowIn<ToolRow>(bar);
-    m_weights->addItems({QString(), QString()});
-    addBoxes(*row, {content(), m_name, m_weights, m_across, m_up});
-    setTabOrder(m_name->previousInFocusChain(), content()); // made after it
-    row->addStretch(1);
-    addPageButtons(*row);
-    return bar;
-}
-
 CopyTable* BatchView::buildFigures() {
-    const auto table = [this] {
-        return m_batch ? batchFiguresTable(m_batch->summary) : CsvTable();
-    };
-    m_table = new CopyTable(
-        [this, table] { return m_batch ? tabSeparated(table(), QLocale()) : QString(); }, this);
-    m_table->setModel(m_figures);
-    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    m_table = addTable(
+        *m_figures, [this] { return m_batch ? batchFiguresTable(m_batch->summary) : CsvTable(); });
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->verticalHeader()->setHighlightSections(false);
-    m_table->setSaving(
-        table, [this] { return heading().value(1); }, settings());
     return m_table;
 }
 
@@ -141,10 +120,8 @@ void BatchView::connectParts() {
         connect(box, &QComboBox::currentIndexChanged, this, &BatchView::chooseQuantities);
     }
     connect(m_bar->run(), &QPushButton::clicked, this, &BatchView::runBatch);
-    for (BatchRunner* runner : {m_runner, m_indexRunner}) {
-        m_bar->follow(*runner);
-        connect(m_bar->stop(), &QPushButton::clicked, runner, &BatchRunner::stop);
-    }
+    m_bar->follow(*m_runner);
+    m_bar->follow(*m_indexRunner);
     connect(m_runner, &BatchRunner::finished, this, &BatchView::takeBatch);
     connect(m_indexRunner, &BatchRunner::indicesFound, this, &BatchView::takeIndices);
     connect(m_worst, &QPushButton::clicked, this, &BatchView::takeWorst);
@@ -217,7 +194,7 @@ void BatchView::takeOutcome(const OutcomePtr&) {
     } else if (stale() && !runs) {
         m_runner->drop();
         m_refused.reset();
-        if (quick()) {
+        if (RunBar::areQuick(partsOf(project), good()->result.visits)) {
             runBatch();
         }
     }
@@ -234,12 +211,6 @@ void BatchView::forget() {
 
 void BatchView::noteStale() {
     m_stale = !m_batch || !good() || !sameBatch(m_batch->result.project, good()->result.project);
-}
-
-bool BatchView::quick() const {
-    return static_cast<double>(good()->result.visits)
-               * static_cast<double>(partsOf(good()->result.project))
-           <= quickVisits;
 }
 
 void BatchView::runBatch() {
@@ -480,12 +451,9 @@ void BatchView::nameParts() {
     m_bar->state()->setAccessibleName(tr("What was run"));
     m_bar->progress()->setAccessibleName(tr("Progress of the batch"));
     m_table->setAccessibleName(tr("Figures of the batch"));
-    content()->setItemText(0, tr("Histograms"));
-    content()->setItemText(1, tr("Sensitivity"));
-    content()->setItemText(2, tr("Scatter"));
-    content()->setItemText(3, tr("Rejects by cause"));
-    m_weights->setItemText(0, tr("Rank regression"));
-    m_weights->setItemText(1, tr("Sobol indices"));
+    fillChoice(*content(),
+               {tr("Histograms"), tr("Sensitivity"), tr("Scatter"), tr("Rejects by cause")});
+    fillChoice(*m_weights, {tr("Rank regression"), tr("Sobol indices")});
     m_weights->setAccessibleName(tr("How the weight of a factor is told"));
     m_weights->setToolTip(
         tr("Rank regression: standardised coefficients, of the parts of the batch; sign and weight "

@@ -66,7 +66,6 @@ protected:
     [[nodiscard]] QStringList subheading() const override;
 
 private:
-    QWidget* buildTools();
     CopyTable* buildFigures();
     void buildRows();
     void connectParts();
@@ -79,7 +78,6 @@ private:
 
     void noteStale();
     void runBatch();
-    [[nodiscard]] bool quick() const; ///< so few parts that it runs by itself
     void takeBatch(const BatchOutcomePtr& outcome);
     void takeWorst();
     [[nodiscard]] bool showsIndices() const; ///< Sobol's are chosen

@@ -114,9 +114,7 @@ void ScatterPlot::fit() {
                 }
             }
         }
-        const double least = std::max({std::abs(low), std::abs(high), 1e-3}) * 1e-3;
-        const double beside = std::max(scatterRoom * (high - low), least);
-        style::setSafeRange(axis, low - beside, high + beside);
+        style::setRoomyRange(axis, low, high, scatterRoom, 1e-3);
     };
     if (m_outcome && m_outcome->quantityCount() > 0) {
         fitAxis(*m_rect->axis(QCPAxis::atBottom), m_across);

@@ -11,6 +11,7 @@
 #include "ui/plot/cursor_strip.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/plot_cursors.h"
+#include "ui/text/joined.h"
 #include "ui/text/names.h"
 #include "ui/views/compare/runs_panel.h"
 #include "ui/views/compare/second_axis_menu.h"
@@ -20,7 +21,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QListView>
-#include <QLocale>
 #include <QPushButton>
 #include <QSplitter>
 #include <QToolButton>
@@ -48,9 +48,8 @@ CompareView::CompareView(KeptRuns& kept, QWidget* parent, Settings* settings)
     , m_zone(new QComboBox(this))
     , m_axis(new QComboBox(this))
     , m_runs(new RunsPanel(kept, this))
-    , m_table(
-          new CopyTable([this] { return tabSeparated(m_tableModel->table(), QLocale()); }, this))
     , m_tableModel(new RunTableModel(this))
+    , m_table(addTable(*m_tableModel, [this] { return m_tableModel->table(); }))
     , m_empty(new QLabel(this))
     , m_keepHere(new QPushButton(this))
     , m_columns(new QSplitter(Qt::Horizontal, this))
@@ -117,16 +116,9 @@ QWidget* CompareView::buildCurves() {
 QWidget* CompareView::buildTable() {
     auto* panel = new QWidget(this);
     auto* column = rowIn<QVBoxLayout>(panel);
-    m_table->setModel(m_tableModel);
-    m_table->setSaving([this] { return m_tableModel->table(); },
-                       [this] { return heading().value(1); }, settings());
-    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_table->setWordWrap(true);
     m_table->setMinimumHeight(80);
     m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->verticalHeader()->setMinimumSectionSize(10);
     connect(m_table, &CopyTable::resized, this, &CompareView::fitTable);
     connect(m_tableModel, &QAbstractItemModel::modelReset, this, &CompareView::fitTable);
@@ -178,8 +170,7 @@ void CompareView::takeOutcome(const OutcomePtr& before) {
         return;
     }
     m_present = ReadSummary{summarise(good()->result, good()->accuracy, good()->constraints), {}};
-    if (!before || before->result.project.operation != good()->result.project.operation
-        || before->result.sections.size() != good()->result.sections.size()) {
+    if (hasOtherPlaces(before)) {
         m_wanted = good()->result.sections.size() / 2; // the gauge's zone, or the middle section
     }
     fillAxes();
@@ -337,8 +328,7 @@ QString CompareView::noticeText() const {
     for (const int run : chosenRuns()) {
         lines << runNotes(run);
     }
-    lines.removeAll(QString());
-    return lines.join(u'\n');
+    return joined(lines, QStringLiteral("\n"));
 }
 
 /// Why a run is not drawn as it was kept.

@@ -72,8 +72,8 @@ private:
     QComboBox* m_zone;
     QComboBox* m_axis;
     RunsPanel* m_runs;
-    CopyTable* m_table;
     RunTableModel* m_tableModel;
+    CopyTable* m_table;
     QLabel* m_empty;
     QPushButton* m_keepHere;
     QSplitter* m_columns;

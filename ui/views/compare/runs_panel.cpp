@@ -3,6 +3,7 @@
 
 #include "ui/charts/run_table.h"
 #include "ui/charts/runs_model.h"
+#include "ui/kit/keyboard.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme_icon.h"
 #include "ui/plot/plot_tools.h"
@@ -196,9 +197,9 @@ QString RunsPanel::descriptionOf(int run) const {
 void RunsPanel::retranslate() {
     m_list->setAccessibleName(tr("Runs; a check mark lays one over the present run"));
     const auto name = [](QAction* action, const QString& text, const QString& tip) {
-        const QString keys = action->shortcut().toString(QKeySequence::NativeText);
         action->setText(text);
-        action->setToolTip(keys.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, keys));
+        action->setToolTip(tip);
+        nameShortcut(*action);
     };
     name(m_keep, tr("Keep the present run"),
          tr("Keep the present run: its inputs and results, for comparison"));

@@ -118,8 +118,7 @@ void CompliancePlot::fillBands() {
     } else {
         Band band;
         band.to = project.part->length_mm;
-        band.colour = style::colour(Drawn::endZone, palette());
-        band.colour.setAlpha(28);
+        band.colour = style::thinned(style::colour(Drawn::endZone, palette()), 28);
         band.name = tr("ground length");
         bands.push_back(band);
     }

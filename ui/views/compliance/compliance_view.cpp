@@ -45,7 +45,6 @@ ComplianceView::ComplianceView(QWidget* parent, Settings* settings)
 }
 
 void ComplianceView::buildStudies() {
-    m_content->addItems(QStringList(3, QString()));
     connect(m_content, &QComboBox::currentIndexChanged, this, &ComplianceView::chooseContent);
     connect(m_put, &QPushButton::clicked, this, [this] {
         if (canPutGauge()) {
@@ -238,9 +237,8 @@ void ComplianceView::nameParts() {
     nameAround(tr("Legend of the curves"), tr("State of the curves"), tr("Values under the mouse"));
     m_plot->setAccessibleName(tr("Compliance along the part"));
     m_summary->setAccessibleName(tr("Where it yields most"));
-    m_content->setItemText(0, tr("Compliance along the part"));
-    m_content->setItemText(1, tr("Where to put the gauge"));
-    m_content->setItemText(2, tr("Coupled against independent sections"));
+    fillChoice(*m_content, {tr("Compliance along the part"), tr("Where to put the gauge"),
+                            tr("Coupled against independent sections")});
     tell(*m_content, tr("What stands below the part"));
     m_put->setText(tr("Put the gauge there"));
     m_put->setAccessibleName(m_put->text());

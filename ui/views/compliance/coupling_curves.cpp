@@ -27,11 +27,6 @@ CouplingCurves::CouplingCurves(ViewPlot& plot, QCPAxisRect& rect)
     , m_coupled(addGraph(coupledKey))
     , m_difference(addGraph(differenceKey)) {}
 
-double CouplingCurves::middle_um() const {
-    const Part& part = *m_comparison->independent.project.part;
-    return (part.upper_deviation_um + part.lower_deviation_um) / 2;
-}
-
 double CouplingCurves::fromMiddle_um(const SectionResult& section) const {
     return meanDiameterDeviation(section, *m_comparison->independent.project.part) * units::umPerMm
            - middle_um();
@@ -39,6 +34,11 @@ double CouplingCurves::fromMiddle_um(const SectionResult& section) const {
 
 void CouplingCurves::show(CouplingPtr comparison) {
     m_comparison = std::move(comparison);
+    if (m_comparison) {
+        drawLimits(*m_comparison->independent.project.part);
+    } else {
+        clearLimits();
+    }
     QVector<double> x, independent, coupled, difference;
     for (std::size_t i = 0; m_comparison && i < m_comparison->differences_mm.size(); ++i) {
         x << m_comparison->independent.sections[i].position_mm;
@@ -49,11 +49,6 @@ void CouplingCurves::show(CouplingPtr comparison) {
     m_independent->setData(x, independent, true);
     m_coupled->setData(x, coupled, true);
     m_difference->setData(x, difference, true);
-    if (m_comparison) {
-        drawLimits(*m_comparison->independent.project.part);
-    } else {
-        clearLimits();
-    }
     restyle();
 }
 

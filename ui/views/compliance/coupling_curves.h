@@ -31,7 +31,6 @@ public:
     [[nodiscard]] Digits digits() const override { return Digits::thousandths; }
 
 private:
-    [[nodiscard]] double middle_um() const;
     [[nodiscard]] double fromMiddle_um(const SectionResult& section) const;
 
     CouplingPtr m_comparison;

@@ -33,11 +33,6 @@ GaugeCurves::GaugeCurves(ViewPlot& plot, QCPAxisRect& rect)
     }
 }
 
-double GaugeCurves::middle_um() const {
-    const Part& part = *m_outcome->result.project.part;
-    return (part.upper_deviation_um + part.lower_deviation_um) / 2;
-}
-
 double GaugeCurves::farthest_um(const GaugePosition& position) const {
     return std::max(position.deviationMax_mm * units::umPerMm - middle_um(),
                     middle_um() - position.deviationMin_mm * units::umPerMm);
@@ -88,6 +83,7 @@ std::vector<std::size_t> GaugeCurves::drawnSections() const {
 void GaugeCurves::show(GaugePlacementPtr placement, OutcomePtr outcome, double present_mm) {
     m_placement = std::move(placement);
     m_outcome = std::move(outcome);
+    takeField(*m_outcome->result.project.part);
     const std::vector<Drawn> places = drawn();
     QVector<double> x, low, high, far;
     constexpr double gap = std::numeric_limits<double>::quiet_NaN();

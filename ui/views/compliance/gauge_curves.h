@@ -48,7 +48,6 @@ private:
     };
     [[nodiscard]] std::vector<Drawn> drawn() const;
     [[nodiscard]] std::vector<std::size_t> drawnSections() const;
-    [[nodiscard]] double middle_um() const; ///< of the field, from nominal
     [[nodiscard]] QString nameOf(std::size_t section) const;
     [[nodiscard]] QColor colourOf(std::size_t section) const;
     void drawSections(const std::vector<Drawn>& places, const QVector<double>& x);

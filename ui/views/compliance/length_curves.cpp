@@ -98,8 +98,13 @@ ReadCurves LengthCurves::readCurves() const {
     return curves;
 }
 
-void LengthCurves::drawLimits(const Part& part) {
+void LengthCurves::takeField(const Part& part) {
+    m_middle_um = (part.upper_deviation_um + part.lower_deviation_um) / 2;
     m_limit_um = (part.upper_deviation_um - part.lower_deviation_um) / 2;
+}
+
+void LengthCurves::drawLimits(const Part& part) {
+    takeField(part);
     for (int side = 0; side < 2; ++side) {
         if (!m_limits[side]) {
             m_limits[side] = addGraph(limitsKey);

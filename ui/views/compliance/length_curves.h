@@ -42,6 +42,8 @@ protected:
     QCPGraph* addGraph(int key);
     [[nodiscard]] LegendEntry entry(int key, QColor colour, Qt::PenStyle pen,
                                     const QString& text) const;
+    void takeField(const Part& part);
+    [[nodiscard]] double middle_um() const { return m_middle_um; } ///< of the field, from nominal
     /// The limits of the tolerance field over the length, ± half of it.
     void drawLimits(const Part& part);
     void clearLimits();
@@ -63,7 +65,7 @@ private:
     QCPAxisRect& m_rect;
     std::vector<Keyed> m_graphs;
     QCPGraph* m_limits[2] = {};
-    double m_limit_um = 0;
+    double m_limit_um = 0, m_middle_um = 0; ///< of the field: half of it, and its middle
     CurveChoice m_choice;
     bool m_shown = false;
 };

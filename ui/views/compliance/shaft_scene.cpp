@@ -5,6 +5,7 @@
 #include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "ui/charts/profiles_look.h"
+#include "ui/plot/plot_style.h"
 #include "ui/plot/quantity_colour.h"
 #include "ui/text/texts.h"
 
@@ -26,7 +27,7 @@ QString stiffnessText(double value_n_um) {
 } // namespace
 
 ShaftScene::ShaftScene(QCPAxisRect* rect)
-    : QCPLayerable(rect->parentPlot(), QStringLiteral("main")), m_rect(rect) {}
+    : PaintedLayer(*rect, QStringLiteral("main"), Edges::smooth) {}
 
 void ShaftScene::setProject(const Project& project, const QRectF& body, double gauge_mm) {
     m_project = project;
@@ -40,14 +41,6 @@ void ShaftScene::setProject(const Project& project, const QRectF& body, double g
     const double right = bore && part.shaft.quill ? part.shaft.quill->length_mm : holder * length;
     m_bounds = QRectF(m_from_mm - holder * length, -below * m_high_mm,
                       length * (1 + holder) + right, (above + below) * m_high_mm);
-}
-
-void ShaftScene::applyDefaultAntialiasingHint(QCPPainter* painter) const {
-    painter->setAntialiasing(true);
-}
-
-QRect ShaftScene::clipRect() const {
-    return m_rect->rect();
 }
 
 QPointF ShaftScene::at(double x_mm, double y_mm) const {
@@ -184,8 +177,7 @@ void ShaftScene::draw(QCPPainter* painter) {
     const QPalette palette = mParentPlot->palette();
     painter->setFont(mParentPlot->font());
     m_notes.clear();
-    QColor fill = palette.color(QPalette::Text);
-    fill.setAlpha(wheelShade);
+    const QColor fill = style::thinned(palette.color(QPalette::Text), wheelShade);
     const QPen edge(palette.color(QPalette::Text), 1);
     const auto solid = [&] {
         painter->setPen(edge);
@@ -197,8 +189,7 @@ void ShaftScene::draw(QCPPainter* painter) {
     }
     solid();
     drawRests(painter);
-    QColor wheel = style::colour(style::Drawn::wheel, palette);
-    wheel.setAlpha(wheelShade);
+    const QColor wheel = style::thinned(style::colour(style::Drawn::wheel, palette), wheelShade);
     painter->setPen(edge);
     painter->setBrush(wheel);
     drawWheel(painter);

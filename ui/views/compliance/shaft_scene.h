@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/project/project.h"
-
-#include <qcustomplot.h>
+#include "ui/plot/painted_layer.h"
 
 #include <QString>
 
@@ -15,7 +14,7 @@ struct Stiffness;
 
 /// What holds and what cuts the part, around the body that ShaftLayer draws, to the same scale:
 /// centres or chuck, steady rests, the wheel, a quill; each with its stiffness, and the gauge.
-class ShaftScene : public QCPLayerable {
+class ShaftScene : public PaintedLayer {
     Q_OBJECT
 public:
     explicit ShaftScene(QCPAxisRect* rect);
@@ -26,8 +25,6 @@ public:
     [[nodiscard]] QRectF bounds() const { return m_bounds; } ///< [mm], y upwards
 
 protected:
-    void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
-    [[nodiscard]] QRect clipRect() const override;
     void draw(QCPPainter* painter) override;
 
 private:
@@ -41,7 +38,6 @@ private:
     void note(QCPPainter* painter, const QPointF& where, int flags, const QString& text);
     [[nodiscard]] QString stiffness(double Stiffness::*unit, const QString& name) const;
 
-    QCPAxisRect* m_rect;
     Project m_project;
     double m_gauge_mm = 0;
     double m_from_mm = 0, m_to_mm = 0; ///< ends of the shaft

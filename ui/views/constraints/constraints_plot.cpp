@@ -3,7 +3,6 @@
 
 #include "core/units.h"
 #include "ui/plot/hair_line.h"
-#include "ui/plot/number_ticker.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
 
@@ -72,9 +71,7 @@ void ConstraintsPlot::build() {
     m_markText = new QCPItemText(this);
     m_markText->setSelectable(false);
     m_markText->setClipToAxisRect(true);
-    m_markText->position->setAxisRect(m_rect);
-    m_markText->position->setAxes(stockAxis(), feedAxis());
-    m_markText->position->setType(QCPItemPosition::ptPlotCoords);
+    anchor({m_markText->position}, *m_rect);
     m_markText->setPadding(QMargins(10, 6, 10, 6));
     connect(feedAxis(), QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this,
             &ConstraintsPlot::contentChanged); // the legend names what is out of visible
@@ -238,9 +235,7 @@ void ConstraintsPlot::fitFeeds() {
 }
 
 void ConstraintsPlot::setLogarithmic(bool on) {
-    feedAxis()->setScaleType(on ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
-    feedAxis()->setTicker(on ? QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog)
-                             : QSharedPointer<QCPAxisTicker>(new NumberTicker));
+    style::setLogarithmic(*feedAxis(), on);
     feedAxis()->setSubTicks(on);
     fit();
 }
@@ -295,8 +290,8 @@ void ConstraintsPlot::restyle() {
     for (const auto& [kind, graph] : m_limits) {
         graph->setPen(penOf(static_cast<int>(kind)));
     }
-    QColor forbidden = style::colour(Drawn::forbidden, palette());
-    forbidden.setAlpha(isDimmed() ? forbiddenAlpha / 3 : forbiddenAlpha);
+    const QColor forbidden = style::thinned(style::colour(Drawn::forbidden, palette()),
+                                            isDimmed() ? forbiddenAlpha / 3 : forbiddenAlpha);
     m_stepless->setPen(penOf(steplessKey));
     m_stepless->setBrush(forbidden);
     m_ceiling->setPen(Qt::NoPen);
@@ -310,8 +305,7 @@ void ConstraintsPlot::restyle() {
     const QColor text = ink();
     m_mark->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(text, 2), Qt::NoBrush, markSize));
-    QColor paper = palette().color(QPalette::Base);
-    paper.setAlpha(200);
+    const QColor paper = style::thinned(palette().color(QPalette::Base), 200);
     m_markText->setBrush(paper);
     m_markText->setColor(text);
     m_markText->setFont(font());

@@ -7,7 +7,6 @@
 #include "ui/charts/verdict_why.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/kit/font_size.h"
-#include "ui/kit/metrics.h"
 #include "ui/kit/tool_row.h"
 #include "ui/plot/cursor_strip.h"
 #include "ui/plot/legend_strip.h"
@@ -57,14 +56,14 @@ ConstraintsView::ConstraintsView(QWidget* parent, Settings* settings)
     addCursors(*m_plot);
     hideUntilDrawn({m_plot});
     disableUntilDrawn({m_zone, m_logarithmic});
-    build(settings);
+    build();
     m_logarithmic->setChecked(true); // far limits and the last cuts in one picture
     m_plot->setLogarithmic(true);
     connectParts();
     built();
 }
 
-void ConstraintsView::build(Settings* settings) {
+void ConstraintsView::build() {
     setUpReadout(*values(), 3);
     m_off->setWordWrap(true);
     m_off->setTextFormat(Qt::RichText);
@@ -73,20 +72,10 @@ void ConstraintsView::build(Settings* settings) {
     QWidget* upper = buildCurves();
     auto* lower = new QSplitter(Qt::Horizontal, m_splitter);
     lower->addWidget(buildMargins());
-    const auto project = [this] {
-        return good() ? QString::fromStdString(good()->result.project.title).simplified()
-                      : QString();
-    };
-    m_table->setSaving([this] { return m_model->table(); }, project, settings);
     lower->addWidget(buildSheet());
     lower->setChildrenCollapsible(false);
     lower->setSizes({tableShare, sheetShare});
-    m_splitter->addWidget(upper);
-    m_splitter->addWidget(lower);
-    m_splitter->setChildrenCollapsible(false);
-    m_splitter->setStretchFactor(0, plotShare);
-    m_splitter->setStretchFactor(1, lowerShare);
-    m_splitter->setSizes({plotShare, lowerShare});
+    share(*m_splitter, {{upper, plotShare}, {lower, lowerShare}});
     addColumn({buildTools(), notice(), legend(), m_splitter, m_off}, m_splitter);
     nameObjects({{m_plot, "constraintsPlot"},
                  {m_zone, "constraintsZone"},
@@ -118,16 +107,12 @@ QWidget* ConstraintsView::buildCurves() {
 }
 
 QWidget* ConstraintsView::buildMargins() {
-    m_table = new CopyTable([this] { return m_model->asTsv(); }, this);
-    m_table->setModel(m_model);
+    m_table = addTable(
+        *m_model, [this] { return m_model->table(); }, [this] { return m_model->asTsv(); });
     m_table->setItemDelegateForColumn(MarginModel::usage, new MarginBar(m_table));
-    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded); // with large type
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setWordWrap(true);
     m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     QHeaderView* header = m_table->horizontalHeader();
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setSectionResizeMode(MarginModel::requirement, QHeaderView::Stretch);
@@ -140,9 +125,7 @@ QWidget* ConstraintsView::buildMargins() {
 
 QWidget* ConstraintsView::buildSheet() {
     auto* box = new QWidget(this);
-    auto* column = new QVBoxLayout(box);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(metrics::tight);
+    auto* column = rowIn<QVBoxLayout>(box);
     m_sheet->setReadOnly(true);
     m_sheet->setTabChangesFocus(true);
     auto* row = new ToolRow;
@@ -200,10 +183,7 @@ void ConstraintsView::forget() {
 }
 
 void ConstraintsView::takeOutcome(const OutcomePtr& before) {
-    const auto kind = [](const OutcomePtr& o) {
-        return std::pair(o->result.project.operation, o->result.sections.size());
-    };
-    if (!before || kind(before) != kind(good())) {
+    if (hasOtherPlaces(before)) {
         m_group.reset();
         m_chosen.reset();
         m_plot->fitNext();
@@ -392,18 +372,9 @@ void ConstraintsView::nameParts() {
     tell(*m_goTo, tr("To the passes, the profile or the field behind the requirement; also Enter "
                      "or a double click on its row"));
     m_model->retranslate();
-    drawIcons();
+    m_model->setIcons(lightIcons(*m_table, false));
     fillGroups();
     showSheet();
-}
-
-void ConstraintsView::drawIcons() {
-    const int line = std::max(metrics::iconSmall, m_table->fontMetrics().height());
-    m_table->setIconSize({metrics::iconSmall, line});
-    const auto icon = [this, line](Light light) {
-        return QIcon(lightOnLine(light, metrics::iconSmall, line, devicePixelRatioF(), false));
-    };
-    m_model->setIcons({icon(Light::holds), icon(Light::close), icon(Light::fails)});
 }
 
 QString ConstraintsView::hint() const {
@@ -411,7 +382,7 @@ QString ConstraintsView::hint() const {
 }
 
 void ConstraintsView::recolour() {
-    drawIcons();
+    m_model->setIcons(lightIcons(*m_table, false));
     PlotView::recolour();
     showState();
 }

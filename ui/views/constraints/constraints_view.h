@@ -59,7 +59,7 @@ private:
     using GroupKey = std::tuple<Zone, int, bool>; ///< zone, section, whether the wheel stands
     [[nodiscard]] static GroupKey keyOf(const LimitGroup& group);
 
-    void build(Settings* settings);
+    void build();
     QWidget* buildTools();
     QWidget* buildCurves();
     QWidget* buildMargins();
@@ -70,7 +70,6 @@ private:
     void choose(int row);
     void selectChosen();
     void showSheet();
-    void drawIcons();
     [[nodiscard]] int wantedGroup() const;
     [[nodiscard]] std::optional<ConstraintResult> chosen() const;
 

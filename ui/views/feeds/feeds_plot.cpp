@@ -263,9 +263,9 @@ std::vector<Band> FeedsPlot::stageBands() const {
     std::vector<Band> bands;
     for (const StageSpan& span : series().stages) {
         const bool odd = span.stage % 2 == 1;
-        QColor colour =
-            style::colour(odd ? style::Drawn::oddStage : style::Drawn::evenStage, palette());
-        colour.setAlpha(odd ? 28 : 38);
+        const QColor colour = style::thinned(
+            style::colour(odd ? style::Drawn::oddStage : style::Drawn::evenStage, palette()),
+            odd ? 28 : 38);
         const QString name = tr("stage %1").arg(span.stage);
         bands.push_back({scale().at(span.start_s), scale().at(span.end_s), colour, name,
                          tr("st. %1", "stage, short").arg(span.stage), name});
@@ -378,9 +378,8 @@ QColor FeedsPlot::colourOf(Quantity quantity) const {
 
 QColor FeedsPlot::stepColour(Zone zone, Step step, const QPalette& palette) {
     const auto index = static_cast<std::size_t>(strokeStep(zone, step));
-    QColor colour = tone(style::stepOfStroke(index, palette), palette);
-    colour.setAlpha(style::isDark(palette) ? 75 : 85);
-    return colour;
+    return style::thinned(tone(style::stepOfStroke(index, palette), palette),
+                          style::isDark(palette) ? 75 : 85);
 }
 
 void FeedsPlot::restyle() {
@@ -430,8 +429,7 @@ LegendEntries FeedsPlot::legendEntries() const {
                 {colourOf(quantity), dashOf(quantity), quantityName(quantity), key, shows(key)});
         }
     }
-    QColor grey = palette().color(QPalette::Text);
-    grey.setAlpha(60);
+    const QColor grey = style::thinned(palette().color(QPalette::Text), 60);
     entries.push_back({grey, Qt::NoPen, tr("spread over the radii"), FeedsChart::spreadKey,
                        shows(FeedsChart::spreadKey)});
     for (const auto& [zone, step] : m_chart.steps()) {

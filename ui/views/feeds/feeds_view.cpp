@@ -70,17 +70,14 @@ QWidget* FeedsView::buildTools() {
     for (QToolButton* button : {m_previous, m_next, m_note}) {
         button->setFocusPolicy(Qt::TabFocus);
     }
-    for (QComboBox* box : {m_span, m_section, m_axis}) {
-        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    }
     m_stroke->setKeyboardTracking(false);
+    addBoxes(*row, {m_span});
     for (QWidget* w :
-         std::initializer_list<QWidget*>{m_span, m_strokeLabel, m_previous, m_stroke, m_next}) {
+         std::initializer_list<QWidget*>{m_strokeLabel, m_previous, m_stroke, m_next}) {
         row->addWidget(w);
     }
     row->addStretch();
-    row->addWidget(m_section);
-    row->addWidget(m_axis);
+    addBoxes(*row, {m_section, m_axis});
     addButtons(*row, {cursors()->toggle, tools()->back, tools()->forward, tools()->fit});
     row->addWidget(m_note);
     nameObjects({{m_span, "span"},

@@ -16,11 +16,7 @@ constexpr double outlined = 4; ///< layers lower than this have no outline [px]
 } // namespace
 
 LayerStack::LayerStack(LayersPlot& plot)
-    : QCPLayerable(&plot, QStringLiteral("bands")), m_plot(plot), m_rect(plot.cell()) {}
-
-void LayerStack::applyDefaultAntialiasingHint(QCPPainter* painter) const {
-    painter->setAntialiasing(false);
-}
+    : PaintedLayer(*plot.cell(), QStringLiteral("bands"), Edges::sharp), m_plot(plot) {}
 
 QRect LayerStack::clipRect() const {
     return m_plot.painted();
@@ -57,7 +53,7 @@ void LayerStack::drawMetal(QCPPainter& painter) const {
         const double last = pixel(series.radiusAfter_mm(column, series.spans.size()));
         const double foot = bore ? m_rect->top() : m_rect->bottom() + 1.0;
         if (bore ? last > foot : last < foot) {
-            fill(last, foot, LayersLook::thinned(palette.color(QPalette::Text), bodyAlpha));
+            fill(last, foot, style::thinned(palette.color(QPalette::Text), bodyAlpha));
         }
         fill(pixel(m_plot.radiusAfter_mm(j, m_plot.done().count)), last,
              LayersLook::uncut(palette));
@@ -80,9 +76,9 @@ void LayerStack::drawLayers(QCPPainter& painter) const {
             painter.fillRect(rect, colour);
             if (newest || rect.height() >= outlined) {
                 painter.setBrush(Qt::NoBrush);
-                painter.setPen(QPen(
-                    LayersLook::thinned(palette.color(QPalette::Text), newest ? 255 : edgeAlpha),
-                    newest ? 2 : 0));
+                painter.setPen(
+                    QPen(style::thinned(palette.color(QPalette::Text), newest ? 255 : edgeAlpha),
+                         newest ? 2 : 0));
                 painter.drawRect(rect);
             }
         }

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <qcustomplot.h>
+#include "ui/plot/painted_layer.h"
 
 namespace sparkout {
 
 class LayersPlot;
 
 /// Paints the layers of a LayersPlot, the metal they come off, and the axis of rotation.
-class LayerStack : public QCPLayerable {
+class LayerStack : public PaintedLayer {
     Q_OBJECT
 public:
     explicit LayerStack(LayersPlot& plot);
 
 protected:
-    void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
     [[nodiscard]] QRect clipRect() const override;
     void draw(QCPPainter* painter) override;
 
@@ -23,7 +22,6 @@ private:
     void drawLayers(QCPPainter& painter) const;
 
     const LayersPlot& m_plot;
-    QCPAxisRect* m_rect;
 };
 
 } // namespace sparkout

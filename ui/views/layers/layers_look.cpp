@@ -2,6 +2,7 @@
 #include "ui/views/layers/layers_look.h"
 
 #include "core/units.h"
+#include "ui/plot/plot_style.h"
 #include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
 
@@ -38,13 +39,8 @@ std::vector<Band> LayersLook::zoneBands(const LayerSeries& series, const QPalett
     return bands;
 }
 
-QColor LayersLook::thinned(QColor colour, int alpha) {
-    colour.setAlpha(alpha);
-    return colour;
-}
-
 QColor LayersLook::uncut(const QPalette& palette) {
-    return thinned(palette.color(QPalette::Text), uncutAlpha);
+    return style::thinned(palette.color(QPalette::Text), uncutAlpha);
 }
 
 LegendEntries LayersLook::stages(const LayerSeries& series, const CurveChoice& choice,

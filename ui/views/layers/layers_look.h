@@ -22,7 +22,6 @@ public:
     /// The zones or sections along the length, by rising length.
     [[nodiscard]] static std::vector<Band> zoneBands(const LayerSeries& series,
                                                      const QPalette& palette);
-    [[nodiscard]] static QColor thinned(QColor colour, int alpha);
     [[nodiscard]] static QColor uncut(const QPalette& palette); ///< what is still to come
     /// A swatch for each stage; the key is its number.
     [[nodiscard]] static LegendEntries stages(const LayerSeries& series, const CurveChoice& choice,

@@ -171,17 +171,14 @@ QString LayersPlot::valuesAt(const QPointF& at) const {
 
 void LayersPlot::restyle() {
     PartPlot::restyle();
-    const auto line = [](QCPGraph& graph, const QColor& colour, double width, Qt::PenStyle pen) {
-        graph.setPen(QPen(colour, width, pen));
-    };
-    line(*m_lower, toned(Drawn::toleranceField), 1, Qt::SolidLine);
-    line(*m_upper, toned(Drawn::toleranceField), 1, Qt::SolidLine);
-    line(*m_target, toned(Drawn::toleranceField), 1.5, Qt::DashLine);
-    line(*m_blank, ink(), 1.5, Qt::DashLine);
-    line(*m_final, ink(), 2, Qt::SolidLine);
+    const QColor field = toned(Drawn::toleranceField);
+    m_lower->setPen(field);
+    m_upper->setPen(field);
+    m_target->setPen({field, 1.5, Qt::DashLine});
+    m_blank->setPen({ink(), 1.5, Qt::DashLine});
+    m_final->setPen({ink(), 2});
     m_upper->setBrush(style::dimmed(
-        LayersLook::thinned(style::colour(Drawn::toleranceField, palette()), fieldAlpha),
-        isDimmed()));
+        style::thinned(style::colour(Drawn::toleranceField, palette()), fieldAlpha), isDimmed()));
 }
 
 CsvTable LayersPlot::table() const {

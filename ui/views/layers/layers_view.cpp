@@ -3,6 +3,7 @@
 
 #include "core/units.h"
 #include "ui/plot/legend_strip.h"
+#include "ui/text/joined.h"
 #include "ui/text/names.h"
 #include "ui/views/layers/layers_plot.h"
 #include "ui/views/layers/layers_surface.h"
@@ -32,34 +33,30 @@ LayersView::LayersView(QWidget* parent, Settings* settings)
     }
     setUpNotice(*m_summary);
     hideUntilDrawn({m_summary});
+    addColumn(
+        {pageTools<QHBoxLayout>({m_radius}), m_summary, notice(), legend(), pages(), values()},
+        pages());
     disableUntilDrawn({content(), m_radius});
-    addColumn({buildTools(), m_summary, notice(), legend(), pages(), values()}, pages());
     nameObjects({{m_plot, "layersPlot"},
                  {m_surface, "layersSurface"},
                  {m_side, "layersSide"},
                  {m_radius, "layersRadius"},
                  {m_summary, "layersSummary"}});
-    connect(m_plot, &LayersPlot::strokeClicked, this,
-            [this](int stroke) { cycle().toStroke(stroke); });
+    connectTools();
     built();
     chooseContent();
 }
 
-QWidget* LayersView::buildTools() {
-    auto* bar = new QWidget(this);
-    auto* row = rowIn<QHBoxLayout>(bar);
-    row->addWidget(content());
-    addBoxes(*row, {m_radius});
-    row->addStretch(1);
-    addPageButtons(*row);
+void LayersView::connectTools() {
+    connect(m_plot, &LayersPlot::strokeClicked, this,
+            [this](int stroke) { cycle().toStroke(stroke); });
     connect(content(), &QComboBox::currentIndexChanged, this, &LayersView::chooseContent);
     connect(m_radius, &QComboBox::activated, this, [this](int index) {
         m_wanted = index > 0 ? std::optional(index - 1) : std::nullopt;
         setSeries();
         showState();
-        replotShown();
+        replotFront();
     });
-    return bar;
 }
 
 QString LayersView::title() const {
@@ -70,7 +67,7 @@ void LayersView::chooseContent() {
     showPage(static_cast<std::size_t>(content()->currentIndex()));
     m_radius->setVisible(&front() != m_side); // its radius is the one that faces the wheel
     showState();
-    replotShown();
+    replotFront();
 }
 
 // --- the run ------------------------------------------------------------------------------------
@@ -110,7 +107,7 @@ void LayersView::fillRadii() {
 void LayersView::followCycle() {
     showDone();
     showState();
-    replotShown();
+    replotFront();
 }
 
 /// While the cycle stands in another run, all layers are shown.
@@ -126,10 +123,6 @@ void LayersView::showDone() {
         m_side->setScene(
             grindingScene(good()->result, good()->trajectory, at ? at->progress() : Progress{}));
     }
-}
-
-void LayersView::replotShown() {
-    front().replot(QCustomPlot::rpQueuedReplot);
 }
 
 // --- texts --------------------------------------------------------------------------------------
@@ -169,8 +162,7 @@ QString LayersView::remark() const {
     if (good()->result.status != RunStatus::completed) {
         lines.prepend(Names::status(good()->result.status));
     }
-    lines.removeAll(QString());
-    return lines.join(u'\n');
+    return joined(lines, QStringLiteral("\n"));
 }
 
 /// How much has come off where, up to the cursor.
@@ -211,9 +203,7 @@ void LayersView::nameParts() {
     m_side->setToolTip(tr("Heights are exaggerated. As the model has it, a zone is ground during "
                           "the whole stroke; and all that yields is drawn at the part."));
     m_summary->setAccessibleName(tr("How much has come off"));
-    content()->setItemText(0, tr("Stacked layers"));
-    content()->setItemText(1, tr("Surface"));
-    content()->setItemText(2, tr("Wheel and part"));
+    fillChoice(*content(), {tr("Stacked layers"), tr("Surface"), tr("Wheel and part")});
     tell(*content(), tr("How the layers are drawn"));
     tell(*m_radius, tr("Radius whose layers are drawn"));
     fillRadii();

@@ -41,12 +41,11 @@ protected:
     [[nodiscard]] QStringList subheading() const override;
 
 private:
-    QWidget* buildTools();
+    void connectTools();
     void chooseContent();
     void setSeries(); ///< of the chosen radius
     void showDone();
     void fillRadii();
-    void replotShown();
     [[nodiscard]] QString summary() const;
 
     LayersPlot* m_plot;

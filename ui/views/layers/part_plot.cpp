@@ -43,8 +43,7 @@ QRect PartPlot::painted() const {
 
 void PartPlot::drawPartAxis(QCPPainter& painter) const {
     const QRectF strip(m_cell->left(), m_cell->bottom() + 1.0, m_cell->width(), axisHeight);
-    QColor edge = palette().color(QPalette::Text);
-    edge.setAlpha(breakAlpha);
+    const QColor edge = style::thinned(palette().color(QPalette::Text), breakAlpha);
     painter.setPen(QPen(edge, 1));
     QPolygonF teeth;
     for (double at = strip.left(); at <= strip.right() + tooth; at += tooth) {

@@ -105,13 +105,10 @@ QColor SidePlot::colourOf(Key key) const {
 }
 
 LegendEntries SidePlot::legendEntries() const {
-    const auto entry = [this](Key key, Qt::PenStyle pen, const QString& text) {
-        return LegendEntry{colourOf(key), pen, text, key, shows(key)};
-    };
-    return {entry(wheelKey, Qt::NoPen, tr("wheel")),
-            entry(surfaceKey, Qt::SolidLine, tr("surface, given way")),
-            entry(unloadedKey, Qt::DashLine, tr("without load")),
-            entry(fieldKey, Qt::NoPen, tr("tolerance field"))};
+    return {areaEntry(wheelKey, colourOf(wheelKey), tr("wheel")),
+            lineEntry(surfaceKey, colourOf(surfaceKey), tr("surface, given way")),
+            lineEntry(unloadedKey, {colourOf(unloadedKey), 1, Qt::DashLine}, tr("without load")),
+            areaEntry(fieldKey, colourOf(fieldKey), tr("tolerance field"))};
 }
 
 QString SidePlot::values() const {

@@ -19,11 +19,8 @@ constexpr double leastArrow = 4; ///< shorter yields have no arrow [px]
 constexpr double besideText = 6; ///< [px]
 } // namespace
 
-SideScene::SideScene(SidePlot& plot) : QCPLayerable(&plot, QStringLiteral("main")), m_plot(plot) {}
-
-void SideScene::applyDefaultAntialiasingHint(QCPPainter* painter) const {
-    painter->setAntialiasing(false);
-}
+SideScene::SideScene(SidePlot& plot)
+    : PaintedLayer(plot, QStringLiteral("main"), Edges::sharp), m_plot(plot) {}
 
 QRect SideScene::clipRect() const {
     return m_plot.painted().adjusted(0, 0, 1, 0);
@@ -60,7 +57,7 @@ void SideScene::drawField(QCPPainter& painter) const {
     const QRectF field(QPointF(xOf(0), yOf(limits.upperLimit_mm)),
                        QPointF(xOf(limits.length_mm), yOf(limits.lowerLimit_mm)));
     painter.setPen(QPen(green, 1));
-    painter.setBrush(LayersLook::thinned(green, goalAlpha));
+    painter.setBrush(style::thinned(green, goalAlpha));
     painter.drawRect(field);
 }
 
@@ -76,7 +73,7 @@ void SideScene::drawBody(QCPPainter& painter) const {
         if (whole) {
             painter.fillRect(
                 QRectF(QPointF(left, std::min(seen, foot)), QPointF(right, std::max(seen, foot))),
-                LayersLook::thinned(text, metalAlpha));
+                style::thinned(text, metalAlpha));
             painter.setPen(QPen(text, 2));
             painter.drawLine(QLineF(left, seen, right, seen));
         }
@@ -94,7 +91,7 @@ void SideScene::drawWheel(QCPPainter& painter) const {
     }
     const QRectF wheel = m_plot.wheelRect();
     const QColor colour = m_plot.colourOf(SidePlot::wheelKey);
-    painter.fillRect(wheel, QBrush(LayersLook::thinned(colour, grainAlpha), Qt::Dense4Pattern));
+    painter.fillRect(wheel, QBrush(style::thinned(colour, grainAlpha), Qt::Dense4Pattern));
     painter.setPen(QPen(colour, 2));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(wheel);

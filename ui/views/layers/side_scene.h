@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <qcustomplot.h>
+#include "ui/plot/painted_layer.h"
 
 namespace sparkout {
 
 class SidePlot;
 
 /// Paints the wheel, the part that gives way, its tolerance field and the gauge of a SidePlot.
-class SideScene : public QCPLayerable {
+class SideScene : public PaintedLayer {
     Q_OBJECT
 public:
     explicit SideScene(SidePlot& plot);
 
 protected:
-    void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
     [[nodiscard]] QRect clipRect() const override;
     void draw(QCPPainter* painter) override;
 

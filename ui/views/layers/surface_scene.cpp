@@ -24,15 +24,7 @@ using Point = std::array<double, 3>; ///< of the box, 0…1 each
 } // namespace
 
 SurfaceScene::SurfaceScene(LayersSurface& surface)
-    : QCPLayerable(&surface, QStringLiteral("main")), m_surface(surface) {}
-
-void SurfaceScene::applyDefaultAntialiasingHint(QCPPainter* painter) const {
-    painter->setAntialiasing(true);
-}
-
-QRect SurfaceScene::clipRect() const {
-    return m_surface.viewport();
-}
+    : PaintedLayer(surface, QStringLiteral("main"), Edges::smooth), m_surface(surface) {}
 
 std::vector<SurfaceScene::Facet> SurfaceScene::facets(const SurfaceGrid& grid) const {
     const auto share = [&grid](int along, double value) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/plot/painted_layer.h"
 #include "ui/views/layers/surface_grid.h"
-
-#include <qcustomplot.h>
 
 #include <vector>
 
@@ -13,14 +12,12 @@ class LayersSurface;
 
 /// Draws the surface of the layers in its box from the back to the front, and the numbers along the
 /// box.
-class SurfaceScene : public QCPLayerable {
+class SurfaceScene : public PaintedLayer {
     Q_OBJECT
 public:
     explicit SurfaceScene(LayersSurface& surface);
 
 protected:
-    void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
-    [[nodiscard]] QRect clipRect() const override;
     void draw(QCPPainter* painter) override;
 
 private:

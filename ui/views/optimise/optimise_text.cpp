@@ -6,6 +6,7 @@
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/units.h"
+#include "ui/text/joined.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 
@@ -164,8 +165,7 @@ QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double>
                             .arg(minutes(outcome.bound_s))
                       : tr("No cycle of the grid holds every requirement."))
               << cutsOf(outcome);
-        lines.removeAll(QString());
-        return lines.join(u' ');
+        return joined(lines, QStringLiteral(" "));
     }
     lines << (outcome.proved()
                   ? (outcome.robust ? tr(
@@ -214,8 +214,7 @@ QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double>
                          .arg(minutes(nominal_s), percent(best->time_s / nominal_s - 1));
         }
     }
-    lines.removeAll(QString());
-    return lines.join(u' ');
+    return joined(lines, QStringLiteral(" "));
 }
 
 QString OptimiseText::bindingOf(const SearchOutcome& outcome) {

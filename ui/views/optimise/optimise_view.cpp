@@ -55,7 +55,8 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings)
     m_bar->layOut({m_phases, m_refine}, {m_take});
     share(*m_splitter, {{pages(), plotShare}, {buildTable(), foundShare}});
     QVBoxLayout* const column = addColumn(
-        {m_bar, notice(), m_add, buildTools(), legend(), m_splitter, values()}, m_splitter);
+        {m_bar, notice(), m_add, pageTools<QHBoxLayout>({m_zone}), legend(), m_splitter, values()},
+        m_splitter);
     column->setAlignment(m_add, Qt::AlignLeft);
     column->addStretch(0);
     nameObjects({{m_curves, "optimiseCurves"},
@@ -71,30 +72,13 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings)
     chooseContent();
 }
 
-QWidget* OptimiseView::buildTools() {
-    auto* bar = new QWidget(this);
-    auto* row = rowIn<QHBoxLayout>(bar);
-    addBoxes(*row, {content(), m_zone});
-    setTabOrder(m_zone->previousInFocusChain(), content()); // made after it
-    row->addStretch(1);
-    addPageButtons(*row);
-    return bar;
-}
-
 CopyTable* OptimiseView::buildTable() {
-    m_table = new CopyTable([this] { return tabSeparated(m_found->table(), QLocale()); }, this);
-    m_table->setModel(m_found);
-    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    m_table = addTable(*m_found, [this] { return m_found->table(); });
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setWordWrap(false);
     m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->setSaving([this] { return m_found->table(); }, [this] { return heading().value(1); },
-                       settings());
     return m_table;
 }
 
@@ -151,9 +135,7 @@ void OptimiseView::takeOutcome(const OutcomePtr& before) {
     if (good() == before) {
         return;
     }
-    const bool same = before && before->result.project.operation == good()->result.project.operation
-                      && before->result.sections.size() == good()->result.sections.size();
-    if (!same) { // the gauge's zone, or the middle section
+    if (hasOtherPlaces(before)) { // the gauge's zone, or the middle section
         m_wanted = good()->result.sections.size() / 2;
         fillZones();
     }
@@ -223,7 +205,6 @@ void OptimiseView::tryCycle() {
 void OptimiseView::takeTrial(const OutcomePtr& outcome) {
     m_trial = chosen() && outcome->ran() ? outcome : nullptr; // forgotten meanwhile: none
     showCurves();
-    emit curvesShown();
 }
 
 void OptimiseView::takeCycle() {
@@ -381,8 +362,7 @@ void OptimiseView::nameParts() {
     m_bar->state()->setAccessibleName(tr("Size of the grid"));
     m_bar->progress()->setAccessibleName(tr("Progress of the search"));
     m_table->setAccessibleName(tr("The best cycles found"));
-    content()->setItemText(0, tr("Before and after"));
-    content()->setItemText(1, tr("Time by stages"));
+    fillChoice(*content(), {tr("Before and after"), tr("Time by stages")});
     tell(*content(), tr("What is shown of the search"));
     tell(*m_zone, tr("Zone or section of the curves"));
     nameButtons();

@@ -49,7 +49,6 @@ signals:
     void editWanted(const std::function<sparkout::Project(sparkout::Project)>& edit,
                     const sparkout::EditText& text);
     void searchShown(); ///< the outcome of a search has been drawn
-    void curvesShown(); ///< the chosen cycle has been drawn
 
 protected:
     [[nodiscard]] QString hint() const override;
@@ -64,7 +63,6 @@ protected:
     [[nodiscard]] QStringList subheading() const override;
 
 private:
-    QWidget* buildTools();
     CopyTable* buildTable();
     void connectParts();
     void nameButtons();

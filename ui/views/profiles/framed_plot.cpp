@@ -35,4 +35,9 @@ void FramedPlot::setRanges(const QCPAxisRect& rect, const QCPRange& x, const QCP
     m_setting = false;
 }
 
+void FramedPlot::showAround(const QCPAxisRect& rect, const QPointF& centre, double perPixel) {
+    const double dx = rect.width() * perPixel / 2, dy = rect.height() * perPixel / 2;
+    setRanges(rect, {centre.x() - dx, centre.x() + dx}, {centre.y() - dy, centre.y() + dy});
+}
+
 } // namespace sparkout

@@ -22,6 +22,8 @@ protected:
     void followMoves(QCPAxisRect& rect); ///< by the user, in this cell
     /// Shows the ranges in a cell: no move by the user.
     void setRanges(const QCPAxisRect& rect, const QCPRange& x, const QCPRange& y);
+    /// The same at one scale for both axes.
+    void showAround(const QCPAxisRect& rect, const QPointF& centre, double perPixel);
     [[nodiscard]] const std::optional<QRectF>& frame() const { return m_frame; } ///< none: all
     void showAll() { m_frame.reset(); }
 

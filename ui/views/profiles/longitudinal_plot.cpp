@@ -126,12 +126,10 @@ void LongitudinalPlot::build() {
     graph(LengthLine::max)->setChannelFillGraph(graph(LengthLine::min));
     m_gaugeLine = new QCPItemLine(this);
     m_gaugeName = new QCPItemText(this);
-    for (QCPItemPosition* position :
-         {m_gaugeLine->start, m_gaugeLine->end, m_gaugeName->position}) {
-        position->setAxisRect(m_rect);
-        position->setAxes(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
-        position->setTypeX(QCPItemPosition::ptPlotCoords);
-        position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    const auto points = {m_gaugeLine->start, m_gaugeLine->end, m_gaugeName->position};
+    anchor(points, *m_rect);
+    for (QCPItemPosition* point : points) {
+        point->setTypeY(QCPItemPosition::ptAxisRectRatio);
     }
     for (QCPAbstractItem* item :
          std::initializer_list<QCPAbstractItem*>{m_gaugeLine, m_gaugeName}) {
@@ -262,10 +260,7 @@ void LongitudinalPlot::keepScale() {
     const double perPixel = border
                             * std::max(wanted.width() / std::max(area.width(), 1.0),
                                        wanted.height() / std::max(area.height(), 1.0));
-    const QPointF centre = wanted.center();
-    const double dx = area.width() * perPixel / 2;
-    const double dy = area.height() * perPixel / 2;
-    setRanges(*m_rect, {centre.x() - dx, centre.x() + dx}, {centre.y() - dy, centre.y() + dy});
+    showAround(*m_rect, wanted.center(), perPixel);
 }
 
 QCPGraph* LongitudinalPlot::graph(LengthLine line, bool mirrored) const {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/profiles/profiles_layers.h"
+#include "ui/plot/plot_style.h"
 #include "ui/text/names.h"
 
 #include "core/units.h"
@@ -24,24 +25,10 @@ QPointF direction(double angle) {
     return {std::cos(angle), -std::sin(angle)}; // the pixels' y runs downwards
 }
 
-QColor faint(const QPalette& palette, int alpha) {
-    QColor colour = palette.color(QPalette::Text);
-    colour.setAlpha(alpha);
-    return colour;
-}
-
 } // namespace
 
 PolarLayer::PolarLayer(QCPAxisRect* rect, const QString& layer)
-    : QCPLayerable(rect->parentPlot(), layer), m_rect(rect) {}
-
-void PolarLayer::applyDefaultAntialiasingHint(QCPPainter* painter) const {
-    painter->setAntialiasing(true);
-}
-
-QRect PolarLayer::clipRect() const {
-    return m_rect->rect();
-}
+    : PaintedLayer(*rect, layer, Edges::smooth) {}
 
 QPointF PolarLayer::centre() const {
     return {m_rect->axis(QCPAxis::atBottom)->coordToPixel(0),
@@ -147,7 +134,7 @@ void PolarGrid::draw(QCPPainter* painter) {
     painter->setBrush(Qt::NoBrush);
     drawSpokes(painter);
     const std::vector<Mark> circles = marks();
-    painter->setPen(QPen(faint(mParentPlot->palette(), 50), 0));
+    painter->setPen(QPen(style::thinned(mParentPlot->palette().color(QPalette::Text), 50), 0));
     for (const Mark& mark : circles) {
         drawCircle(painter, mark.radius);
     }
@@ -157,10 +144,11 @@ void PolarGrid::draw(QCPPainter* painter) {
 void PolarGrid::drawSpokes(QCPPainter* painter) {
     const double reach = m_reach * scale();
     const QPalette palette = mParentPlot->palette();
-    painter->setPen(QPen(faint(palette, 130), 0));
+    painter->setPen(QPen(style::thinned(palette.color(QPalette::Text), 130), 0));
     drawCircle(painter, m_reach);
     for (int angle = 0; angle < 360; angle += spokeStep) {
-        painter->setPen(QPen(faint(palette, angle % 90 == 0 ? 90 : 40), 0));
+        painter->setPen(
+            QPen(style::thinned(palette.color(QPalette::Text), angle % 90 == 0 ? 90 : 40), 0));
         painter->drawLine(centre(), centre() + reach * direction(angle * degree));
     }
     m_names.clear();
@@ -187,8 +175,7 @@ void PolarGrid::drawSpokes(QCPPainter* painter) {
 
 void PolarGrid::drawText(QCPPainter* painter, const QRectF& box, const QString& text) const {
     const QPalette palette = mParentPlot->palette();
-    QColor ground = palette.color(QPalette::Base);
-    ground.setAlpha(190);
+    const QColor ground = style::thinned(palette.color(QPalette::Base), 190);
     painter->fillRect(box, ground);
     painter->setPen(palette.color(QPalette::Text));
     painter->drawText(box, Qt::AlignCenter | Qt::TextDontClip, text);

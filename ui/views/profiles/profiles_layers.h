@@ -2,20 +2,17 @@
 #pragma once
 
 #include "ui/charts/magnified_profile.h"
-
-#include <qcustomplot.h>
+#include "ui/plot/painted_layer.h"
 
 namespace sparkout {
 
 /// Something drawn about the origin of an axis rect whose two axes have the same scale.
-class PolarLayer : public QCPLayerable {
+class PolarLayer : public PaintedLayer {
     Q_OBJECT
 public:
     PolarLayer(QCPAxisRect* rect, const QString& layer);
 
 protected:
-    void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
-    [[nodiscard]] QRect clipRect() const override;
     [[nodiscard]] QPointF centre() const; ///< [px]
     [[nodiscard]] double scale() const;   ///< pixels per unit of the axes
     void drawCircle(QCPPainter* painter, double radius) const;
@@ -26,8 +23,6 @@ protected:
     };
     [[nodiscard]] VisiblePart visiblePart() const;
     [[nodiscard]] QPolygonF arc(const VisiblePart& part, double radius_px) const;
-
-    QCPAxisRect* m_rect;
 };
 
 /// The ring between two radii, its edges drawn.

@@ -244,10 +244,7 @@ void ProfilesPlot::keepScales() {
     }
     const QPointF centre = frame() ? frame()->center() : QPointF();
     for (const ProfileCell& cell : m_cells) {
-        const double dx = cell.rect()->width() * unitsPerPixel / 2;
-        const double dy = cell.rect()->height() * unitsPerPixel / 2;
-        setRanges(*cell.rect(), {centre.x() - dx, centre.x() + dx},
-                  {centre.y() - dy, centre.y() + dy});
+        showAround(*cell.rect(), centre, unitsPerPixel);
     }
 }
 

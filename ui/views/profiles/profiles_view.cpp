@@ -7,6 +7,7 @@
 #include "ui/plot/cursor_strip.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/plot_cursors.h"
+#include "ui/text/joined.h"
 #include "ui/text/names.h"
 #include "ui/views/profiles/longitudinal_plot.h"
 #include "ui/views/profiles/profiles_plot.h"
@@ -34,9 +35,9 @@ constexpr int mostCells = 4; ///< cross-sections side by side
 ProfilesView::ProfilesView(QWidget* parent, Settings* settings)
     : PlotView(QStringLiteral("profiles"), parent, settings)
     , m_splitter(new QSplitter(Qt::Vertical, this))
-    , m_across(new ProfilesPlot(m_splitter))
-    , m_along(new LongitudinalPlot(m_splitter))
-    , m_spectrum(new SpectrumPlot(m_splitter)) {
+    , m_across(new ProfilesPlot(this))
+    , m_along(new LongitudinalPlot(this))
+    , m_spectrum(new SpectrumPlot(this)) {
     buildPlots();
     QWidget* bar = buildToolBar();
     QWidget* strokeBar = buildStrokeBar();
@@ -54,11 +55,7 @@ void ProfilesView::buildPlots() {
     m_across->setMinimumSize(200, 120);
     m_along->setMinimumSize(200, 110);
     m_spectrum->setMinimumSize(200, 110);
-    m_splitter->setChildrenCollapsible(false);
-    m_splitter->setStretchFactor(0, 5);
-    m_splitter->setStretchFactor(1, 3);
-    m_splitter->setStretchFactor(2, 3);
-    m_splitter->setSizes({500, 300, 300});
+    share(*m_splitter, {{m_across, 500}, {m_along, 300}, {m_spectrum, 300}});
     PlotSubject across, along, spectrum;
     across.name = [] { return tr("cross-sections"); };
     across.icon = u"export_sections";
@@ -103,18 +100,13 @@ QWidget* ProfilesView::buildToolBar() {
     for (QToolButton* button : {m_alone, m_fit}) {
         button->setFocusPolicy(Qt::TabFocus);
     }
-    for (QComboBox* box : {m_parts, m_section, m_circles, m_magnification, m_reference}) {
-        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    }
-    for (QWidget* w : std::initializer_list<QWidget*>{m_parts, m_section, m_alone}) {
-        row->addWidget(w);
-    }
+    addBoxes(*row, {m_parts, m_section});
+    row->addWidget(m_alone);
     row->addStretch();
+    addBoxes(*row, {m_circles, m_reference, m_magnification});
+    row->addWidget(m_fit);
     m_acrossExport = m_across->tools()->exportButton(bar);
-    for (QWidget* w : std::initializer_list<QWidget*>{m_circles, m_reference, m_magnification,
-                                                      m_fit, m_acrossExport}) {
-        row->addWidget(w);
-    }
+    row->addWidget(m_acrossExport);
     return bar;
 }
 
@@ -141,9 +133,8 @@ QWidget* ProfilesView::buildStrokeBar() {
     m_slider->setMinimumWidth(60);
     m_number->setKeyboardTracking(false);
     m_quantity->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    for (QWidget* w : std::initializer_list<QWidget*>{m_strokeLabel, m_previous}) {
-        row->addWidget(w);
-    }
+    row->addWidget(m_strokeLabel);
+    row->addWidget(m_previous);
     row->addWidget(m_slider, 1);
     for (QWidget* w : std::initializer_list<QWidget*>{m_next, m_number, m_blank, m_quantity,
                                                       m_toScale, m_logarithmic}) {
@@ -229,10 +220,7 @@ void ProfilesView::connectTools() {
 // --- what is shown ------------------------------------------------------------------------------
 
 void ProfilesView::takeOutcome(const OutcomePtr& before) {
-    const auto kind = [](const OutcomePtr& o) {
-        return std::pair(o->result.project.operation, o->result.sections.size());
-    };
-    if (!before || kind(before) != kind(good())) {
+    if (hasOtherPlaces(before)) {
         m_chosen.reset();
     }
     fillStrokes();
@@ -290,8 +278,7 @@ QString ProfilesView::noticeText() const {
     if (good()) {
         lines << Names::uncutStrips(good()->result.project);
     }
-    lines.removeAll(QString());
-    return lines.join(u'\n');
+    return joined(lines, QStringLiteral("\n"));
 }
 
 void ProfilesView::showState() {
@@ -353,13 +340,11 @@ void ProfilesView::showStroke() {
     m_strokeLabel->setText(strokes ? tr("Double stroke") : tr("Revolution"));
     m_number->setSuffix(tr(" of %1").arg(m_slider->maximum()));
     const bool can = recorded();
-    for (QWidget* w : std::initializer_list<QWidget*>{m_slider, m_number}) {
-        w->setEnabled(can);
-    }
     m_previous->setEnabled(can && number > 0);
     m_next->setEnabled(can && number < m_slider->maximum());
     const QString moment = good() ? ProfilesText::moment(m_across->series()) : QString();
     for (QWidget* w : std::initializer_list<QWidget*>{m_slider, m_number}) {
+        w->setEnabled(can);
         w->setToolTip(moment);
         w->setAccessibleDescription(moment);
     }
@@ -521,15 +506,6 @@ QString ProfilesView::brief() const {
 
 QString ProfilesView::title() const {
     return tr("Zone profiles");
-}
-
-/// Fills a box with texts in the present language and keeps the choice.
-void ProfilesView::fillChoice(QComboBox& box, const QStringList& texts) {
-    const QSignalBlocker blocker(box);
-    const int index = std::max(box.currentIndex(), 0);
-    box.clear();
-    box.addItems(texts);
-    box.setCurrentIndex(index);
 }
 
 void ProfilesView::nameParts() {

@@ -77,7 +77,6 @@ private:
     void fillStrokes();
     void fillSections();
     void fillMagnifications();
-    static void fillChoice(QComboBox& box, const QStringList& texts);
     void onSection(int index);
     void choose(int profile);
     void onMagnification(int index);

@@ -2,7 +2,7 @@
 #include "ui/views/profiles/spectrum_plot.h"
 
 #include "core/units.h"
-#include "ui/plot/number_ticker.h"
+#include "ui/plot/plot_style.h"
 #include "ui/text/names.h"
 
 #include <algorithm>
@@ -132,14 +132,7 @@ void SpectrumPlot::buildCell(Cell& cell, QCPLayoutGrid& into, int column) {
         (*bars)->setBaseValue(barFloor_um);
         (*bars)->setBarsGroup(cell.sideBySide);
     }
-    setScale(cell);
-}
-
-void SpectrumPlot::setScale(Cell& cell) const {
-    QCPAxis* axis = cell.rect->axis(QCPAxis::atLeft);
-    axis->setScaleType(m_logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
-    axis->setTicker(m_logarithmic ? QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog)
-                                  : QSharedPointer<QCPAxisTicker>(new NumberTicker));
+    style::setLogarithmic(*cell.rect->axis(QCPAxis::atLeft), m_logarithmic);
 }
 
 QCPAxis* SpectrumPlot::amplitudeAxis() const {
@@ -196,8 +189,8 @@ void SpectrumPlot::showChoice() {
 
 void SpectrumPlot::setLogarithmic(bool on) {
     m_logarithmic = on;
-    for (Cell& cell : m_cells) {
-        setScale(cell);
+    for (const Cell& cell : m_cells) {
+        style::setLogarithmic(*cell.rect->axis(QCPAxis::atLeft), on);
     }
     fit();
 }

@@ -49,7 +49,6 @@ private:
     }
     void rebuild(std::size_t count);
     void buildCell(Cell& cell, QCPLayoutGrid& into, int column);
-    void setScale(Cell& cell) const;
     [[nodiscard]] QCPAxis* amplitudeAxis() const; ///< of the first cell; the others follow it
     [[nodiscard]] double highestBar() const;      ///< [µm]
     void fitAmplitudes();

@@ -21,13 +21,10 @@ constexpr double sweepRoom = 0.05;
 SweepCurves::SweepCurves(QWidget* parent) : SweepPlot(parent), m_present(addRule(*cell(), 0)) {
     QCPAxis* const beside = cell()->axis(QCPAxis::atRight);
     beside->setRange(0, 1);
-    m_refused = addMarks(beside);
-    m_notReached = addMarks(beside);
+    addStatusMarks(beside, footSize);
     m_chosenFoot = addMarks(beside);
     m_chosenMarks = addMarks(up());
     m_present->setVisible(false);
-    setKeyed(refusedKey, {m_refused});
-    setKeyed(notReachedKey, {m_notReached});
     built();
 }
 
@@ -52,43 +49,40 @@ void SweepCurves::chooseQuantities() {
 }
 
 void SweepCurves::fill() {
-    for (QCPGraph* graph : m_curves) {
-        removeGraph(graph);
-    }
-    for (QCPGraph* graph : m_limits) {
-        removeGraph(graph);
+    for (std::vector<QCPGraph*>* graphs : {&m_curves, &m_limits}) {
+        for (QCPGraph* graph : *graphs) {
+            removeGraph(graph);
+        }
+        graphs->clear();
     }
     for (QCPItemRect* band : m_bands) {
         removeItem(band);
     }
-    m_curves.clear();
-    m_limits.clear();
     m_bands.clear();
-    m_refused->data()->clear();
-    m_notReached->data()->clear();
+    clearStatusMarks();
     m_quantities.clear();
     if (empty()) {
         return;
     }
     chooseQuantities();
-    const std::vector<double>& values = sweep().inputs[0].values;
+    const std::vector<double> places = placesOf(0);
     for (const std::size_t q : m_quantities) {
         QCPGraph* const curve = ViewPlot::addLine(*cell());
         curve->setAdaptiveSampling(false);
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            curve->addData(scaleOf(0).at(values[i]), shownAt(i, q));
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            curve->addData(places[i], shownAt(i, q));
         }
         setKeyed(static_cast<int>(m_curves.size()), {curve});
         m_curves.push_back(curve);
     }
     addLimits();
     addBands();
-    addStatusMarks();
+    fillStatusMarks([](std::size_t) { return foot; });
 }
 
 /// They may move with the input; those of several zones that are the same are one line.
 void SweepCurves::addLimits() {
-    const std::vector<double>& values = sweep().inputs[0].values;
+    const std::vector<double> places = placesOf(0);
     std::vector<std::vector<double>> drawn;
     const auto addLine = [&](const std::vector<double>& line) {
         const bool none = std::ranges::all_of(line, [](double y) { return std::isnan(y); });
@@ -101,8 +95,8 @@ void SweepCurves::addLimits() {
             return;
         }
         QCPGraph* const graph = ViewPlot::addLine(*cell());
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            graph->addData(scaleOf(0).at(values[i]), line[i]);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            graph->addData(places[i], line[i]);
         }
         m_limits.push_back(graph);
         setKeyed(limitKey, {graph});
@@ -145,27 +139,13 @@ void SweepCurves::addBands() {
         auto* const band = new QCPItemRect(this);
         band->setLayer(QStringLiteral("background"));
         band->setClipAxisRect(cell());
-        for (QCPItemPosition* corner : {band->topLeft, band->bottomRight}) {
-            corner->setAxisRect(cell());
-            corner->setTypeX(QCPItemPosition::ptPlotCoords);
-            corner->setTypeY(QCPItemPosition::ptAxisRectRatio);
-            corner->setAxes(across(), up());
-        }
+        anchor({band->topLeft, band->bottomRight}, *cell());
+        band->topLeft->setTypeY(QCPItemPosition::ptAxisRectRatio);
+        band->bottomRight->setTypeY(QCPItemPosition::ptAxisRectRatio);
         band->topLeft->setCoords(scaleOf(0).at(range.lower), 0);
         band->bottomRight->setCoords(scaleOf(0).at(range.upper), 1);
         m_bands.push_back(band);
         setKeyed(holdsKey, {band});
-    }
-}
-
-void SweepCurves::addStatusMarks() {
-    const std::vector<double>& values = sweep().inputs[0].values;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const SweepStatus status = sweep().points[i].status;
-        if (status == SweepStatus::refused || status == SweepStatus::notReached) {
-            (status == SweepStatus::refused ? m_refused : m_notReached)
-                ->addData(scaleOf(0).at(values[i]), foot);
-        }
     }
 }
 
@@ -217,9 +197,7 @@ void SweepCurves::fit() {
         }
     }
     if (low <= high) {
-        const double least = std::max({std::abs(low), std::abs(high), 1e-3}) * 1e-2;
-        const double beside = std::max(sweepRoom * (high - low), least);
-        style::setSafeRange(*up(), low - beside, high + beside);
+        style::setRoomyRange(*up(), low, high, sweepRoom, 1e-2);
     }
     const std::vector<double>& values = sweep().inputs[0].values;
     const double from = scaleOf(0).at(values.front()), to = scaleOf(0).at(values.back());
@@ -247,11 +225,6 @@ void SweepCurves::colour() {
     }
     const QColor text = ink();
     m_present->setPen(QPen(text, 1.5, Qt::DotLine));
-    m_refused->setScatterStyle(QCPScatterStyle(
-        QCPScatterStyle::ssCross, QPen(toned(Drawn::refused), 2), Qt::NoBrush, footSize));
-    const QColor stuck = toned(Drawn::sizeNotReached);
-    m_notReached->setScatterStyle(
-        QCPScatterStyle(QCPScatterStyle::ssTriangle, QPen(stuck), stuck, footSize));
     for (QCPGraph* marks : {m_chosenMarks, m_chosenFoot}) {
         marks->setScatterStyle(
             QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(text, 2), Qt::NoBrush, chosenSize));

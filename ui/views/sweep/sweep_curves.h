@@ -33,12 +33,10 @@ private:
     void chooseQuantities();
     void addLimits();
     void addBands();
-    void addStatusMarks();
 
     std::vector<std::size_t> m_quantities; ///< drawn
     std::vector<QCPGraph*> m_curves, m_limits;
     std::vector<QCPItemRect*> m_bands;
-    QCPGraph *m_refused, *m_notReached; ///< at the foot of the plot
     QCPGraph *m_chosenMarks, *m_chosenFoot;
     QCPItemStraightLine* m_present;
     bool m_hasPresent = false;

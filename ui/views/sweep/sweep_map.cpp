@@ -2,8 +2,8 @@
 #include "ui/views/sweep/sweep_map.h"
 
 #include "ui/kit/theme.h"
-#include "ui/plot/contour_lines.h"
 #include "ui/plot/number_ticker.h"
+#include "ui/views/sweep/contour_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -82,14 +82,11 @@ SweepMap::SweepMap(QWidget* parent)
     for (QCPCurve** contour : {&m_limitHalo, &m_limit, &m_holdsHalo, &m_holds}) {
         *contour = addCurve(*cell());
     }
-    m_refused = addMarks(up());
-    m_notReached = addMarks(up());
+    addStatusMarks(up(), mapSignSize);
     m_present = addMarks(up());
     m_chosenMark = addMarks(up());
     setKeyed(limitKey, {m_limitHalo, m_limit});
     setKeyed(holdsKey, {m_holdsHalo, m_holds});
-    setKeyed(refusedKey, {m_refused});
-    setKeyed(notReachedKey, {m_notReached});
     setKeyed(presentKey, {m_present});
     setKeyed(chosenKey, {m_chosenMark});
     built();
@@ -104,32 +101,18 @@ void SweepMap::fill() {
     for (QCPCurve* curve : {m_limitHalo, m_limit, m_holdsHalo, m_holds}) {
         curve->data()->clear();
     }
-    m_refused->data()->clear();
-    m_notReached->data()->clear();
+    clearStatusMarks();
     if (empty() || sweep().inputs.size() < 2) {
         m_map->data()->clear();
         return;
     }
     fillCells();
     fillContours();
-    for (std::size_t i = 0; i < sweep().points.size(); ++i) {
-        const SweepStatus status = sweep().points[i].status;
-        if (status == SweepStatus::refused || status == SweepStatus::notReached) {
-            const std::vector<double> values = sweep().valuesAt(i);
-            (status == SweepStatus::refused ? m_refused : m_notReached)
-                ->addData(scaleOf(0).at(values[0]), scaleOf(1).at(values[1]));
-        }
-    }
+    fillStatusMarks([this](std::size_t i) { return scaleOf(1).at(sweep().valuesAt(i)[1]); });
 }
 
 void SweepMap::fillCells() {
-    std::vector<double> places[2];
-    for (std::size_t input = 0; input < 2; ++input) {
-        for (const double value : sweep().inputs[input].values) {
-            places[input].push_back(scaleOf(input).at(value));
-        }
-    }
-    const Cells columns = cellsOf(places[0]), rows = cellsOf(places[1]);
+    const Cells columns = cellsOf(placesOf(0)), rows = cellsOf(placesOf(1));
     m_map->data()->setSize(static_cast<int>(columns.points.size()),
                            static_cast<int>(rows.points.size()));
     m_map->data()->setRange({columns.low, columns.high}, {rows.low, rows.high});
@@ -151,15 +134,10 @@ void SweepMap::fillCells() {
 }
 
 void SweepMap::fillContours() {
-    std::vector<double> places[2];
-    for (std::size_t input = 0; input < 2; ++input) {
-        for (const double value : sweep().inputs[input].values) {
-            places[input].push_back(scaleOf(input).at(value));
-        }
-    }
+    const std::vector<double> columns = placesOf(0), rows = placesOf(1);
     const auto draw = [&](QCPCurve& halo, QCPCurve& curve, const auto& at) {
         int t = 0;
-        for (const QLineF& piece : zeroLines(places[0], places[1], at)) {
+        for (const QLineF& piece : zeroLines(columns, rows, at)) {
             for (QCPCurve* of : {&halo, &curve}) {
                 of->addData(t, piece.x1(), piece.y1());
                 of->addData(t + 1, piece.x2(), piece.y2());
@@ -229,11 +207,6 @@ void SweepMap::colour() {
     m_limit->setPen(QPen(style::dimmed(onMap::light, isDimmed()), 2));
     m_holds->setPen(QPen(style::dimmed(onMap::accent, isDimmed()), 2));
     const QColor text = ink();
-    m_refused->setScatterStyle(QCPScatterStyle(
-        QCPScatterStyle::ssCross, QPen(toned(Drawn::refused), 2), Qt::NoBrush, mapSignSize));
-    const QColor stuck = toned(Drawn::sizeNotReached);
-    m_notReached->setScatterStyle(
-        QCPScatterStyle(QCPScatterStyle::ssTriangle, QPen(stuck), stuck, mapSignSize));
     m_present->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDiamond, QPen(onMap::dark, 1.5),
                                                onMap::light, mapPresentSize));
     m_chosenMark->setScatterStyle(

@@ -32,7 +32,7 @@ private:
     QCPColorMap* m_map;
     QCPColorScale* m_scale;
     QCPCurve *m_limitHalo, *m_limit, *m_holdsHalo, *m_holds;
-    QCPGraph *m_refused, *m_notReached, *m_present, *m_chosenMark;
+    QCPGraph *m_present, *m_chosenMark;
 };
 
 } // namespace sparkout

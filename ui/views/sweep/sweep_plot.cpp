@@ -91,11 +91,42 @@ bool SweepPlot::any(SweepStatus status) const {
     return std::ranges::find(sweep().points, status, &SweepPoint::status) != sweep().points.end();
 }
 
+std::vector<double> SweepPlot::placesOf(std::size_t input) const {
+    std::vector<double> places;
+    for (const double value : sweep().inputs[input].values) {
+        places.push_back(scaleOf(input).at(value));
+    }
+    return places;
+}
+
 QCPGraph* SweepPlot::addMarks(QCPAxis* value) {
     QCPGraph* const graph = addGraph(across(), value);
     graph->setLineStyle(QCPGraph::lsNone);
     graph->setAdaptiveSampling(false);
     return graph;
+}
+
+void SweepPlot::addStatusMarks(QCPAxis* value, double size) {
+    m_refused = addMarks(value);
+    m_notReached = addMarks(value);
+    m_signSize = size;
+    setKeyed(refusedKey, {m_refused});
+    setKeyed(notReachedKey, {m_notReached});
+}
+
+void SweepPlot::clearStatusMarks() {
+    m_refused->data()->clear();
+    m_notReached->data()->clear();
+}
+
+void SweepPlot::fillStatusMarks(const std::function<double(std::size_t)>& height) {
+    for (std::size_t i = 0; i < sweep().points.size(); ++i) {
+        const SweepStatus status = sweep().points[i].status;
+        if (status == SweepStatus::refused || status == SweepStatus::notReached) {
+            (status == SweepStatus::refused ? m_refused : m_notReached)
+                ->addData(scaleOf(0).at(sweep().valuesAt(i)[0]), height(i));
+        }
+    }
 }
 
 void SweepPlot::addStatusEntries(LegendEntries& entries) const {
@@ -184,6 +215,11 @@ CsvTable SweepPlot::tableOf(const SweepResult& sweep, const std::vector<std::siz
 
 void SweepPlot::restyle() {
     ViewPlot::restyle();
+    m_refused->setScatterStyle(QCPScatterStyle(
+        QCPScatterStyle::ssCross, QPen(toned(Drawn::refused), 2), Qt::NoBrush, m_signSize));
+    const QColor stuck = toned(Drawn::sizeNotReached);
+    m_notReached->setScatterStyle(
+        QCPScatterStyle(QCPScatterStyle::ssTriangle, QPen(stuck), stuck, m_signSize));
     colour();
 }
 

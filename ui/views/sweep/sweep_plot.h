@@ -58,7 +58,13 @@ protected:
     [[nodiscard]] bool any(SweepStatus status) const;
     [[nodiscard]] QCPAxis* across() const { return m_rect->axis(QCPAxis::atBottom); }
     [[nodiscard]] QCPAxis* up() const { return m_rect->axis(QCPAxis::atLeft); }
+    /// The values of an input as the plot places them.
+    [[nodiscard]] std::vector<double> placesOf(std::size_t input) const;
     [[nodiscard]] QCPGraph* addMarks(QCPAxis* value); ///< a graph of signs without a line
+    /// Signs of points without numbers, once; then empty and filled at a height for each point.
+    void addStatusMarks(QCPAxis* value, double size);
+    void clearStatusMarks();
+    void fillStatusMarks(const std::function<double(std::size_t point)>& height);
     /// Entries of points without numbers, as far as there are any.
     void addStatusEntries(LegendEntries& entries) const;
     /// The point nearest to a pixel within the axis rect.
@@ -73,6 +79,8 @@ private:
     std::vector<std::optional<double>> m_present;
     std::optional<std::size_t> m_chosen;
     QCPAxisRect* m_rect;
+    QCPGraph *m_refused = nullptr, *m_notReached = nullptr;
+    double m_signSize = 0; ///< [px]
 };
 
 } // namespace sparkout

@@ -2,6 +2,7 @@
 #include "ui/views/sweep/sweep_text.h"
 
 #include "core/quality/constraints.h"
+#include "ui/plot/run_bar.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
@@ -13,7 +14,6 @@ namespace sparkout {
 
 namespace {
 
-constexpr double minuteOfSweep_s = 60;
 constexpr int mostNamed = 3; ///< requirements named at a point
 constexpr int sweepDigits = 4;
 
@@ -103,15 +103,7 @@ QString SweepText::status(const SweepPoint& point) {
 }
 
 QString SweepText::progress(qint64 done, qint64 points, double left_s) {
-    const QString count = tr("%1 of %2 points").arg(done).arg(points);
-    if (left_s < 0) {
-        return count;
-    }
-    return left_s < 2 * minuteOfSweep_s
-               ? tr("%1, %2 s left").arg(count).arg(std::ceil(left_s), 0, 'f', 0)
-               : tr("%1, %2 min left")
-                     .arg(count)
-                     .arg(std::ceil(left_s / minuteOfSweep_s), 0, 'f', 0);
+    return RunBar::withTimeLeft(tr("%1 of %2 points").arg(done).arg(points), left_s);
 }
 
 QString SweepText::run(const SweepResult& sweep) {

@@ -33,8 +33,6 @@ namespace {
 
 constexpr int valueLines = 3;
 constexpr const char* usualInput = "/wheel/dullness";
-/// Radii ground in a sweep that runs by itself: about two seconds of one processor.
-constexpr double quickSweepVisits = 2e8;
 
 } // namespace
 
@@ -82,7 +80,6 @@ SweepView::SweepView(QWidget* parent, Settings* settings)
 QWidget* SweepView::buildTools() {
     auto* bar = new QWidget(this);
     auto* row = rowIn<ToolRow>(bar);
-    m_side->addItems({QString(), QString()});
     addBoxes(*row, {m_entry, m_side});
     row->addStretch(1);
     addPageButtons(*row);
@@ -96,7 +93,6 @@ void SweepView::connectParts() {
         connect(plot, &SweepPlot::pointChosen, this, [this](std::size_t at) { choosePoint(at); });
     }
     connect(m_bar->run(), &QPushButton::clicked, this, &SweepView::runSweep);
-    connect(m_bar->stop(), &QPushButton::clicked, m_runner, &SweepRunner::stop);
     connect(m_take, &QAction::triggered, this, &SweepView::takeValues);
     connect(m_takeButton, &QPushButton::clicked, m_take, &QAction::trigger);
     connect(m_point, &QSpinBox::valueChanged, this, [this](int number) {
@@ -182,7 +178,7 @@ void SweepView::takeOutcome(const OutcomePtr&) {
         m_runner->drop();
     } else if (stale() && !runs) {
         m_runner->drop();
-        if (asked || quick()) {
+        if (asked || RunBar::areQuick(pointsOf(project), good()->result.visits)) {
             runSweep();
         }
     }
@@ -198,12 +194,6 @@ void SweepView::forget() {
 
 void SweepView::noteStale() {
     m_stale = !m_sweep || !good() || !sameSweep(m_sweep->result.project, good()->result.project);
-}
-
-bool SweepView::quick() const {
-    return static_cast<double>(good()->result.visits)
-               * static_cast<double>(pointsOf(good()->result.project))
-           <= quickSweepVisits;
 }
 
 void SweepView::runSweep() {
@@ -421,8 +411,7 @@ void SweepView::nameParts() {
             "holds"));
     tell(*m_point, tr("Point chosen"),
          tr("The point whose values can be taken; a click in the plot chooses one, too"));
-    m_side->setItemText(0, tr("Values"));
-    m_side->setItemText(1, tr("Margins"));
+    fillChoice(*m_side, {tr("Values"), tr("Margins")});
     m_point->setPrefix(tr("point "));
     m_point->setSpecialValueText(tr("no point"));
     nameButtons();

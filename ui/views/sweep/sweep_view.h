@@ -73,7 +73,6 @@ private:
 
     void noteStale();
     void runSweep();
-    [[nodiscard]] bool quick() const; ///< so few points that it runs by itself
     void takeSweep(const SweepOutcomePtr& outcome);
     void edit(const std::function<Project(Project)>& edit, const EditText& text);
     void choosePoint(std::optional<std::size_t> point);

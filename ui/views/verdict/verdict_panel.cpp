@@ -23,8 +23,6 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include <algorithm>
-
 namespace sparkout {
 
 namespace {
@@ -253,13 +251,7 @@ void VerdictPanel::grey(bool on) {
 }
 
 void VerdictPanel::drawIcons() {
-    const bool grey = m_good && m_latest && !m_latest->ran();
-    const int line = std::max(iconSmall, m_table->fontMetrics().height());
-    m_table->setIconSize({iconSmall, line});
-    const auto icon = [&](Light light) {
-        return QIcon(lightOnLine(light, iconSmall, line, devicePixelRatioF(), grey));
-    };
-    m_model->setIcons({icon(Light::holds), icon(Light::close), icon(Light::fails)});
+    m_model->setIcons(lightIcons(*m_table, m_good && m_latest && !m_latest->ran()));
 }
 
 /// The table is as high as its rows; the panel scrolls as one.

@@ -219,10 +219,7 @@ void TestMagnifiedProfile::theNearestSampleIsFoundAtAnyAngle() {
 }
 
 void TestMagnifiedProfile::aBoreIsDrawnOutsideItsBlank() {
-    Project p = plungeProject(2);
-    p.part->surface = Surface::internal;
-    p.wheel->diameter_mm = 20;
-    const ProfileSeries s = series(p);
+    const ProfileSeries s = series(boreProject(2));
     QVERIFY(!s.profiles.empty());
     for (const Profile& profile : s.profiles) {
         const PolarScale scale = polarScale(s, profile, RadiusReference::target, 50);

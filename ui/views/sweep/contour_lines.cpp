@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/plot/contour_lines.h"
+#include "ui/views/sweep/contour_lines.h"
 
 #include <array>
 #include <cmath>
