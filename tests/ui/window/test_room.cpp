@@ -3,15 +3,22 @@
 #include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
+#include "ui/kit/font_size.h"
+#include "ui/views/feeds/feeds_plot.h"
 #include "ui/views/feeds/feeds_view.h"
 #include "ui/window/view_tabs.h"
 
 #include <QDockWidget>
+#include <QLabel>
+#include <QScopeGuard>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTest>
 #include <QToolButton>
 #include <qcustomplot.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace test_room {
 
@@ -38,6 +45,15 @@ double shareOfViews(const Bench& bench) {
 
 QDockWidget* dock(const Bench& bench, const char* name) {
     return bench.window->findChild<QDockWidget*>(QLatin1StringView(name));
+}
+
+/// The areas of its curves, within the plot.
+std::vector<QRect> plotsOf(const FeedsView& view) {
+    std::vector<QRect> plots;
+    for (const QCPAxisRect* rect : view.plot()->axisRects()) {
+        plots.push_back(rect->rect());
+    }
+    return plots;
 }
 
 void languages() {
@@ -80,17 +96,67 @@ private slots:
         QVERIFY(bench.window->showView(QStringLiteral("feeds")));
         wait(bench);
         const auto* view = bench.window->findChild<FeedsView*>();
-        int plots = 0;
-        for (const auto* plot : view->findChildren<QCustomPlot*>()) {
-            if (plot->isVisible() && plot->axisRectCount() == 9) {
-                for (const QCPAxisRect* rect : plot->axisRects()) {
-                    qInfo("ROOM plot %d × %d", rect->width(), rect->height());
-                    QVERIFY(rect->width() >= 180 && rect->height() >= 95);
-                    ++plots;
-                }
+        const std::vector<QRect> plots = plotsOf(*view);
+        for (const QRect& plot : plots) {
+            qInfo("ROOM plot %d × %d", plot.width(), plot.height());
+            QVERIFY(plot.width() >= 180 && plot.height() >= 95);
+        }
+        QCOMPARE(plots.size(), 9U);
+    }
+
+    /// Where the window is too small for nine of them, they are scrolled.
+    void thePlotsOfFeedsAreLegibleInLargeType_data() { languages(); }
+    void thePlotsOfFeedsAreLegibleInLargeType() {
+        QFETCH(QString, language);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        Bench bench(language);
+        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        QVERIFY(bench.window->showView(QStringLiteral("feeds")));
+        const auto* view = bench.window->findChild<FeedsView*>();
+        const auto* area = view->findChild<QScrollArea*>(QStringLiteral("feedsArea"));
+        for (const int percent : {115, 130, 100, 130, 115}) {
+            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            wait(bench);
+            QCOMPARE(bench.window->size(), QSize(1366, 768));
+            const std::vector<QRect> plots = plotsOf(*view);
+            QCOMPARE(plots.size(), 9U);
+            for (const QRect& plot : plots) {
+                qInfo("ROOM plot at %d %% %d × %d", percent, plot.width(), plot.height());
+                QVERIFY(plot.width() >= 120 && plot.height() >= 80);
+                QVERIFY(area->widget()->rect().contains(plot));
+            }
+            const QSize reached = area->viewport()->size()
+                                  + QSize(area->horizontalScrollBar()->maximum(),
+                                          area->verticalScrollBar()->maximum());
+            QCOMPARE(reached, area->widget()->size());
+        }
+        bench.action("fontSize-100")->trigger();
+        wait(bench);
+        QCOMPARE(area->widget()->size(), area->viewport()->size()); // nothing left to scroll
+    }
+
+    /// Longer than any hint: the values of a pass with their spread.
+    void theValuesUnderThePointerHaveRoomInLargeType_data() { languages(); }
+    void theValuesUnderThePointerHaveRoomInLargeType() {
+        QFETCH(QString, language);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        Bench bench(language);
+        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        QVERIFY(bench.window->showView(QStringLiteral("feeds")));
+        auto* view = bench.window->findChild<FeedsView*>();
+        const auto* values = view->findChild<QLabel*>(QStringLiteral("feedsValues"));
+        for (const int percent : fontSizes) {
+            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            wait(bench);
+            for (const QRect& plot : plotsOf(*view)) {
+                QTest::mouseMove(view->plot(), plot.center() + QPoint(9, 4));
+                QTest::mouseMove(view->plot(), plot.center());
+                qInfo("ROOM values at %d %%: %d of %d", percent,
+                      values->heightForWidth(values->width()), values->height());
+                QVERIFY(values->text().size() > 80);
+                QVERIFY(values->heightForWidth(values->width()) <= values->height());
             }
         }
-        QCOMPARE(plots, 9);
     }
 
     void playbackStandsWhereThereIsAMoment() {
