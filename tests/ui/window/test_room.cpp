@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the views have of the window of a small laptop.
+#include "core/project/cycle.h"
 #include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
+#include "ui/inputs/forms/stage_table.h"
+#include "ui/inputs/inputs_panel.h"
 #include "ui/kit/font_size.h"
+#include "ui/plot/svg_device.h"
 #include "ui/views/feeds/feeds_plot.h"
 #include "ui/views/feeds/feeds_view.h"
 #include "ui/window/view_tabs.h"
 
 #include <QDockWidget>
 #include <QLabel>
+#include <QPainter>
 #include <QScopeGuard>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTableView>
 #include <QTest>
 #include <QToolButton>
 #include <qcustomplot.h>
@@ -156,6 +162,68 @@ private slots:
                 QVERIFY(values->text().size() > 80);
                 QVERIFY(values->heightForWidth(values->width()) <= values->height());
             }
+        }
+    }
+
+    void noCaptionOfFeedsAndProfilesIsCutOff_data() { languages(); }
+    void noCaptionOfFeedsAndProfilesIsCutOff() {
+        QFETCH(QString, language);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        Bench bench(language);
+        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        int captions = 0;
+        for (const int percent : {130, 100, 115}) {
+            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            for (const char* name : {"feeds", "profiles"}) {
+                QVERIFY(bench.window->showView(QString::fromLatin1(name)));
+                wait(bench);
+                for (const auto* plot :
+                     bench.window->viewTabs().currentView()->findChildren<QCustomPlot*>()) {
+                    for (QCPLayoutElement* element : plot->plotLayout()->elements(true)) {
+                        const auto* caption = qobject_cast<QCPTextElement*>(element);
+                        if (!caption || !plot->isVisible()) {
+                            continue;
+                        }
+                        const QFontMetrics metrics(caption->font());
+                        for (const QString& line : caption->text().split(u'\n')) {
+                            ++captions;
+                            QVERIFY2(metrics.horizontalAdvance(line) <= caption->rect().width(),
+                                     qPrintable(line));
+                        }
+                    }
+                }
+            }
+        }
+        QVERIFY(captions > 30);
+    }
+
+    /// Beside or below its mark, in whatever type.
+    void aLongFeedWithAWarningIsReadInFull_data() { languages(); }
+    void aLongFeedWithAWarningIsReadInFull() {
+        QFETCH(QString, language);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        Bench bench(language);
+        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        Document& document = bench.window->document();
+        Project project = document.project();
+        project.cycle->stages.front().axial_feed_mm_min = 12500;
+        document.edit(project, {"Edit", "Axial feed"});
+        bench.window->findChild<InputsPanel*>()->showCycle();
+        const auto* view = bench.window->findChild<StageTable*>()->findChild<QTableView*>();
+        for (const int percent : fontSizes) {
+            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            wait(bench);
+            const QModelIndex cell = view->model()->index(0, 1);
+            QVERIFY(view->isVisible() && !cell.data(Qt::DecorationRole).isNull());
+            const QString text = cell.data(Qt::DisplayRole).toString();
+            QVERIFY(text.endsWith(u"500"));
+            SvgDevice device(view->viewport()->size(), 96, {});
+            QPainter painter(&device);
+            view->viewport()->render(&painter);
+            painter.end();
+            const QString drawn = QString::fromUtf8(device.document());
+            QVERIFY2(drawn.contains(u'>' + text + u'<'), qPrintable(QString::number(percent)));
+            QVERIFY(!drawn.contains(u'…'));
         }
     }
 
