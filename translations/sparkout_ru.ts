@@ -12614,6 +12614,18 @@ mm/min</source>
             <translation>Радиус,
 мкм</translation>
         </message>
+        <message>
+            <source>µm</source>
+            <translation>мкм</translation>
+        </message>
+        <message>
+            <source>mm/min</source>
+            <translation>мм/мин</translation>
+        </message>
+        <message>
+            <source>N</source>
+            <translation>Н</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::OverviewView</name>

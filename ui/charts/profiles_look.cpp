@@ -2,7 +2,7 @@
 #include "ui/charts/profiles_look.h"
 
 #include "ui/plot/plot_style.h"
-#include "ui/plot/quantity_colour.h"
+#include "ui/plot/quantity_line.h"
 
 namespace sparkout {
 
@@ -28,17 +28,11 @@ Drawn drawnAs(ProfileLine line) {
 
 QPen ProfileLook::pen(ProfileLine line, const QPalette& palette, bool dim) {
     const QColor colour = style::dimmed(style::colour(drawnAs(line), palette), dim);
-    switch (line) {
-    case ProfileLine::profile: return {colour, 1.6, Qt::SolidLine};
-    case ProfileLine::spread: return {colour, 0.8, Qt::SolidLine};
-    case ProfileLine::blank: return {colour, 1.4, Qt::DotLine};
-    case ProfileLine::target: return {colour, 1.3, Qt::DashLine};
-    case ProfileLine::leastSquares:
-    case ProfileLine::minimumZone: return {colour, 1.3, Qt::DashDotDotLine};
-    case ProfileLine::gauge: return {colour, 1.2, Qt::DashDotLine};
-    case ProfileLine::field: break;
+    QPen pen = style::line(drawnAs(line), colour);
+    if (line == ProfileLine::spread) { // the edge of its area
+        pen.setWidthF(0.8);
     }
-    return {colour, 1, Qt::SolidLine};
+    return pen;
 }
 
 QColor ProfileLook::fill(ProfileLine line, const QPalette& palette, bool dim) {

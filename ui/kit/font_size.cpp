@@ -25,6 +25,14 @@ constexpr const char* pixelsMore = "sparkoutTextLinesMore";
 constexpr const char* timesWanted = "sparkoutFontTimes";
 constexpr const char* boldWanted = "sparkoutFontBold";
 
+/// As a label lays them out: at some sizes a line is a pixel higher than the font's line spacing.
+int heightOfLines(int lines) {
+    const QFontMetrics metrics{QApplication::font()};
+    const QString text = QStringLiteral("X\n").repeated(lines - 1) + u'X';
+    return std::max(metrics.lineSpacing() * lines,
+                    metrics.boundingRect(QRect(), Qt::AlignLeft | Qt::AlignTop, text).height());
+}
+
 void follow(QWidget& widget) {
     if (const QVariant times = widget.property(timesWanted); times.isValid()) {
         QFont font = enlarged(QApplication::font(), times.toDouble());
@@ -38,8 +46,7 @@ void follow(QWidget& widget) {
         widget.setMinimumWidth(atFontSize(width.toInt()));
     }
     if (const QVariant lines = widget.property(linesWanted); lines.isValid()) {
-        widget.setFixedHeight(QFontMetrics(QApplication::font()).lineSpacing() * lines.toInt()
-                              + widget.property(pixelsMore).toInt());
+        widget.setFixedHeight(heightOfLines(lines.toInt()) + widget.property(pixelsMore).toInt());
     }
 }
 

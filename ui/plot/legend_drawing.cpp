@@ -51,7 +51,7 @@ void drawLegendEntry(QPainter& painter, const LegendEntry& entry, const QRect& r
         painter.drawRect(frame ? swatch.adjusted(4, 0, -4, 0) : swatch);
         paintHatch(painter, swatch, entry.hatch, entry.hatchLine);
     } else {
-        QPen pen(entry.colour, 2, entry.pen, Qt::FlatCap);
+        QPen pen(entry.colour, entry.weight, entry.pen, Qt::FlatCap);
         if (!entry.dash.isEmpty()) {
             pen.setDashPattern(entry.dash);
         }

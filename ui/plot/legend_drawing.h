@@ -28,6 +28,7 @@ struct LegendEntry {
     Qt::BrushStyle fill = Qt::SolidPattern; ///< of a swatch; NoBrush: a frame
     Hatch hatch = Hatch::none;              ///< over a swatch …
     QColor hatchLine = {};                  ///< … and its lines
+    double weight = 2;                      ///< of the line
 };
 using LegendEntries = std::vector<LegendEntry>;
 

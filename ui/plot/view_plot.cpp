@@ -210,7 +210,13 @@ void ViewPlot::showChoice() {
 }
 
 LegendEntry ViewPlot::lineEntry(int key, const QPen& pen, const QString& text) const {
-    return {pen.color(), pen.style(), text, key, shows(key)};
+    LegendEntry entry{pen.color(), pen.style(), text, key, shows(key)};
+    entry.weight = pen.widthF();
+    if (pen.style() == Qt::CustomDashLine) {
+        entry.pen = Qt::SolidLine;
+        entry.dash = pen.dashPattern();
+    }
+    return entry;
 }
 
 LegendEntry ViewPlot::areaEntry(int key, const QColor& colour, const QString& text) const {

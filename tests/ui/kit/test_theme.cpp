@@ -10,6 +10,7 @@
 #include "ui/kit/theme_icon.h"
 #include "ui/plot/plot_style.h"
 #include "ui/plot/view.h"
+#include "ui/plot/view_plot.h"
 #include "ui/views/feeds/feeds_plot.h"
 #include "ui/window/view_tabs.h"
 
@@ -182,6 +183,57 @@ private slots:
                     }
                 }
             }
+        }
+    }
+
+    /// By dash and weight: colours are lost in black and white print.
+    void theCurvesOfAPlotStayApartWithoutColour() {
+        Bench bench(QStringLiteral("en"));
+        const QStringList all = examplePaths();
+        const auto traverse = std::ranges::find(all, QStringLiteral("shaft-30h6-factory"), nameOf);
+        QVERIFY(traverse != all.end() && bench.open(*traverse));
+        int lines = 0;
+        for (const char* name : {"feeds", "profiles", "constraints", "compliance"}) {
+            QVERIFY(bench.window->showView(QString::fromLatin1(name)));
+            bench.settle();
+            for (const auto* plot :
+                 bench.window->viewTabs().currentView()->findChildren<ViewPlot*>()) {
+                LegendEntries entries = plot->legendEntries();
+                std::erase_if(entries, [](const LegendEntry& e) { return e.pen == Qt::NoPen; });
+                lines += static_cast<int>(entries.size());
+                for (std::size_t i = 0; i < entries.size(); ++i) {
+                    for (std::size_t k = 0; k < i; ++k) {
+                        const LegendEntry &a = entries[k], &b = entries[i];
+                        QVERIFY2(a.pen != b.pen || a.dash != b.dash
+                                     || std::abs(a.weight - b.weight) > 0.9,
+                                 qPrintable(QStringLiteral("%1: %2, %3")
+                                                .arg(QString::fromLatin1(name), a.text, b.text)));
+                    }
+                }
+            }
+        }
+        QVERIFY(lines > 10);
+    }
+
+    void theCurvesOfTheFeedsAreAsInTheirLegend() {
+        Bench bench(QStringLiteral("en"));
+        const QStringList all = examplePaths();
+        const auto traverse = std::ranges::find(all, QStringLiteral("shaft-30h6-factory"), nameOf);
+        QVERIFY(traverse != all.end() && bench.open(*traverse));
+        QVERIFY(bench.window->showView(QStringLiteral("feeds")));
+        bench.settle();
+        const auto* plot = bench.window->findChild<FeedsPlot*>();
+        const LegendEntries entries = plot->legendEntries();
+        for (const Quantity quantity : {Quantity::programmed, Quantity::actual, Quantity::came,
+                                        Quantity::left, Quantity::axialFeed, Quantity::force}) {
+            const QPen pen = plot->curve(0, quantity, Edge::mean)->pen();
+            QCOMPARE(std::ranges::count_if(entries,
+                                           [&pen](const LegendEntry& e) {
+                                               return e.colour == pen.color()
+                                                      && e.pen == pen.style()
+                                                      && e.weight == pen.widthF();
+                                           }),
+                     1);
         }
     }
 

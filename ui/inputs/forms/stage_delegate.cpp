@@ -5,9 +5,11 @@
 #include "ui/inputs/editors/form_metrics.h"
 #include "ui/inputs/editors/spark_out_editor.h"
 #include "ui/inputs/forms/stage_model.h"
+#include "ui/kit/font_size.h"
 #include "ui/session/document.h"
 
 #include <QApplication>
+#include <QIcon>
 #include <QKeyEvent>
 #include <QPainter>
 
@@ -28,6 +30,13 @@ QFont barFont(QFont font) {
 
 int barHeight(const QFontMetrics& font) {
     return int(font.height() * noteType);
+}
+
+/// Of the cell's type, or smaller, to a limit, where the text is longer than the cell.
+QFont fitting(const QFont& font, const QString& text, int width) {
+    constexpr double least = 0.7;
+    const int wanted = QFontMetrics(font).horizontalAdvance(text);
+    return wanted > width ? enlarged(font, std::max(least, double(width) / wanted)) : font;
 }
 
 /// A bar of the share's length with its percents in it.
@@ -57,6 +66,39 @@ const StageModel& stagesOf(const QModelIndex& index) {
 }
 
 } // namespace
+
+/// The mark and the text have no room side by side.
+bool StageDelegate::needsTwoLines(const QStyleOptionViewItem& item) {
+    const int text = item.fontMetrics.horizontalAdvance(item.text) + 2 * metrics::row;
+    const int mark = item.icon.isNull() ? 0 : item.decorationSize.width() + 2 * metrics::row;
+    return !item.text.isEmpty() && text + mark > item.rect.width();
+}
+
+/// The mark above the text: rows are high enough for both.
+void StageDelegate::paintInTwoLines(QPainter& painter, QStyleOptionViewItem item) {
+    const QString text = std::exchange(item.text, QString());
+    const QIcon mark = std::exchange(item.icon, QIcon());
+    item.features &= ~(QStyleOptionViewItem::HasDecoration | QStyleOptionViewItem::HasDisplay);
+    QStyle& style = *(item.widget ? item.widget->style() : QApplication::style());
+    style.drawControl(QStyle::CE_ItemViewItem, &item, &painter, item.widget); // ground
+    const QRect inside =
+        item.rect.adjusted(metrics::hair, metrics::hair, -metrics::row, -metrics::hair);
+    QRect line = inside;
+    line.setTop(inside.bottom() + 1 - item.fontMetrics.height());
+    if (mark.isNull()) {
+        line = inside;
+    } else {
+        mark.paint(&painter,
+                   QRect(inside.topLeft(), QSize(inside.width(), line.top() - inside.top())),
+                   Qt::AlignRight | Qt::AlignVCenter);
+    }
+    painter.save();
+    painter.setFont(fitting(item.font, text, line.width()));
+    painter.setPen(item.palette.color(
+        item.state & QStyle::State_Selected ? QPalette::HighlightedText : QPalette::Text));
+    painter.drawText(line, int(Qt::AlignRight | Qt::AlignVCenter), text);
+    painter.restore();
+}
 
 QWidget* StageDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                                      const QModelIndex& index) const {
@@ -118,12 +160,16 @@ int StageDelegate::rowHeight(const QFontMetrics& font) {
 void StageDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const {
     const QVariant share = index.data(StageModel::shareRole);
-    if (!share.isValid()) {
-        ListDelegate::paint(painter, option, index);
-        return;
-    }
     QStyleOptionViewItem item = option;
     initStyleOption(&item, index);
+    if (!share.isValid()) {
+        if (needsTwoLines(item)) {
+            paintInTwoLines(*painter, item);
+        } else {
+            ListDelegate::paint(painter, option, index);
+        }
+        return;
+    }
     const QString text = item.text;
     const QRect place = item.rect;
     const QColor ink = item.palette.color(
@@ -136,11 +182,10 @@ void StageDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                     inside.width(), barHeight(item.fontMetrics));
     const bool stale = index.data(StageModel::staleRole).toBool();
     painter->save();
-    painter->setFont(item.font);
+    painter->setFont(fitting(item.font, text, inside.width()));
     painter->setPen(ink);
     painter->drawText(inside.adjusted(0, 0, 0, -bar.height()),
-                      int(Qt::AlignRight | Qt::AlignVCenter),
-                      item.fontMetrics.elidedText(text, Qt::ElideRight, inside.width()));
+                      int(Qt::AlignRight | Qt::AlignVCenter), text);
     drawShare(*painter, bar, share.toDouble(), ink, item, stale);
     painter->restore();
 }

@@ -26,6 +26,10 @@ public:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    [[nodiscard]] static bool needsTwoLines(const QStyleOptionViewItem& item);
+    static void paintInTwoLines(QPainter& painter, QStyleOptionViewItem item);
 };
 
 } // namespace sparkout

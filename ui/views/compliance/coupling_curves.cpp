@@ -3,6 +3,7 @@
 
 #include "core/project/part.h"
 #include "core/units.h"
+#include "ui/plot/quantity_line.h"
 #include "ui/text/names.h"
 
 #include <algorithm>
@@ -84,26 +85,25 @@ LegendEntries CouplingCurves::legendEntries() const {
     if (!m_comparison) {
         return {};
     }
-    const auto line = [this](int key, Drawn what, Qt::PenStyle pen, const QString& text) {
-        return entry(key, plot().toned(what), pen, text);
+    const auto line = [this](int key, Drawn what, const QString& text) {
+        const QPen pen = style::line(what, plot().toned(what));
+        return entry(key, pen.color(), pen.style(), text);
     };
-    return {
-        line(independentKey, Drawn::independentSections, Qt::SolidLine, tr("sections independent")),
-        line(coupledKey, Drawn::coupledSections, Qt::SolidLine, tr("sections coupled")),
-        line(differenceKey, Drawn::couplingDifference, Qt::DotLine, tr("coupled less independent")),
-        limitsEntry()};
+    return {line(independentKey, Drawn::independentSections, tr("sections independent")),
+            line(coupledKey, Drawn::coupledSections, tr("sections coupled")),
+            line(differenceKey, Drawn::couplingDifference, tr("coupled less independent")),
+            limitsEntry()};
 }
 
 void CouplingCurves::restyle() {
-    const auto look = [this](QCPGraph* graph, Drawn what, Qt::PenStyle pen,
-                             QCPScatterStyle::ScatterShape shape) {
+    const auto look = [this](QCPGraph* graph, Drawn what, QCPScatterStyle::ScatterShape shape) {
         const QColor colour = plot().toned(what);
-        graph->setPen(QPen(colour, 2, pen));
+        graph->setPen(style::line(what, colour));
         graph->setScatterStyle(QCPScatterStyle(shape, QPen(colour, 1.5), colour, 6));
     };
-    look(m_independent, Drawn::independentSections, Qt::SolidLine, QCPScatterStyle::ssDisc);
-    look(m_coupled, Drawn::coupledSections, Qt::SolidLine, QCPScatterStyle::ssSquare);
-    look(m_difference, Drawn::couplingDifference, Qt::DotLine, QCPScatterStyle::ssDiamond);
+    look(m_independent, Drawn::independentSections, QCPScatterStyle::ssDisc);
+    look(m_coupled, Drawn::coupledSections, QCPScatterStyle::ssSquare);
+    look(m_difference, Drawn::couplingDifference, QCPScatterStyle::ssDiamond);
     restyleLimits();
 }
 

@@ -4,6 +4,7 @@
 #include "core/process/system_compliance.h"
 #include "core/project/part.h"
 #include "core/units.h"
+#include "ui/plot/run_dash.h"
 #include "ui/text/names.h"
 
 #include <QLocale>
@@ -147,6 +148,7 @@ LegendEntries GaugeCurves::legendEntries() const {
     for (std::size_t i = 0; i < sections.size(); ++i) {
         entries.push_back(entry(sectionKey + static_cast<int>(i), colourOf(i), Qt::SolidLine,
                                 nameOf(sections[i])));
+        entries.back().dash = runDash(static_cast<int>(i));
     }
     entries.push_back(limitsEntry());
     return entries;
@@ -168,7 +170,7 @@ void GaugeCurves::restyle() {
     mark(m_best, style::Drawn::bestGaugePlace, QCPScatterStyle::ssDiamond, 12);
     mark(m_present, style::Drawn::presentGaugePlace, QCPScatterStyle::ssDisc, 9);
     for (std::size_t i = 0; i < m_sections.size(); ++i) {
-        m_sections[i]->setPen(QPen(colourOf(i), 1.5));
+        m_sections[i]->setPen(runPen(static_cast<int>(i), colourOf(i)));
     }
     restyleLimits();
 }

@@ -3,12 +3,12 @@
 
 #include "core/units.h"
 #include "ui/plot/hair_line.h"
+#include "ui/plot/quantity_line.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <tuple>
 
 namespace sparkout {
@@ -25,10 +25,6 @@ constexpr double decades = 1e-4;      ///< of the deepest cut, in visible at mos
 constexpr double forbidden_um = 1e6;  ///< far above all plots
 constexpr int forbiddenAlpha = 34;
 constexpr double markSize = 13, cutSize = 3.5, exceededSize = 6;
-
-/// Of the limits, in their order; those beyond look like the last.
-constexpr Qt::PenStyle limitDashes[] = {Qt::DashLine, Qt::DashDotLine, Qt::DashLine,
-                                        Qt::DashDotDotLine, Qt::DotLine};
 
 void setPoints(QCPGraph& graph, const LimitPoints& points) {
     QVector<double> x, y;
@@ -243,9 +239,8 @@ void ConstraintsPlot::setLogarithmic(bool on) {
 // --- look ---------------------------------------------------------------------------------------
 
 QPen ConstraintsPlot::penOf(int key) const {
-    constexpr double width = 1.6;
     if (key == actualKey) {
-        return {toned(Drawn::limitedFeed), width, Qt::SolidLine};
+        return style::line(Drawn::limitedFeed, toned(Drawn::limitedFeed));
     }
     if (key == steplessKey) {
         return {ink(), 3, Qt::SolidLine};
@@ -253,8 +248,7 @@ QPen ConstraintsPlot::penOf(int key) const {
     const std::vector<ConstraintKind> kinds = depthLimitKinds();
     const auto place = static_cast<std::size_t>(
         std::ranges::find(kinds, static_cast<ConstraintKind>(key)) - kinds.begin());
-    return {toned(style::limitOfDepth(place)), width,
-            limitDashes[std::min(place, std::size(limitDashes) - 1)]};
+    return style::lineOfDepthLimit(place, toned(style::limitOfDepth(place)));
 }
 
 LegendEntries ConstraintsPlot::legendEntries() const {

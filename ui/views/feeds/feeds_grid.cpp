@@ -9,6 +9,7 @@
 #include "ui/views/feeds/feeds_chart.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace sparkout {
 
@@ -18,8 +19,12 @@ constexpr int gap = 6;      ///< beside each plot, between the columns
 constexpr int labelGap = 5; ///< between the tick labels of two columns
 constexpr int tickPad = 3;
 constexpr int labelPad = 3;
-constexpr int smallestPlot = 40;
-constexpr int rowGap = 4;    ///< above and below each plot
+constexpr int smallestPlot = 40;      ///< of a picture that is smaller than leastSize()
+constexpr QSize legiblePlot(120, 80); ///< at the least, in leastSize()
+constexpr double leastNameType = 0.6; ///< names of axes, as a multiple of the usual size
+constexpr int sidePad = 4;            ///< beyond the names of the value axes
+constexpr int rowGap = 4;             ///< above and below each plot
+constexpr int rowSpacing = 2;
 constexpr int bottomPad = 2; ///< below the tick labels
 constexpr int usualTicks = 4;
 
@@ -81,7 +86,7 @@ void FeedsGrid::clear() {
 void FeedsGrid::build() {
     clear();
     m_cells = new QCPLayoutGrid;
-    m_cells->setRowSpacing(2);
+    m_cells->setRowSpacing(rowSpacing);
     m_cells->setColumnSpacing(0);
     m_timeLabel = new QCPTextElement(&m_plot);
     QCPLayoutGrid* const whole = m_plot.plotLayout();
@@ -150,6 +155,7 @@ void FeedsGrid::restyle() {
     }
     m_timeLabel->setTextColor(text);
     m_timeLabel->setFont(m_plot.font());
+    m_leastWidth = 0; // the type may be smaller
 }
 
 // --- labels -------------------------------------------------------------------------------------
@@ -160,20 +166,26 @@ void FeedsGrid::label() {
     }
     m_timeLabel->setText(m_chart.timeLabel());
     m_timeLabel->setFont(m_plot.font());
+    m_leastWidth = 0;
     fit();
 }
 
-/// Full names in two lines, or brief ones where a plot is lower than those are long.
-void FeedsGrid::nameValueAxes(bool brief) {
+void FeedsGrid::nameValueAxes(Naming naming) {
     const bool stroke = m_chart.detail() == FeedsChart::Detail::stroke;
-    const QString feed = brief                      ? tr("Feed, µm")
-                         : !m_chart.countsStrokes() ? tr("Feed, µm\nper revolution")
-                         : stroke                   ? tr("Feed, µm per\ndouble stroke")
-                                                    : tr("Feed, µm\nper pass");
-    const QString sum = brief ? tr("Σ feed,\nµm") : tr("Accumulated\nfeed, µm");
-    const QString axial = brief ? tr("Axial,\nmm/min") : tr("Axial feed,\nmm/min");
-    const QString force = brief ? tr("Force, N") : tr("Normal\nforce, N");
-    const QString radius = brief ? tr("Radius,\nµm") : tr("Radius above\ntarget, µm");
+    const bool full = naming == Naming::full;
+    const QString feedInFull = !m_chart.countsStrokes() ? tr("Feed, µm\nper revolution")
+                               : stroke                 ? tr("Feed, µm per\ndouble stroke")
+                                                        : tr("Feed, µm\nper pass");
+    QString feed = full ? feedInFull : tr("Feed, µm");
+    QString sum = full ? tr("Accumulated\nfeed, µm") : tr("Σ feed,\nµm");
+    QString axial = full ? tr("Axial feed,\nmm/min") : tr("Axial,\nmm/min");
+    QString force = full ? tr("Normal\nforce, N") : tr("Force, N");
+    QString radius = full ? tr("Radius above\ntarget, µm") : tr("Radius,\nµm");
+    if (naming == Naming::unit) {
+        feed = sum = radius = tr("µm");
+        axial = tr("mm/min");
+        force = tr("N");
+    }
     const auto& left = m_columns.front().rects;
     const auto& right = m_columns.back().rects;
     left[0]->axis(QCPAxis::atLeft)->setLabel(feed);
@@ -202,16 +214,15 @@ int FeedsGrid::longestAxisName() const {
 /// Where even brief names are longer than a plot is high, smaller type; at last none, the legend
 /// has them. And no more numbers than have room.
 void FeedsGrid::fitValueAxes(int high) {
-    constexpr double least = 0.6; // of the usual size
     const QFont usual = m_plot.font();
     const double times = double(high + rowGap) / std::max(longestAxisName(), 1);
-    const QFont own = times < 1 ? enlarged(usual, std::max(times, least)) : usual;
+    const QFont own = times < 1 ? enlarged(usual, std::max(times, leastNameType)) : usual;
     for (const Column& column : m_columns) {
         for (const QCPAxisRect* rect : column.rects) {
             for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight}) {
                 QCPAxis* const axis = rect->axis(side);
                 axis->setLabelFont(own);
-                axis->setLabel(times < least ? QString() : axis->label());
+                axis->setLabel(times < leastNameType ? QString() : axis->label());
                 axis->ticker()->setTickCount(
                     std::min(usualTicks, style::ticksWithRoom(high, usual)));
             }
@@ -221,7 +232,7 @@ void FeedsGrid::fitValueAxes(int high) {
 
 // --- room ---------------------------------------------------------------------------------------
 
-/// Lines the labels of an outer column's axes up; the room that ticks and labels take together.
+/// Lines the labels of an outer column's axes up; the room that ticks and numbers take.
 int FeedsGrid::alignLabels(QCPAxis::AxisType side, const Column& column) const {
     const QFontMetrics metrics(m_plot.font());
     std::array<int, rowCount> widths{};
@@ -233,22 +244,66 @@ int FeedsGrid::alignLabels(QCPAxis::AxisType side, const Column& column) const {
     for (std::size_t row = 0; row < rowCount; ++row) {
         column.rects[row]->axis(side)->setLabelPadding(labelPad + widest - widths[row]);
     }
-    return widest + tickPad + labelPad + 2 * metrics.height() + 4;
+    return widest + tickPad + labelPad + sidePad;
 }
 
+/// Room that the names of an outer column's axes take.
+int FeedsGrid::nameWidth(QCPAxis::AxisType side, const Column& column) {
+    int width = 0;
+    for (const QCPAxisRect* rect : column.rects) {
+        const QCPAxis* axis = rect->axis(side);
+        if (!axis->label().isEmpty()) {
+            const int lines = 1 + static_cast<int>(axis->label().count(u'\n'));
+            width = std::max(width, lines * QFontMetrics(axis->labelFont()).height());
+        }
+    }
+    return width;
+}
+
+/// The longest names of the value axes that leave the plots legible.
 void FeedsGrid::fit() {
     if (m_columns.empty()) {
         return;
     }
-    const int left = alignLabels(QCPAxis::atLeft, m_columns.front());
-    const int right = alignLabels(QCPAxis::atRight, m_columns.back());
-    const int plot = fitWidths(left, right);
     const int high = fitHeights();
-    nameValueAxes(false);
-    nameValueAxes(longestAxisName() > high + rowGap);
-    fitValueAxes(high);
+    int left = 0, right = 0, plot = 0;
+    for (const Naming naming : {Naming::full, Naming::brief, Naming::unit}) {
+        nameValueAxes(naming);
+        const double type = naming == Naming::full ? 1 : leastNameType;
+        if (naming != Naming::unit && longestAxisName() * type > high + rowGap) {
+            continue;
+        }
+        fitValueAxes(high);
+        const Column &first = m_columns.front(), &last = m_columns.back();
+        left = alignLabels(QCPAxis::atLeft, first);
+        right = alignLabels(QCPAxis::atRight, last);
+        noteLeastWidth(left + right);
+        left += nameWidth(QCPAxis::atLeft, first);
+        right += nameWidth(QCPAxis::atRight, last);
+        plot = fitWidths(left, right);
+        if (plot >= legiblePlot.width()) {
+            break;
+        }
+    }
     m_timeLabel->setMargins(QMargins(left, 0, right, 2));
     showHeaders(plot, left, right);
+}
+
+/// With the units beside the numbers only. It does not shrink with the numbers while the plots are
+/// resized: what they are laid out in follows it.
+void FeedsGrid::noteLeastWidth(int numbers) {
+    const auto count = static_cast<int>(m_columns.size());
+    const int width = numbers + 2 * QFontMetrics(m_plot.font()).height() + 2 * gap * (count - 1)
+                      + count * legiblePlot.width();
+    if (width > m_leastWidth) {
+        m_leastWidth = width;
+        m_plot.updateGeometry();
+    }
+}
+
+QSize FeedsGrid::leastSize() const {
+    const int rows = static_cast<int>(rowCount) * legiblePlot.height();
+    return m_columns.empty() ? QSize(320, 240) : QSize(m_leastWidth, heightBesidePlots() + rows);
 }
 
 /// Equal plots, though the first and the last column also hold labels.
@@ -270,16 +325,25 @@ int FeedsGrid::fitWidths(int left, int right) {
     return plot;
 }
 
+/// What names, labels and gaps take of each row.
+std::array<int, FeedsGrid::rowCount> FeedsGrid::rowMargins() const {
+    const int line = QFontMetrics(m_plot.font()).height();
+    return {BandLayer::nameMargin(m_plot.font()) + rowGap, 2 * rowGap,
+            rowGap + line + tickPad + bottomPad};
+}
+
+int FeedsGrid::heightBesidePlots() const {
+    const auto margins = rowMargins();
+    return std::accumulate(margins.begin(), margins.end(),
+                           2 * (QFontMetrics(m_plot.font()).height() + 2)
+                               + static_cast<int>(rowCount) * rowSpacing);
+}
+
 /// Equally high plots too, though the first and the last row hold names and labels.
 int FeedsGrid::fitHeights() {
-    const int line = QFontMetrics(m_plot.font()).height();
-    const std::array<int, rowCount> margins{BandLayer::nameMargin(m_plot.font()) + rowGap,
-                                            2 * rowGap, rowGap + line + tickPad + bottomPad};
-    int taken = 2 * (line + 2);
-    for (const int margin : margins) {
-        taken += margin;
-    }
-    const int high = std::max((m_plot.height() - taken) / static_cast<int>(rowCount), smallestPlot);
+    const auto margins = rowMargins();
+    const int high = std::max((m_plot.height() - heightBesidePlots()) / static_cast<int>(rowCount),
+                              smallestPlot);
     for (std::size_t row = 0; row < rowCount; ++row) {
         m_cells->setRowStretchFactor(static_cast<int>(row) + 1, high + margins[row]);
     }

@@ -31,6 +31,7 @@ public:
     void label(); ///< in the present language
     void fit();
     void restyle();
+    [[nodiscard]] QSize leastSize() const; ///< in which all plots are legible
     [[nodiscard]] const std::vector<Column>& columns() const { return m_columns; }
     [[nodiscard]] const Column& column(int index) const {
         return m_columns.at(static_cast<std::size_t>(index));
@@ -40,10 +41,16 @@ private:
     void clear();
     void buildCell(std::size_t column, std::size_t row);
     void setUpAxes(QCPAxisRect& rect, std::size_t column, std::size_t row) const;
-    void nameValueAxes(bool brief);
+    /// In two lines, in brief, or only the unit.
+    enum class Naming { full, brief, unit };
+    void nameValueAxes(Naming naming);
     [[nodiscard]] int longestAxisName() const;
     void fitValueAxes(int high);
     [[nodiscard]] int alignLabels(QCPAxis::AxisType side, const Column& column) const;
+    [[nodiscard]] static int nameWidth(QCPAxis::AxisType side, const Column& column);
+    void noteLeastWidth(int numbers); ///< of both value axes
+    [[nodiscard]] std::array<int, rowCount> rowMargins() const;
+    [[nodiscard]] int heightBesidePlots() const;
     [[nodiscard]] int fitWidths(int left, int right); ///< of the plots
     [[nodiscard]] int fitHeights();
     void showHeaders(int plotWidth, int left, int right);
@@ -53,6 +60,7 @@ private:
     QCPLayoutGrid* m_cells = nullptr;
     QCPTextElement* m_timeLabel = nullptr;
     std::vector<Column> m_columns;
+    int m_leastWidth = 0;
 };
 
 } // namespace sparkout

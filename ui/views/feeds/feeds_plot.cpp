@@ -4,7 +4,7 @@
 #include "ui/plot/feed_text.h"
 #include "ui/plot/hair_line.h"
 #include "ui/plot/plot_cursors.h"
-#include "ui/plot/quantity_colour.h"
+#include "ui/plot/quantity_line.h"
 #include "ui/text/names.h"
 
 #include <algorithm>
@@ -15,15 +15,6 @@ namespace {
 
 constexpr double valuesPad = 0.06; ///< of the values in sight
 constexpr float spreadAlpha = 0.25F;
-
-Qt::PenStyle dashOf(Quantity quantity) {
-    switch (quantity) {
-    case Quantity::programmed:
-    case Quantity::programmedSum: return Qt::DashLine;
-    case Quantity::came: return Qt::DotLine;
-    default: return Qt::SolidLine;
-    }
-}
 
 } // namespace
 
@@ -387,8 +378,7 @@ void FeedsPlot::restyle() {
     for (const Curve& c : m_curves) {
         QColor colour = colourOf(c.quantity);
         if (c.edge == Edge::mean) {
-            c.graph->setPen(
-                QPen(colour, c.quantity == Quantity::force ? 1.2 : 1.5, dashOf(c.quantity)));
+            c.graph->setPen(style::line(style::drawnAs(c.quantity), colour));
         } else {
             colour.setAlphaF(colour.alphaF() * spreadAlpha);
             c.graph->setPen(Qt::NoPen);
@@ -424,9 +414,9 @@ LegendEntries FeedsPlot::legendEntries() const {
     for (const Quantity quantity : {Quantity::programmed, Quantity::actual, Quantity::came,
                                     Quantity::left, Quantity::axialFeed, Quantity::force}) {
         if (quantity != Quantity::axialFeed || m_chart.hasAxialFeed()) {
-            const int key = FeedsChart::keyOf(quantity);
-            entries.push_back(
-                {colourOf(quantity), dashOf(quantity), quantityName(quantity), key, shows(key)});
+            entries.push_back(lineEntry(FeedsChart::keyOf(quantity),
+                                        style::line(style::drawnAs(quantity), colourOf(quantity)),
+                                        quantityName(quantity)));
         }
     }
     const QColor grey = style::thinned(palette().color(QPalette::Text), 60);

@@ -65,7 +65,7 @@ public:
     [[nodiscard]] QCPGraph* curve(int column, Quantity quantity, Edge edge) const;
     [[nodiscard]] std::vector<Band> stageBands() const;
     [[nodiscard]] static QColor stepColour(Zone zone, Step step, const QPalette& palette);
-    [[nodiscard]] QSize minimumSizeHint() const override { return {320, 240}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return m_grid.leastSize(); }
 
 signals:
     void timesChanged(); ///< other times are in sight

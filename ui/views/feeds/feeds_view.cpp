@@ -17,6 +17,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLocale>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QToolButton>
@@ -29,7 +30,7 @@ namespace sparkout {
 
 namespace {
 constexpr int strokeGesture = 2001, overviewGesture = 2002; ///< for PlotNavigation::gestureOf()
-constexpr int wideView = 900;
+constexpr int wideView = 900, narrowView = 430;             ///< at the usual size of type
 } // namespace
 
 FeedsView::FeedsView(QWidget* parent, Settings* settings)
@@ -41,10 +42,15 @@ FeedsView::FeedsView(QWidget* parent, Settings* settings)
     addPlot(*m_plot, std::move(subject));
     addCursors(*m_plot);
     QWidget* bar = buildTools();
-    hideUntilDrawn({m_plot, m_overview});
+    auto* area = new QScrollArea(this); // where the plots have no room to be legible
+    area->setObjectName(QStringLiteral("feedsArea"));
+    area->setWidget(m_plot);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus); // the plot has it
+    hideUntilDrawn({area, m_overview});
     disableUntilDrawn({m_span, m_stroke, m_axis, m_section});
-    addColumn({bar, notice(), legend(), m_plot, m_overview, strip(), values()}, m_plot)
-        ->addStretch();
+    addColumn({bar, notice(), legend(), area, m_overview, strip(), values()}, area)->addStretch();
     connectTools();
     connectPlot();
     built();
@@ -443,11 +449,22 @@ QString FeedsView::hint() const {
     return tr("Point at a curve to read its values.");
 }
 
-/// In a narrow view the values need four lines.
+/// The narrower the view for its type, the more lines the values need.
+void FeedsView::makeRoomForValues() {
+    const int wide = width() * usualFontSize / appliedFontSize();
+    setTextLines(*values(), wide >= wideView ? 2 : wide >= narrowView ? 4 : 5, 0);
+}
+
 void FeedsView::resizeEvent(QResizeEvent* event) {
     PlotView::resizeEvent(event);
-    const int lines = width() < wideView ? 4 : 2;
-    setTextLines(*values(), lines, 0);
+    makeRoomForValues();
+}
+
+void FeedsView::changeEvent(QEvent* event) {
+    PlotView::changeEvent(event);
+    if (event->type() == QEvent::FontChange) {
+        makeRoomForValues();
+    }
 }
 
 } // namespace sparkout

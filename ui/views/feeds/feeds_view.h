@@ -44,6 +44,7 @@ protected:
     [[nodiscard]] QString remark() const override;
     [[nodiscard]] QString hint() const override;
     void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
 private:
     enum class Span { whole, stage, stroke, free };
@@ -64,6 +65,7 @@ private:
     void showMoment();
     void bringIntoSight(double time_s);
     void showNote();
+    void makeRoomForValues();
     [[nodiscard]] bool isUnrecorded() const; ///< the newest run: too long
     [[nodiscard]] bool countsStrokes() const;
     [[nodiscard]] std::vector<int> shownColumns() const;

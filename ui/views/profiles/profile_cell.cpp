@@ -124,8 +124,8 @@ void ProfileCell::fillCircles(int radii, const Profile& profile, const PolarScal
 }
 
 void ProfileCell::restyle(const QFont& font, const QPalette& palette, bool dim) {
+    m_header->setFont(font); // that of the numbers goes by their room
     for (QCPTextElement* element : {m_header, m_numbers}) {
-        element->setFont(font);
         element->setTextColor(palette.color(QPalette::Text));
     }
     const auto pen = [&](ProfileLine line) { return ProfileLook::pen(line, palette, dim); };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/profiles/profiles_plot.h"
 
+#include "ui/kit/font_size.h"
 #include "ui/plot/plot_style.h"
 #include "ui/text/names.h"
 #include "ui/views/profiles/profiles_layers.h"
@@ -322,10 +323,17 @@ void ProfilesPlot::setTexts() {
     for (std::size_t i = 0; i < m_cells.size(); ++i) {
         brief = brief || widthOf(numbersOf(profile(i), false), metrics) > numbersRoom;
     }
+    int widest = 1;
+    for (std::size_t i = 0; i < m_cells.size(); ++i) {
+        widest = std::max(widest, widthOf(numbersOf(profile(i), brief), metrics));
+    }
+    const QFont own =
+        widest > numbersRoom ? enlarged(font(), double(numbersRoom) / widest) : font();
     for (std::size_t i = 0; i < m_cells.size(); ++i) {
         const Profile& p = profile(i);
         const ProfileCell& cell = m_cells[i];
         cell.header()->setText(headerOf(p, room));
+        cell.numbers()->setFont(own);
         cell.numbers()->setText(numbersOf(p, brief));
         const QString name = Names::zone(p.zone, p.section);
         cell.profile()->setName(tr("%1: profile").arg(name));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/sweep/sweep_curves.h"
 
+#include "ui/plot/run_dash.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +14,7 @@ using style::Drawn;
 
 namespace {
 
-constexpr double curveWidth = 2, dotSize = 5, footSize = 9, chosenSize = 12; ///< [px]
+constexpr double dotSize = 5, footSize = 9, chosenSize = 12; ///< [px]
 constexpr double foot = 0.03; ///< of the height, where points without numbers stand
 constexpr double sweepRoom = 0.05;
 
@@ -210,7 +212,7 @@ void SweepCurves::fit() {
 void SweepCurves::colour() {
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
         const QColor of = toned(style::oneOfSeries(i));
-        m_curves[i]->setPen(QPen(of, curveWidth));
+        m_curves[i]->setPen(runPen(static_cast<int>(i), of));
         m_curves[i]->setScatterStyle(
             QCPScatterStyle(QCPScatterStyle::ssDisc, QPen(of), of, dotSize));
     }
