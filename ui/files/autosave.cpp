@@ -54,10 +54,6 @@ void Autosave::noteChange() {
 void Autosave::write() {
     m_idle.stop();
     m_latest.stop();
-    // What stands in for numbers yet to be given would be taken for them.
-    if (!m_document.openInputs().empty()) {
-        return;
-    }
     // An untouched document needs no file; one that was undone to that state rewrites its own.
     if (!m_document.modified() && !m_claim) {
         return;
@@ -74,7 +70,8 @@ void Autosave::write() {
                                 QDateTime::currentDateTimeUtc(),
                                 m_document.diskHash(),
                                 m_document.readOnly(),
-                                m_document.modified()};
+                                m_document.modified(),
+                                m_document.openInputs()};
     m_background.start([this, header, project = m_document.project(), claim = m_claim] {
         const auto error =
             writeFileSafely(systemPath(claim->file()), recoveryText(header, project));

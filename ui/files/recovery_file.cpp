@@ -4,6 +4,7 @@
 #include "core/format/project_file.h"
 #include "ui/session/project_io.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
@@ -20,10 +21,22 @@ const QString whenKey = QStringLiteral("when");
 const QString diskHashKey = QStringLiteral("disk_sha256");
 const QString readOnlyKey = QStringLiteral("read_only");
 const QString modifiedKey = QStringLiteral("modified");
+const QString openKey = QStringLiteral("open");
 constexpr std::size_t longestHeader = 64u << 10;
 
 QByteArray hexOf(const QJsonObject& object, const QString& key) {
     return QByteArray::fromHex(object.value(key).toString().toLatin1());
+}
+
+QByteArray hashOf(std::string_view text, const std::vector<std::string>& open) {
+    if (open.empty()) {
+        return contentHash(text);
+    }
+    std::string all(text);
+    for (const std::string& path : open) {
+        all += path + '\n';
+    }
+    return contentHash(all);
 }
 
 /// The line before the project's text; empty where there is none.
@@ -37,15 +50,20 @@ std::string_view headOf(std::string_view text) {
 
 std::string recoveryText(const RecoveryHeader& header, const Project& project) {
     const std::string text = writeProject(project);
+    QJsonArray open;
+    for (const std::string& path : header.open) {
+        open.append(QString::fromStdString(path));
+    }
     const QJsonObject object{
         {formatKey, format},
-        {hashKey, QString::fromLatin1(contentHash(text).toHex())},
+        {hashKey, QString::fromLatin1(hashOf(text, header.open).toHex())},
         {titleKey, header.title},
         {pathKey, header.path},
         {whenKey, header.when.toUTC().toString(Qt::ISODateWithMs)},
         {diskHashKey, QString::fromLatin1(header.diskHash.toHex())},
         {readOnlyKey, header.readOnly},
         {modifiedKey, header.modified},
+        {openKey, open},
     };
     return QJsonDocument(object).toJson(QJsonDocument::Compact).toStdString() + '\n' + text;
 }
@@ -66,7 +84,11 @@ RecoveryGlance glanceAtRecovery(std::string_view text) {
         object.value(readOnlyKey).toBool(),
         object.value(modifiedKey).toBool(true),
     };
-    glance.whole = contentHash(text.substr(head.size() + 1)) == hexOf(object, hashKey);
+    for (const QJsonValue& path : object.value(openKey).toArray()) {
+        glance.header.open.push_back(path.toString().toStdString());
+    }
+    glance.whole =
+        hashOf(text.substr(head.size() + 1), glance.header.open) == hexOf(object, hashKey);
     return glance;
 }
 

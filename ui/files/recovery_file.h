@@ -10,9 +10,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// The recovery file: one line of JSON that says what follows, then the project text. The line
-/// holds the SHA-256 of the text, so a torn or edited file shows.
+/// holds the SHA-256 of the text and of the names of open inputs, so a torn or edited file shows.
 namespace sparkout {
 
 /// What a document has beside its project.
@@ -22,7 +23,8 @@ struct RecoveryHeader {
     QDateTime when;
     QByteArray diskHash; ///< of the user's file as it was last read or written; may be empty
     bool readOnly = false;
-    bool modified = true; ///< false: the edits had been undone again
+    bool modified = true;            ///< false: the edits had been undone again
+    std::vector<std::string> open{}; ///< inputs yet to be given; what the project has stands in
 };
 
 struct RecoveryContent {

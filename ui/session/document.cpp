@@ -3,6 +3,7 @@
 
 #include "core/format/project_file.h"
 #include "core/project/difference.h"
+#include "core/project/leaves.h"
 #include "core/project/member.h"
 #include "core/project/validate.h"
 #include "ui/text/example_texts.h"
@@ -275,9 +276,16 @@ void Document::take(Project project, const QString& path, const QByteArray& hash
     replace(std::move(project), path, hash, readOnly, Kept::onDisk);
 }
 
-void Document::recover(Project project, const QString& path, const QByteArray& hash,
-                       bool readOnly) {
-    replace(std::move(project), path, hash, readOnly, Kept::nowhere);
+void Document::recover(Project project, const QString& path, const QByteArray& hash, bool readOnly,
+                       std::vector<std::string> open) {
+    const std::vector<Leaf> leaves = leavesOf(tableOf<Project>(), &project);
+    std::erase_if(open, [&leaves](const std::string& each) {
+        return std::ranges::none_of(leaves, [&each](const Leaf& leaf) {
+            return leaf.path == each
+                   && (leaf.field->kind == Kind::number || leaf.field->kind == Kind::integer);
+        });
+    });
+    replace(std::move(project), path, hash, readOnly, Kept::nowhere, std::move(open));
 }
 
 void Document::replace(Project project, const QString& path, const QByteArray& hash, bool readOnly,

@@ -92,7 +92,9 @@ public:
     // The same in parts, for whoever reads and writes the file himself.
     void take(Project project, const QString& path, const QByteArray& hash, bool readOnly);
     /// What a crash left: it has its file and is modified; its history starts here.
-    void recover(Project project, const QString& path, const QByteArray& hash, bool readOnly);
+    /// The numbers at `open` are yet to be given.
+    void recover(Project project, const QString& path, const QByteArray& hash, bool readOnly,
+                 std::vector<std::string> open = {});
     void reload(Project project, const QByteArray& hash); ///< from its file; can be undone
     void markSaved(const QString& path, const QByteArray& hash);
     void markUnsaved(); ///< the file does not hold it any more

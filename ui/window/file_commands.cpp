@@ -73,11 +73,20 @@ void FileCommands::start(const QString& file) {
     if (m_guard.recovery() != nullptr) {
         m_guard.recovery()->removeOldDiscarded(QDateTime::currentDateTimeUtc());
     }
-    const bool recovered = m_recovery.offer(false);
+    const bool recovered = recover(false);
     const bool isOpen = recovered && realPath(file) == realPath(m_document.filePath());
     if (!file.isEmpty() && !isOpen) {
         openInstead(file);
     }
+}
+
+/// What was recovered before its drawing was complete asks for the rest.
+bool FileCommands::recover(bool alsoDiscarded) {
+    const bool recovered = m_recovery.offer(alsoDiscarded);
+    if (recovered && !m_document.openInputs().empty()) {
+        emit begun(m_document.openInputs().front());
+    }
+    return recovered;
 }
 
 void FileCommands::startNew(Operation operation) {
@@ -228,7 +237,7 @@ void FileCommands::reload() {
 
 void FileCommands::recoverWork() {
     if (mayDiscard()) {
-        m_recovery.offer(true);
+        recover(true);
     }
 }
 

@@ -69,6 +69,7 @@ private:
 
     [[nodiscard]] std::optional<Opening> wayToOpen(const QString& path);
     void take(LoadedProject loaded, const QString& path, Opening opening);
+    bool recover(bool alsoDiscarded);
     bool openAsCopy(const QString& path);
     void reload();
     void showWhyRefused(const LoadedProject& loaded, const QString& path);

@@ -77,7 +77,8 @@ bool WorkRecovery::recover(const RecoveryItem& item) {
     const bool readOnly =
         !header.path.isEmpty()
         && (m_guard.claim(header.path) != FileGuard::Access::write || header.readOnly);
-    m_document.recover(std::move(*content.project), header.path, header.diskHash, readOnly);
+    m_document.recover(std::move(*content.project), header.path, header.diskHash, readOnly,
+                       header.open);
     m_guard.adoptRecovery(std::move(claim));
     if (readOnly) {
         m_notices.showReadOnly();

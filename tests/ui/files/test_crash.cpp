@@ -6,6 +6,7 @@
 #include "core/study/new_project.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/file_trouble.h"
+#include "ui/fields/number_field.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
 
@@ -26,6 +27,8 @@
 #include <clocale>
 #include <cstdio>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 using namespace sparkout;
@@ -79,6 +82,29 @@ int editUntilKilled(QApplication& app, const QString& state, const QString& file
         std::fflush(stdout);
     });
     timer.start(pace_ms);
+    return QApplication::exec();
+}
+
+/// The window that is going to be killed while a new drawing is typed: it has its diameter and its
+/// stock, with keys, when it says so.
+int drawUntilKilled(const QString& state) {
+    Settings settings = Settings::transient();
+    Language language;
+    language.apply(QStringLiteral("en"));
+    MainWindow window(settings, language);
+    window.files().protect(state, times);
+    window.resize(1366, 768);
+    window.show();
+    window.files().startNew(Operation::traverse);
+    for (const auto& [path, text] :
+         {std::pair("/part/diameter_mm", "40"), std::pair("/part/stock_mm", "0.15")}) {
+        auto* field = window.findChild<NumberField*>(QString::fromLatin1(path));
+        field->setFocus();
+        QTest::keyClicks(field, QString::fromLatin1(text));
+        QTest::keyClick(field, Qt::Key_Return);
+    }
+    std::printf("typed %zu\n", window.document().openInputs().size());
+    std::fflush(stdout);
     return QApplication::exec();
 }
 
@@ -176,6 +202,45 @@ private slots:
                     offered, kills, pass ? "PASS" : "FAIL", stillThere, lost,
                     double(worst_ms) * 1e-3, double(times.latest.count()) * 1e-3);
         QVERIFY(pass);
+    }
+
+    void aDrawingThatIsNotCompleteIsOfferedToo() {
+        const QTemporaryDir folder(inMemory());
+        const QString state = folder.filePath(QStringLiteral("state"));
+        QProcess process;
+        process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+        process.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--draw"), state});
+        QByteArray said;
+        QTRY_VERIFY_WITH_TIMEOUT((said += process.readAllStandardOutput()).contains('\n'), 60'000);
+        QCOMPARE(said, QByteArray("typed 3\n"));
+        QTest::qWait(pause_ms);
+        process.kill();
+        QVERIFY(process.waitForFinished());
+
+        Settings settings = Settings::transient();
+        Language language;
+        language.apply(QStringLiteral("en"));
+        MainWindow window(settings, language);
+        window.files().protect(state, times);
+        window.resize(1366, 768);
+        window.show();
+        DialogAnswers answers({QStringLiteral("recover")});
+        window.files().start({});
+        QVERIFY2(answers.fault().isEmpty(), qPrintable(answers.fault()));
+        const auto shown = [&window](const char* path) {
+            return window.findChild<NumberField*>(QString::fromLatin1(path))->text();
+        };
+        QCOMPARE(shown("/part/diameter_mm"), QStringLiteral("40"));
+        QCOMPARE(shown("/part/stock_mm"), QStringLiteral("0.15"));
+        const std::vector<std::string> open{"/part/upper_deviation_um", "/part/lower_deviation_um",
+                                            "/part/length_mm"};
+        QCOMPARE(window.document().openInputs(), open);
+        for (const std::string& path : open) {
+            QCOMPARE(shown(path.c_str()), QString());
+        }
+        QVERIFY(window.document().modified());
+        QCOMPARE(window.focusWidget(),
+                 window.findChild<QWidget*>(QString::fromStdString(open.front())));
     }
 
     void damagedRecoveryFilesStopNoStart() {
@@ -295,6 +360,9 @@ int main(int argc, char** argv) {
     QApplication app(argc, argv);
     std::setlocale(LC_NUMERIC, "C");
     const QStringList words = QCoreApplication::arguments();
+    if (words.value(1) == u"--draw") {
+        return drawUntilKilled(words.value(2));
+    }
     if (words.value(1) == u"--edit") {
         return editUntilKilled(app, words.value(2), words.value(3), words.value(4) == u"bursts");
     }

@@ -72,7 +72,8 @@ private slots:
                                     QDateTime::currentDateTimeUtc(),
                                     QByteArray::fromHex("00ff"),
                                     true,
-                                    true};
+                                    true,
+                                    {"/part/length_mm", "/part/stock_mm"}};
         const RecoveryContent content = readRecovery(recoveryText(header, project));
         QVERIFY(content.project && sameProject(*content.project, project));
         QCOMPARE(content.header.title, header.title);
@@ -81,6 +82,42 @@ private slots:
         QCOMPARE(content.header.diskHash, header.diskHash);
         QVERIFY(content.header.readOnly);
         QVERIFY(content.header.modified);
+        QCOMPARE(content.header.open, header.open);
+    }
+
+    void aProjectIsKeptBeforeItsDrawingIsComplete() {
+        Bench bench;
+        bench.document.startIncomplete(undrawnProject(Operation::traverse), drawingInputs());
+        bench.autosave->flush();
+        QVERIFY(bench.autosave->file().isEmpty()); // nothing has been given yet
+        setDiameter(bench.document, 31);
+        QTRY_VERIFY(!bench.autosave->file().isEmpty());
+        const RecoveryContent content = contentOf(bench.autosave->file());
+        QVERIFY(content.project && content.project->part->diameter_mm == 31);
+        QCOMPARE(content.header.open, bench.document.openInputs());
+        QCOMPARE(content.header.open.size(), drawingInputs().size() - 1);
+        Document after;
+        after.recover(*content.project, {}, {}, false, content.header.open);
+        QVERIFY(after.modified());
+        QCOMPARE(after.openInputs(), bench.document.openInputs());
+        QCOMPARE(after.missingInputs().size(), content.header.open.size());
+        Project given = after.project();
+        given.part->length_mm = 80;
+        after.edit(given, editText);
+        QVERIFY(!after.isOpen("/part/length_mm"));
+        // Names that are no number of a project are left out.
+        after.recover(*content.project, {}, {}, false,
+                      {"/part/length_mm", "/part", "/nothing", "", "/cycle/stages/9/stock_mm"});
+        QCOMPARE(after.openInputs(), std::vector<std::string>{"/part/length_mm"});
+    }
+
+    void damagedNamesOfOpenInputsAreNoticed() {
+        std::string text = recoveryText(
+            {{}, {}, QDateTime::currentDateTimeUtc(), {}, false, true, {"/part/length_mm"}},
+            newProject(Operation::plunge));
+        QVERIFY(readRecovery(text).project);
+        text.replace(text.find("length"), 6, "xength");
+        QVERIFY(!readRecovery(text).project);
     }
 
     // Cut at every byte, every bit of every byte turned: never a crash, never another project.

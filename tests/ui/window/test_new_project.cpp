@@ -97,6 +97,29 @@ private slots:
         QCOMPARE(QApplication::focusWidget(), &bench.field("/part/length_mm"));
     }
 
+    void everyViewLeadsToWhatIsMissing() {
+        NewBench bench;
+        QVERIFY(bench.incomplete());
+        for (const char* key : {"overview", "feeds", "profiles", "constraints", "compliance",
+                                "layers", "batch", "sweep", "optimise", "compare"}) {
+            bench.window->inputs().setFocus();
+            QVERIFY2(bench.window->showView(QString::fromLatin1(key)), key);
+            QLabel* leads = nullptr;
+            const auto look = [&] {
+                for (auto* label : bench.window->findChildren<QLabel*>()) {
+                    if (label->isVisible() && label->objectName().startsWith(QLatin1String(key))
+                        && label->text().contains(QStringLiteral("/part/length_mm"))) {
+                        leads = label;
+                    }
+                }
+                return leads != nullptr;
+            };
+            QVERIFY2(QTest::qWaitFor(look), key);
+            emit leads->linkActivated(QStringLiteral("/part/length_mm"));
+            QCOMPARE(QApplication::focusWidget(), &bench.field("/part/length_mm"));
+        }
+    }
+
     void onceTheDrawingIsGivenItIsComputedAndUndoAsksAgain() {
         NewBench bench;
         QVERIFY(bench.incomplete());
