@@ -14,8 +14,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -26,13 +24,6 @@ namespace sparkout::cli {
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr std::array goals{"none", "holds", "room"};
-constexpr std::array conflicts{"opposed", "several", "unmended"};
-
-const char* goalOf(const RemedyResult& found) {
-    return goals[static_cast<std::size_t>(found.goal)];
-}
 
 ordered_json requirementJson(const ConstraintResult& constraint) {
     return {{"name", requirementOf(constraint.kind).key},
@@ -61,7 +52,9 @@ ordered_json remedyJson(const Project& project, const Remedy& remedy) {
         {"failing", remedy.failing ? ordered_json(*remedy.failing) : ordered_json()},
         {"holds_beyond", remedy.holdsBeyond},
         {"time_min", remedy.time_s / units::secondsPerMinute},
-        {"time_change_min", remedy.timeChange_s / units::secondsPerMinute},
+        {"time_change_min", remedy.timeChange_s
+                                ? ordered_json(*remedy.timeChange_s / units::secondsPerMinute)
+                                : ordered_json()},
         {"patch", patchOf(project, remedy.applied(project))},
         {"requirements", ordered_json::array()}};
     for (const ConstraintResult& each : remedy.requirements) {
@@ -71,9 +64,8 @@ ordered_json remedyJson(const Project& project, const Remedy& remedy) {
 }
 
 ordered_json conflictJson(const Project& project, const RemedyConflict& conflict) {
-    ordered_json json = {{"kind", conflicts[static_cast<std::size_t>(conflict.kind)]},
-                         {"first", nullptr},
-                         {"second", nullptr}};
+    ordered_json json = {
+        {"kind", conflictKey(conflict.kind)}, {"first", nullptr}, {"second", nullptr}};
     if (conflict.first) {
         json["first"] = requirementOf(conflict.first->kind).key;
     }
@@ -86,7 +78,7 @@ ordered_json conflictJson(const Project& project, const RemedyConflict& conflict
 }
 
 std::string remediesJson(const Project& project, const RemedyResult& found) {
-    ordered_json json = {{"goal", goalOf(found)},
+    ordered_json json = {{"goal", goalKey(found.goal)},
                          {"status", found.isComplete() ? "completed" : "stopped"},
                          {"settings", found.settings},
                          {"tried", found.tried},

@@ -8,7 +8,6 @@
 
 #include <pybind11/stl.h>
 
-#include <array>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -39,8 +38,6 @@ FoundRemedies remediesOf(const ValidProject& project) {
                              findRemedies(result, evaluateConstraints(result), options)};
     });
 }
-
-constexpr std::array goals{"none", "holds", "room"};
 
 std::vector<FoundRemedy> listOf(const FoundRemedies& self) {
     std::vector<FoundRemedy> list;
@@ -91,10 +88,7 @@ void bindRemedies(py::module_& module) {
             "with the change");
     py::class_<FoundRemedies>(module, "Remedies", "What would help.")
         .def_property_readonly(
-            "goal",
-            [](const FoundRemedies& self) {
-                return goals[static_cast<std::size_t>(self.result.goal)];
-            },
+            "goal", [](const FoundRemedies& self) { return goalKey(self.result.goal); },
             "holds, room or none")
         .def_property_readonly("remedies", &listOf, "at most three, the shortest cycle first")
         .def_property_readonly("opposed", &opposedIn,

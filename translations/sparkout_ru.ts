@@ -12078,6 +12078,10 @@ target, µm</source>
             <translation>{time} мин</translation>
         </message>
         <message>
+            <source>the cycle takes {time}</source>
+            <translation>время цикла {time}</translation>
+        </message>
+        <message>
             <source>in the same time</source>
             <translation>время прежнее</translation>
         </message>

@@ -143,10 +143,14 @@ std::string RemedyWording::time(double time_s) const {
 }
 
 std::string RemedyWording::cost(const Remedy& remedy) const {
+    if (!remedy.timeChange_s) {
+        return filled(SPARKOUT_NOOP("Remedy", "the cycle takes {time}"),
+                      {{"time", time(remedy.time_s)}});
+    }
     constexpr double none_s = 0.005;
-    return std::abs(remedy.timeChange_s) < none_s
+    return std::abs(*remedy.timeChange_s) < none_s
                ? translated(SPARKOUT_NOOP("Remedy", "in the same time"))
-               : (remedy.timeChange_s > 0 ? "+" : "−") + time(remedy.timeChange_s);
+               : (*remedy.timeChange_s > 0 ? "+" : "−") + time(*remedy.timeChange_s);
 }
 
 std::string RemedyWording::line(const Project& project, const Remedy& remedy) const {

@@ -16,12 +16,12 @@
 /// Changes of one setting after which a cycle that fails holds everything, or one that is close to
 /// a limit has room.
 ///
-/// Each setting is tried at values ever farther from where it is, the distance doubled each time
-/// and to both sides, until all holds; between the last value that did not and the first that did
-/// the edge is found by bisection. All values are such as can be set, and every one is run in full:
-/// the value offered holds, and the next one towards the present value does not. Between the values
-/// that were tried a nearer one may hold, too; that is not excluded, since a cycle does not answer
-/// evenly.
+/// Each setting is tried at values ever farther from where it is and to both sides, until all
+/// holds: one by one where there are few and, of a count, near by, else each half as far again as
+/// the one before. Between the last value that did not hold and the first that did the edge is
+/// found by bisection. All values are such as can be set, and every one is run in full: the value
+/// offered holds, and the next one towards the present value does not. Between the values that were
+/// tried others may hold, too; that is not excluded, since a cycle does not answer evenly.
 namespace sparkout {
 
 /// What a remedy is to reach.
@@ -31,17 +31,22 @@ enum class RemedyGoal {
     room,  ///< none is close to its limit, either
 };
 
+/// Its name in files and on the command line: "holds".
+[[nodiscard]] const char* goalKey(RemedyGoal goal);
+
 /// What the outcome of a valid project that ran asks for.
 [[nodiscard]] RemedyGoal remedyGoal(const SimulationResult& result,
                                     const std::vector<ConstraintResult>& constraints);
 
 struct Remedy {
     RemedySetting setting;
-    double value = 0;                ///< that the setting is to have
-    std::optional<double> failing{}; ///< the next one towards the present value; run, and it fails
-    bool holdsBeyond = false;        ///< of the values tried, the next one farther off holds, too
-    double time_s = 0;               ///< of the cycle
-    double timeChange_s = 0;         ///< against the cycle as it is
+    double value = 0; ///< that the setting is to have
+    /// The next one towards the present value; run, and it fails. Nothing where that one holds, but
+    /// brings a warning, or is a stage more with the feed there is.
+    std::optional<double> failing{};
+    bool holdsBeyond = false; ///< of the values tried, the next one farther off holds, too
+    double time_s = 0;        ///< of the cycle
+    std::optional<double> timeChange_s{}; ///< against the cycle as it is, if that ends by itself
     std::vector<ConstraintResult> requirements{}; ///< the worst of each kind
 
     [[nodiscard]] Project applied(Project project) const {
@@ -63,6 +68,9 @@ struct RemedyConflict {
     std::optional<RemedySetting> setting;   ///< with which the first holds and the second fails
     double value = 0;                       ///< of the setting
 };
+
+/// Its name in files and on the command line: "opposed".
+[[nodiscard]] const char* conflictKey(RemedyConflict::Kind kind);
 
 struct RemedyResult {
     static constexpr std::size_t most = 3;
