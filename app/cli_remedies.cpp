@@ -71,6 +71,8 @@ ordered_json conflictJson(const Project& project, const RemedyConflict& conflict
     }
     if (conflict.second) {
         json["second"] = requirementOf(conflict.second->kind).key;
+    }
+    if (conflict.setting) {
         json["path"] = conflict.setting->path(project);
         json["value"] = conflict.value;
     }

@@ -12114,8 +12114,24 @@ target, µm</source>
             <translation>Ни одна настройка в отдельности не прибавит запаса требованию «{first}».</translation>
         </message>
         <message>
-            <source>No single setting mends “{first}”.</source>
-            <translation>Ни одна настройка в отдельности не устраняет нарушение требования «{first}».</translation>
+            <source>No single setting mends “{first}” or brings it closer to its limit.</source>
+            <translation>Ни одна настройка в отдельности не устраняет и не уменьшает нарушение требования «{first}».</translation>
+        </message>
+        <message>
+            <source>No single setting gives “{first}” enough room: it has most with {change}.</source>
+            <translation>Ни одна настройка в отдельности не даёт требованию «{first}» достаточного запаса. {change} — запас наибольший.</translation>
+        </message>
+        <message>
+            <source>No single setting mends “{first}”: it comes closest to its limit with {change}.</source>
+            <translation>Ни одна настройка в отдельности не устраняет нарушение требования «{first}». {change} — нарушение наименьшее.</translation>
+        </message>
+        <message>
+            <source>No single setting gives “{first}” enough room: it has most with {change}, where “{second}” has not enough.</source>
+            <translation>Ни одна настройка в отдельности не даёт требованию «{first}» достаточного запаса. {change} — запас наибольший, но мал запас требования «{second}».</translation>
+        </message>
+        <message>
+            <source>No single setting mends “{first}”: it comes closest to its limit with {change}, where “{second}” fails.</source>
+            <translation>Ни одна настройка в отдельности не устраняет нарушение требования «{first}». {change} — нарушение наименьшее, но нарушено требование «{second}».</translation>
         </message>
         <message>
             <source>No single setting helps: with {change} the cycle ends by itself, but “{second}” fails.</source>

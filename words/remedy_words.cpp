@@ -185,18 +185,31 @@ std::string RemedyWording::conflict(const Project& project, RemedyGoal goal,
                                     const RemedyConflict& conflict) const {
     const bool room = goal == RemedyGoal::room;
     const std::string first = conflict.first ? requirement(conflict.first->kind) : std::string();
-    if (conflict.kind == RemedyConflict::Kind::unmended) {
+    if (conflict.kind == RemedyConflict::Kind::unmended && !conflict.setting) {
         return !conflict.first
                    ? translated(SPARKOUT_NOOP("Remedy", "No single setting lets the cycle end by "
                                                         "itself."))
                : room
                    ? filled(SPARKOUT_NOOP("Remedy", "No single setting gives “{first}” more room."),
                             {{"first", first}})
-                   : filled(SPARKOUT_NOOP("Remedy", "No single setting mends “{first}”."),
+                   : filled(SPARKOUT_NOOP("Remedy", "No single setting mends “{first}” or brings "
+                                                    "it closer to its limit."),
                             {{"first", first}});
     }
+    const bool unmended = conflict.kind == RemedyConflict::Kind::unmended;
     const char* const sentence =
-        !conflict.first
+        unmended && !conflict.second
+            ? room ? SPARKOUT_NOOP("Remedy", "No single setting gives “{first}” enough room: it "
+                                             "has most with {change}.")
+                   : SPARKOUT_NOOP("Remedy", "No single setting mends “{first}”: it comes closest "
+                                             "to its limit with {change}.")
+        : unmended && room
+            ? SPARKOUT_NOOP("Remedy", "No single setting gives “{first}” enough room: it has most "
+                                      "with {change}, where “{second}” has not enough.")
+        : unmended
+            ? SPARKOUT_NOOP("Remedy", "No single setting mends “{first}”: it comes closest to its "
+                                      "limit with {change}, where “{second}” fails.")
+        : !conflict.first
             ? SPARKOUT_NOOP("Remedy", "No single setting helps: with {change} the cycle "
                                       "ends by itself, but “{second}” fails.")
         : room
@@ -210,7 +223,7 @@ std::string RemedyWording::conflict(const Project& project, RemedyGoal goal,
                                       "“{first}” holds, but “{second}” still fails.");
     return filled(sentence,
                   {{"first", first},
-                   {"second", requirement(conflict.second->kind)},
+                   {"second", conflict.second ? requirement(conflict.second->kind) : std::string()},
                    {"change", withSign(project, *conflict.setting, "=", conflict.value)}});
 }
 

@@ -60,12 +60,12 @@ struct RemedyConflict {
         opposed,  ///< what mends the first breaks the second, which holds as it is
         several,  ///< both fail; what mends the first does not mend the second, nor does any mend
                   ///< all
-        unmended, ///< no setting mends the first
+        unmended, ///< no setting mends the first; the one below brings it closest, if any does
     };
     Kind kind = Kind::unmended;
     std::optional<ConstraintResult> first;  ///< as it is; nothing: the cycle does not end by itself
-    std::optional<ConstraintResult> second; ///< with the setting below
-    std::optional<RemedySetting> setting;   ///< with which the first holds and the second fails
+    std::optional<ConstraintResult> second; ///< what fails most with the setting below, if any does
+    std::optional<RemedySetting> setting;   ///< with which the first holds, or comes closest
     double value = 0;                       ///< of the setting
 };
 

@@ -86,31 +86,48 @@ std::optional<RemedyTrial> RemedyTrials::run(const RemedySetting& setting, doubl
 void RemedyTrials::learn(const RemedySetting& setting, double value, const RemedyTrial& trial) {
     const ConstraintResult* known = nullptr; // the worst of those that fail as it is
     const ConstraintResult* fresh = nullptr; // and of those that begin to
+    const ConstraintResult* first = nullptr; // if it fails still
     for (const ConstraintResult& each : trial.worst) {
         if (isMet(each)) {
             continue;
         }
         if (m_first && each.kind == m_first->kind) {
-            return;
+            first = &each;
+            continue;
         }
         const ConstraintResult*& worst = m_failing[indexOf(each)] ? known : fresh;
         if (!worst || each.relativeMargin < worst->relativeMargin) {
             worst = &each;
         }
     }
+    if (first) {
+        constexpr double noticeable = 1e-3; // of the limit: less is no step towards it
+        const double least = m_closest ? m_closest->margin : m_first->relativeMargin + noticeable;
+        if (first->relativeMargin > least) {
+            const bool ofFresh = fresh && (!known || fresh->relativeMargin < known->relativeMargin);
+            const ConstraintResult* const worst = ofFresh ? fresh : known;
+            m_closest.emplace(Nearest{setting, value, worst ? std::optional(*worst) : std::nullopt,
+                                      first->relativeMargin});
+        }
+        return;
+    }
     const ConstraintResult* const second = known ? known : fresh;
     std::optional<Nearest>& nearest = known ? m_several : m_opposed;
-    if (second && (!nearest || second->relativeMargin > nearest->second.relativeMargin)) {
-        nearest.emplace(Nearest{setting, value, *second});
+    if (second && (!nearest || second->relativeMargin > nearest->margin)) {
+        nearest.emplace(Nearest{setting, value, *second, second->relativeMargin});
     }
 }
 
 RemedyConflict RemedyTrials::conflict() const {
     RemedyConflict found;
     found.first = m_first;
-    const std::optional<Nearest>& nearest = m_opposed ? m_opposed : m_several;
+    const std::optional<Nearest>& nearest = m_opposed   ? m_opposed
+                                            : m_several ? m_several
+                                                        : m_closest;
     if (nearest) {
-        found.kind = m_opposed ? RemedyConflict::Kind::opposed : RemedyConflict::Kind::several;
+        found.kind = m_opposed   ? RemedyConflict::Kind::opposed
+                     : m_several ? RemedyConflict::Kind::several
+                                 : RemedyConflict::Kind::unmended;
         found.second = nearest->second;
         found.setting = nearest->setting;
         found.value = nearest->value;

@@ -31,7 +31,8 @@ public:
     [[nodiscard]] long long runs() const { return m_runs; }
 
     /// The requirements that pull against each other in the trial that came nearest: the least
-    /// relative margin of what fails in it is the greatest of all.
+    /// relative margin of what fails in it is the greatest of all. Where every trial leaves the
+    /// first one failing, the trial in which it fails least, and what else fails there.
     [[nodiscard]] RemedyConflict conflict() const;
 
 private:
@@ -39,7 +40,8 @@ private:
     struct Nearest {
         RemedySetting setting;
         double value;
-        ConstraintResult second;
+        std::optional<ConstraintResult> second;
+        double margin; ///< relative, of the second; where the first fails still, of the first
     };
     using Flags = std::array<bool, constraintKinds>;
 
@@ -55,7 +57,7 @@ private:
     Flags m_failing{};                       ///< as it is
     std::ptrdiff_t m_idle;                   ///< stages run over
     long long m_runs = 0;
-    std::optional<Nearest> m_opposed, m_several;
+    std::optional<Nearest> m_opposed, m_several, m_closest;
 };
 
 } // namespace sparkout

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/copy_table.h"
 
-#include <QClipboard>
+#include "ui/tables/copied_cells.h"
+
 #include <QContextMenuEvent>
-#include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
-#include <QRegularExpression>
 #include <QTimer>
 
 namespace sparkout {
@@ -26,11 +25,6 @@ QString savingText(TableFormat format) {
 }
 
 const QKeySequence copyAllKey(Qt::CTRL | Qt::SHIFT | Qt::Key_C);
-
-void toClipboard(QString text) {
-    static const QRegularExpression minus(QStringLiteral("−(?=\\d)")); // spreadsheets read another
-    QGuiApplication::clipboard()->setText(text.replace(minus, QStringLiteral("-")));
-}
 
 } // namespace
 
@@ -53,7 +47,7 @@ CopyTable::CopyTable(std::function<QString()> text, QWidget* parent)
 }
 
 void CopyTable::copy() const {
-    toClipboard(m_text());
+    CopiedCells::toClipboard(m_text());
 }
 
 void CopyTable::copySelected() const {
@@ -66,7 +60,7 @@ void CopyTable::copySelected() const {
             selected += lines[row + 1] + u'\n';
         }
     }
-    toClipboard(selected.isEmpty() ? text : selected);
+    CopiedCells::toClipboard(selected.isEmpty() ? text : selected);
 }
 
 void CopyTable::setSaving(std::function<CsvTable()> table, std::function<QString()> project,

@@ -7,14 +7,16 @@
 #include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QMimeData>
 
 namespace sparkout {
 
 /// A line of text is no block of cells, whatever parts its words.
 bool CellsLineEdit::takeCells() {
-    const QString text = QGuiApplication::clipboard()->text();
-    const PastedCells cells = PastedCells::of(text);
-    const bool block = text.trimmed().contains(u'\n') || text.trimmed().contains(u'\t');
+    const QMimeData* const copied = QGuiApplication::clipboard()->mimeData();
+    const QString text = copied ? copied->text().trimmed() : QString();
+    const bool block = text.isEmpty() || text.contains(u'\n') || text.contains(u'\t');
+    const PastedCells cells = PastedCells::of(copied);
     if (!m_take || isReadOnly() || !block || cells.empty() || cells.single()) {
         return false;
     }

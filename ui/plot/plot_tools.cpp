@@ -6,6 +6,7 @@
 #include "ui/kit/theme.h"
 #include "ui/kit/theme_icon.h"
 #include "ui/plot/hair_line.h"
+#include "ui/tables/copied_cells.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -203,7 +204,7 @@ void PlotTools::copyPictureNow() {
 }
 
 void PlotTools::copyDataNow() {
-    QApplication::clipboard()->setText(tabSeparated(m_subject.table(), QLocale()));
+    CopiedCells::toClipboard(tabSeparated(m_subject.table(), QLocale()));
     say(tr("The data are on the clipboard."));
 }
 

@@ -3,7 +3,13 @@
 
 #include "ui/text/number_text.h"
 
+#include <QMimeData>
 #include <QRegularExpression>
+#include <QTextCursor>
+#include <QTextDocument>
+#include <QTextDocumentFragment>
+#include <QTextFrame>
+#include <QTextTable>
 
 #include <algorithm>
 #include <utility>
@@ -93,6 +99,41 @@ QChar cellSeparator(const QString& text) {
     return commaPartsCells(text) ? QChar(u',') : QChar();
 }
 
+/// The cells of the first table; without one each paragraph is a row of one cell.
+std::vector<QStringList> rowsOfHtml(const QString& html) {
+    QTextDocument document;
+    document.setHtml(html);
+    const QTextTable* table = nullptr;
+    for (QTextFrame* const frame : document.rootFrame()->childFrames()) {
+        table = table ? table : qobject_cast<QTextTable*>(frame);
+    }
+    if (!table) {
+        return rowsOf(document.toPlainText(), {});
+    }
+    std::vector<QStringList> rows;
+    for (int row = 0; row < table->rows(); ++row) {
+        QStringList& cells = rows.emplace_back();
+        for (int column = 0; column < table->columns(); ++column) {
+            const QTextTableCell cell = table->cellAt(row, column);
+            const bool own = cell.row() == row && cell.column() == column; // else of a span
+            QTextCursor content = cell.firstCursorPosition();
+            content.setPosition(cell.lastPosition(), QTextCursor::KeepAnchor);
+            cells << (own ? content.selection().toPlainText().trimmed() : QString());
+        }
+    }
+    return rows;
+}
+
+void dropEmptyEnd(std::vector<QStringList>& rows) {
+    const auto empty = [](const QStringList& row) {
+        return std::all_of(row.begin(), row.end(),
+                           [](const QString& cell) { return cell.trimmed().isEmpty(); });
+    };
+    while (!rows.empty() && empty(rows.back())) {
+        rows.pop_back();
+    }
+}
+
 } // namespace
 
 PastedCells PastedCells::of(const QString& text) {
@@ -101,13 +142,19 @@ PastedCells PastedCells::of(const QString& text) {
         .replace(u'\r', u'\n')
         .remove(QChar());
     PastedCells cells{rowsOf(lines, cellSeparator(lines))};
-    const auto empty = [](const QStringList& row) {
-        return std::all_of(row.begin(), row.end(),
-                           [](const QString& cell) { return cell.trimmed().isEmpty(); });
-    };
-    while (!cells.rows.empty() && empty(cells.rows.back())) {
-        cells.rows.pop_back();
+    dropEmptyEnd(cells.rows);
+    return cells;
+}
+
+PastedCells PastedCells::of(const QMimeData* data) {
+    if (!data) {
+        return {};
     }
+    if (data->hasText() || !data->hasHtml()) {
+        return of(data->text());
+    }
+    PastedCells cells{rowsOfHtml(data->html())};
+    dropEmptyEnd(cells.rows);
     return cells;
 }
 

@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+class QMimeData;
+
 namespace sparkout {
 
 /// Rows of cells on their way through the clipboard: as spreadsheets and text files write them.
@@ -16,6 +18,8 @@ struct PastedCells {
     /// Tabs between the cells; without one semicolons, without both commas where they cannot be
     /// decimal ones. A cell may stand in quotes. Empty rows at the end are left out.
     [[nodiscard]] static PastedCells of(const QString& text);
+    /// What the clipboard holds: its plain text or, where it has none, the first table of its HTML.
+    [[nodiscard]] static PastedCells of(const QMimeData* data);
     /// With tabs, a cell in quotes where it must be.
     [[nodiscard]] QString text() const;
 

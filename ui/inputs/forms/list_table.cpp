@@ -12,6 +12,7 @@
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/theme_icon.h"
+#include "ui/tables/copied_cells.h"
 #include "ui/tables/pasted_cells.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/texts.h"
@@ -427,12 +428,12 @@ void ListTable::clearCell() {
 void ListTable::copyCells() const {
     const QModelIndexList cells = m_view->selectionModel()->selectedIndexes();
     if (!cells.isEmpty()) {
-        QGuiApplication::clipboard()->setText(m_model->cellsText(cells));
+        CopiedCells::toClipboard(m_model->cellsText(cells));
     }
 }
 
 void ListTable::paste() {
-    PastedCells cells = PastedCells::of(QGuiApplication::clipboard()->text());
+    PastedCells cells = PastedCells::of(QGuiApplication::clipboard()->mimeData());
     m_notPasted.clear();
     updateReasons();
     if (cells.empty()) {
@@ -469,7 +470,7 @@ void ListTable::selectBlock(int row, int column, int rows, int columns) {
 }
 
 void ListTable::copyTable() const {
-    QGuiApplication::clipboard()->setText(m_model->tableText());
+    CopiedCells::toClipboard(m_model->tableText());
 }
 
 void ListTable::showMenu(const QPoint& at) {

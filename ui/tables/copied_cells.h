@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/tables/pasted_cells.h"
+
+#include <QMimeData>
+
+namespace sparkout {
+
+/// Cells for the clipboard: plain text with tabs, and a table of HTML whose numbers are marked with
+/// their values, so that a spreadsheet of any language takes them as numbers.
+class CopiedCells : public QMimeData {
+    Q_OBJECT
+public:
+    /// @param text rows of cells separated by tabs; a minus sign before a digit becomes a hyphen,
+    /// which spreadsheets read
+    explicit CopiedCells(QString text);
+
+    static void toClipboard(const QString& text);
+
+    [[nodiscard]] QStringList formats() const override;
+    [[nodiscard]] bool hasFormat(const QString& type) const override;
+
+protected:
+    /// The HTML is made when it is requested: a long table is seldom pasted as such.
+    [[nodiscard]] QVariant retrieveData(const QString& type, QMetaType as) const override;
+
+private:
+    QString m_text;
+};
+
+/// The cells as a table of HTML.
+[[nodiscard]] QString htmlTable(const PastedCells& cells);
+
+} // namespace sparkout
