@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,20 +44,22 @@ ordered_json patchOf(const Project& before, const Project& after) {
                                    .dump());
 }
 
+ordered_json valueJson(const std::optional<double>& value) {
+    return value ? ordered_json(*value) : ordered_json();
+}
+
 ordered_json remedyJson(const Project& project, const Remedy& remedy) {
-    ordered_json json = {
-        {"path", remedy.setting.path(project)},
-        {"before",
-         remedy.setting.addsStage() ? ordered_json() : ordered_json(remedy.setting.before)},
-        {"value", remedy.value},
-        {"failing", remedy.failing ? ordered_json(*remedy.failing) : ordered_json()},
-        {"holds_beyond", remedy.holdsBeyond},
-        {"time_min", remedy.time_s / units::secondsPerMinute},
-        {"time_change_min", remedy.timeChange_s
-                                ? ordered_json(*remedy.timeChange_s / units::secondsPerMinute)
-                                : ordered_json()},
-        {"patch", patchOf(project, remedy.applied(project))},
-        {"requirements", ordered_json::array()}};
+    ordered_json json = {{"path", remedy.setting.path(project)},
+                         {"before", valueJson(remedy.before())},
+                         {"value", remedy.value},
+                         {"failing", valueJson(remedy.failing)},
+                         {"holds_beyond", remedy.holdsBeyond},
+                         {"time_min", remedy.time_s / units::secondsPerMinute},
+                         {"time_change_min", remedy.timeChange_s ? ordered_json(
+                                                 *remedy.timeChange_s / units::secondsPerMinute)
+                                                                 : ordered_json()},
+                         {"patch", patchOf(project, remedy.applied(project))},
+                         {"requirements", ordered_json::array()}};
     for (const ConstraintResult& each : remedy.requirements) {
         json["requirements"].push_back(requirementJson(each));
     }
@@ -64,8 +67,11 @@ ordered_json remedyJson(const Project& project, const Remedy& remedy) {
 }
 
 ordered_json conflictJson(const Project& project, const RemedyConflict& conflict) {
-    ordered_json json = {
-        {"kind", conflictKey(conflict.kind)}, {"first", nullptr}, {"second", nullptr}};
+    ordered_json json = {{"kind", conflictKey(conflict.kind)},
+                         {"first", nullptr},
+                         {"second", nullptr},
+                         {"path", nullptr},
+                         {"value", nullptr}};
     if (conflict.first) {
         json["first"] = requirementOf(conflict.first->kind).key;
     }
@@ -123,6 +129,9 @@ std::string remediesText(const Project& project, const RemedyResult& found) {
     }
     if (found.conflict) {
         text += "  " + wording.conflict(project, found.goal, *found.conflict) + '\n';
+    }
+    if (const std::string extent = wording.extent(found); !extent.empty()) {
+        text += "  " + extent + '\n';
     }
     return text + std::to_string(found.tried) + " of " + std::to_string(found.settings)
            + " settings tried in " + std::to_string(found.runs) + " runs; "

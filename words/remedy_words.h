@@ -29,7 +29,7 @@ public:
     /// What was run for it, and how it came out.
     [[nodiscard]] std::string proof(const Project& project, RemedyGoal goal,
                                     const Remedy& remedy) const;
-    /// Why no single setting helps, with the requirements that pull against each other.
+    /// Why none of the values tried helps, with the requirements that fail.
     [[nodiscard]] std::string conflict(const Project& project, RemedyGoal goal,
                                        const RemedyConflict& conflict) const;
     /// What was tried, where not all was: "Stopped after 5 of 14 settings." Else empty.

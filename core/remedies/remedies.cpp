@@ -91,7 +91,7 @@ public:
             }
         }
         if (m_found.found == 0) {
-            m_found.conflict = m_trials.conflict();
+            m_found.conflict = conflict();
         }
         return std::move(m_found);
     }
@@ -109,8 +109,26 @@ private:
 
     /// A cycle that holds is offered unless its setting brings a fault or warning.
     [[nodiscard]] bool isOffered(const RemedySetting& setting, double value,
-                                 const RemedyTrial& trial) const {
-        return trial.holds && !bringsIssues(setting, value);
+                                 const RemedyTrial& trial) {
+        if (!trial.holds) {
+            return false;
+        }
+        const bool warned = bringsIssues(setting, value);
+        if (warned && !m_warned) {
+            m_warned.emplace(setting, value);
+        }
+        return !warned;
+    }
+
+    [[nodiscard]] RemedyConflict conflict() const {
+        RemedyConflict found = m_trials.conflict();
+        if (m_warned) {
+            found.kind = RemedyConflict::Kind::warned;
+            found.second.reset();
+            found.setting = m_warned->first;
+            found.value = m_warned->second;
+        }
+        return found;
     }
 
     /// The nearer of both ways, as far as they were tried; at the same distance the quicker cycle.
@@ -214,6 +232,7 @@ private:
     Issues m_issues;                ///< as it is
     const RemedyOptions& m_options;
     RemedyTrials m_trials;
+    std::optional<std::pair<RemedySetting, double>> m_warned; ///< the first that brings a warning
     RemedyResult m_found;
 };
 
@@ -225,7 +244,7 @@ const char* goalKey(RemedyGoal goal) {
 }
 
 const char* conflictKey(RemedyConflict::Kind kind) {
-    constexpr std::array keys{"opposed", "several", "unmended"};
+    constexpr std::array keys{"warned", "idle", "opposed", "several", "unmended"};
     return keys[static_cast<std::size_t>(kind)];
 }
 

@@ -52,11 +52,17 @@ struct Remedy {
     [[nodiscard]] Project applied(Project project) const {
         return setting.applied(std::move(project), value);
     }
+    /// The value there is; nothing for a stage more.
+    [[nodiscard]] std::optional<double> before() const {
+        return setting.addsStage() ? std::nullopt : std::optional(setting.before);
+    }
 };
 
-/// Why no single setting helps.
+/// Why no single setting helps, of the values that were tried.
 struct RemedyConflict {
     enum class Kind {
+        warned,   ///< all holds with the setting below, which brings a warning
+        idle,     ///< all holds with the setting below, but one more stage is run over
         opposed,  ///< what mends the first breaks the second, which holds as it is
         several,  ///< both fail; what mends the first does not mend the second, nor does any mend
                   ///< all
@@ -65,7 +71,7 @@ struct RemedyConflict {
     Kind kind = Kind::unmended;
     std::optional<ConstraintResult> first;  ///< as it is; nothing: the cycle does not end by itself
     std::optional<ConstraintResult> second; ///< what fails most with the setting below, if any does
-    std::optional<RemedySetting> setting;   ///< with which the first holds, or comes closest
+    std::optional<RemedySetting> setting;   ///< with which that is so
     double value = 0;                       ///< of the setting
 };
 
