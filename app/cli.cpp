@@ -48,7 +48,7 @@ simulate   runs the cycle of a project file
   --trace    writes a row for every visit of a radius
 remedies   finds changes of one setting after which a cycle that fails holds everything, or
            one that is close to a limit has room: up to three, each run, the quickest
-           first; where none helps, the two requirements that pull against each other
+           first; where none of the values tried helps, why, with the requirements that fail
   --json     prints one JSON object
 optimize   finds the quickest cycle of the file's grid that holds every requirement
   --robust   it must hold for stocks between the steps of the feeds, too: tried on 500 of
@@ -97,8 +97,8 @@ examples   writes the example projects into a folder, which is made if need be;
   --force    replaces those that were edited
 
 Exit status: 0 done; 1 the input is refused; 2 usage; 3 the cycle cannot reach size;
-4 a requirement fails (--check); 5 no cycle of the grid is feasible; 130 or 143 a batch
-ended by Ctrl+C or SIGTERM.
+4 a requirement fails (--check); 5 no cycle of the grid is feasible; 130 or 143 a batch,
+sweep or search for remedies ended by Ctrl+C or SIGTERM.
 
 A batch on a cluster, here with Slurm: batch.sbatch in resources/help.
 )";

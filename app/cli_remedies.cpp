@@ -14,9 +14,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,13 +25,6 @@ namespace sparkout::cli {
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr std::array goals{"none", "holds", "room"};
-constexpr std::array conflicts{"opposed", "several", "unmended"};
-
-const char* goalOf(const RemedyResult& found) {
-    return goals[static_cast<std::size_t>(found.goal)];
-}
 
 ordered_json requirementJson(const ConstraintResult& constraint) {
     return {{"name", requirementOf(constraint.kind).key},
@@ -52,18 +44,22 @@ ordered_json patchOf(const Project& before, const Project& after) {
                                    .dump());
 }
 
+ordered_json valueJson(const std::optional<double>& value) {
+    return value ? ordered_json(*value) : ordered_json();
+}
+
 ordered_json remedyJson(const Project& project, const Remedy& remedy) {
-    ordered_json json = {
-        {"path", remedy.setting.path(project)},
-        {"before",
-         remedy.setting.addsStage() ? ordered_json() : ordered_json(remedy.setting.before)},
-        {"value", remedy.value},
-        {"failing", remedy.failing ? ordered_json(*remedy.failing) : ordered_json()},
-        {"holds_beyond", remedy.holdsBeyond},
-        {"time_min", remedy.time_s / units::secondsPerMinute},
-        {"time_change_min", remedy.timeChange_s / units::secondsPerMinute},
-        {"patch", patchOf(project, remedy.applied(project))},
-        {"requirements", ordered_json::array()}};
+    ordered_json json = {{"path", remedy.setting.path(project)},
+                         {"before", valueJson(remedy.before())},
+                         {"value", remedy.value},
+                         {"failing", valueJson(remedy.failing)},
+                         {"holds_beyond", remedy.holdsBeyond},
+                         {"time_min", remedy.time_s / units::secondsPerMinute},
+                         {"time_change_min", remedy.timeChange_s ? ordered_json(
+                                                 *remedy.timeChange_s / units::secondsPerMinute)
+                                                                 : ordered_json()},
+                         {"patch", patchOf(project, remedy.applied(project))},
+                         {"requirements", ordered_json::array()}};
     for (const ConstraintResult& each : remedy.requirements) {
         json["requirements"].push_back(requirementJson(each));
     }
@@ -71,9 +67,11 @@ ordered_json remedyJson(const Project& project, const Remedy& remedy) {
 }
 
 ordered_json conflictJson(const Project& project, const RemedyConflict& conflict) {
-    ordered_json json = {{"kind", conflicts[static_cast<std::size_t>(conflict.kind)]},
+    ordered_json json = {{"kind", conflictKey(conflict.kind)},
                          {"first", nullptr},
-                         {"second", nullptr}};
+                         {"second", nullptr},
+                         {"path", nullptr},
+                         {"value", nullptr}};
     if (conflict.first) {
         json["first"] = requirementOf(conflict.first->kind).key;
     }
@@ -88,7 +86,7 @@ ordered_json conflictJson(const Project& project, const RemedyConflict& conflict
 }
 
 std::string remediesJson(const Project& project, const RemedyResult& found) {
-    ordered_json json = {{"goal", goalOf(found)},
+    ordered_json json = {{"goal", goalKey(found.goal)},
                          {"status", found.isComplete() ? "completed" : "stopped"},
                          {"settings", found.settings},
                          {"tried", found.tried},
@@ -131,6 +129,9 @@ std::string remediesText(const Project& project, const RemedyResult& found) {
     }
     if (found.conflict) {
         text += "  " + wording.conflict(project, found.goal, *found.conflict) + '\n';
+    }
+    if (const std::string extent = wording.extent(found); !extent.empty()) {
+        text += "  " + extent + '\n';
     }
     return text + std::to_string(found.tried) + " of " + std::to_string(found.settings)
            + " settings tried in " + std::to_string(found.runs) + " runs; "

@@ -4,11 +4,11 @@
 #include "core/sparkout.h"
 #include "python/interruptible.h"
 #include "python/project_object.h"
+#include "python/requirement_list.h"
 #include "words/remedy_words.h"
 
 #include <pybind11/stl.h>
 
-#include <array>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -23,6 +23,11 @@ namespace {
 struct FoundRemedy {
     Project project; ///< as it was
     Remedy remedy;
+};
+
+struct FoundConflict {
+    Project project; ///< as it was
+    RemedyConflict conflict;
 };
 
 struct FoundRemedies {
@@ -40,8 +45,6 @@ FoundRemedies remediesOf(const ValidProject& project) {
     });
 }
 
-constexpr std::array goals{"none", "holds", "room"};
-
 std::vector<FoundRemedy> listOf(const FoundRemedies& self) {
     std::vector<FoundRemedy> list;
     for (const Remedy& each : self.result.remedies) {
@@ -50,36 +53,40 @@ std::vector<FoundRemedy> listOf(const FoundRemedies& self) {
     return list;
 }
 
-std::optional<std::vector<std::string>> opposedIn(const FoundRemedies& self) {
-    if (!self.result.conflict) {
-        return std::nullopt;
-    }
-    std::vector<std::string> names;
-    for (const auto& each : {self.result.conflict->first, self.result.conflict->second}) {
-        if (each) {
-            names.emplace_back(requirementOf(each->kind).key);
-        }
-    }
-    return names;
+std::optional<FoundConflict> conflictIn(const FoundRemedies& self) {
+    return self.result.conflict ? std::optional(FoundConflict{self.project, *self.result.conflict})
+                                : std::nullopt;
 }
 
-} // namespace
+std::optional<std::string> nameOf(const std::optional<ConstraintResult>& requirement) {
+    return requirement ? std::optional<std::string>(requirementOf(requirement->kind).key)
+                       : std::nullopt;
+}
 
-void bindRemedies(py::module_& module) {
+void bindRemedy(py::module_& module) {
     py::class_<FoundRemedy>(module, "Remedy", "A change of one setting that helps.")
         .def_property_readonly(
             "path", [](const FoundRemedy& self) { return self.remedy.setting.path(self.project); },
             "JSON pointer of the input; of a stage more, the stage")
-        .def_property_readonly("before",
-                               [](const FoundRemedy& self) { return self.remedy.setting.before; })
+        .def_property_readonly(
+            "before", [](const FoundRemedy& self) { return self.remedy.before(); },
+            "None for a stage more")
         .def_property_readonly("value", [](const FoundRemedy& self) { return self.remedy.value; })
         .def_property_readonly(
             "failing", [](const FoundRemedy& self) { return self.remedy.failing; },
-            "the next value towards the present one, which does not do")
+            "the next value towards the present one, which was run and fails")
+        .def_property_readonly(
+            "holds_beyond", [](const FoundRemedy& self) { return self.remedy.holdsBeyond; },
+            "whether the next value farther off that was tried helps, too")
         .def_property_readonly(
             "time_s", [](const FoundRemedy& self) { return self.remedy.time_s; }, "of the cycle")
-        .def_property_readonly("time_change_s",
-                               [](const FoundRemedy& self) { return self.remedy.timeChange_s; })
+        .def_property_readonly(
+            "time_change_s", [](const FoundRemedy& self) { return self.remedy.timeChange_s; },
+            "None where the cycle as it is does not end by itself")
+        .def_property_readonly(
+            "requirements",
+            [](const FoundRemedy& self) { return requirementList(self.remedy.requirements); },
+            "the worst of each kind")
         .def_property_readonly(
             "text",
             [](const FoundRemedy& self) { return RemedyWording().line(self.project, self.remedy); })
@@ -89,16 +96,52 @@ void bindRemedies(py::module_& module) {
                 return checkedProject(self.remedy.applied(self.project));
             },
             "with the change");
+}
+
+void bindConflict(py::module_& module) {
+    py::class_<FoundConflict>(module, "RemedyConflict",
+                              "Why none of the values that were tried helps.")
+        .def_property_readonly(
+            "kind", [](const FoundConflict& self) { return conflictKey(self.conflict.kind); },
+            "warned, idle, opposed, several or unmended")
+        .def_property_readonly(
+            "first", [](const FoundConflict& self) { return nameOf(self.conflict.first); },
+            "the requirement that fails most; None where the cycle does not end by itself")
+        .def_property_readonly(
+            "second", [](const FoundConflict& self) { return nameOf(self.conflict.second); },
+            "the one that fails with the setting")
+        .def_property_readonly(
+            "path",
+            [](const FoundConflict& self) {
+                const std::optional<RemedySetting>& setting = self.conflict.setting;
+                return setting ? std::optional(setting->path(self.project)) : std::nullopt;
+            },
+            "JSON pointer of the setting that comes nearest")
+        .def_property_readonly("value", [](const FoundConflict& self) {
+            return self.conflict.setting ? std::optional(self.conflict.value) : std::nullopt;
+        });
+}
+
+} // namespace
+
+void bindRemedies(py::module_& module) {
+    bindRemedy(module);
+    bindConflict(module);
     py::class_<FoundRemedies>(module, "Remedies", "What would help.")
         .def_property_readonly(
-            "goal",
-            [](const FoundRemedies& self) {
-                return goals[static_cast<std::size_t>(self.result.goal)];
-            },
+            "goal", [](const FoundRemedies& self) { return goalKey(self.result.goal); },
             "holds, room or none")
         .def_property_readonly("remedies", &listOf, "at most three, the shortest cycle first")
-        .def_property_readonly("opposed", &opposedIn,
-                               "where none helps, the requirements that pull against each other")
+        .def_property_readonly("conflict", &conflictIn, "why none helps, where none does")
+        .def_property_readonly(
+            "settings", [](const FoundRemedies& self) { return self.result.settings; },
+            "that there are to try")
+        .def_property_readonly("tried", [](const FoundRemedies& self) { return self.result.tried; })
+        .def_property_readonly(
+            "found", [](const FoundRemedies& self) { return self.result.found; },
+            "settings that help")
+        .def_property_readonly(
+            "runs", [](const FoundRemedies& self) { return self.result.runs; }, "of cycles")
         .def_property_readonly(
             "text",
             [](const FoundRemedies& self) {

@@ -8,6 +8,7 @@
 #include "python/arrays.h"
 #include "python/interruptible.h"
 #include "python/project_object.h"
+#include "python/requirement_list.h"
 #include "words/search_words.h"
 
 #include <pybind11/stl.h>
@@ -72,15 +73,7 @@ py::list sectionsOf(const Evaluation& self) {
 }
 
 py::list requirementsOf(const Evaluation& self) {
-    using namespace py::literals;
-    py::list list;
-    for (const ConstraintResult& each : self.outcome->constraints) {
-        list.append(py::dict("name"_a = requirementOf(each.kind).key, "where"_a = whereText(each),
-                             "unit"_a = requirementOf(each.kind).unit, "holds"_a = each.holds,
-                             "value"_a = each.isWhole ? each.value : none, "limit"_a = each.limit,
-                             "margin"_a = each.isWhole ? each.margin : none));
-    }
-    return list;
+    return requirementList(self.outcome->constraints);
 }
 
 /// Of a zone or section, double stroke by double stroke or revolution by revolution.

@@ -12069,6 +12069,10 @@ target, µm</source>
             <translation>{time} мин</translation>
         </message>
         <message>
+            <source>the cycle takes {time}</source>
+            <translation>время цикла {time}</translation>
+        </message>
+        <message>
             <source>in the same time</source>
             <translation>время прежнее</translation>
         </message>
@@ -12085,7 +12089,7 @@ target, µm</source>
             <translation>Расчёт при значении {value}: все требования выполнены; время цикла {time}.</translation>
         </message>
         <message>
-            <source>With {value}, a step nearer to the present {before}, it does not do yet.</source>
+            <source>With {value}, one step nearer to the present {before}, it is not so yet.</source>
             <translation>При {value}, на шаг ближе к нынешнему значению {before}, этого ещё нет.</translation>
         </message>
         <message>
@@ -12093,48 +12097,88 @@ target, µm</source>
             <translation>Найдено среди проверенных значений; между ними могут подойти и другие.</translation>
         </message>
         <message>
-            <source>No single setting lets the cycle end by itself.</source>
-            <translation>Ни одна настройка в отдельности не даёт циклу завершиться.</translation>
+            <source>Among the values tried, no single setting lets the cycle end by itself.</source>
+            <translation>При проверенных значениях ни одна настройка в отдельности не даёт циклу завершиться.</translation>
         </message>
         <message>
-            <source>No single setting gives “{first}” more room.</source>
-            <translation>Ни одна настройка в отдельности не прибавит запаса требованию «{first}».</translation>
+            <source>Among the values tried, no single setting gives “{first}” more room.</source>
+            <translation>При проверенных значениях ни одна настройка в отдельности не прибавит запаса требованию «{first}».</translation>
         </message>
         <message>
-            <source>No single setting mends “{first}” or brings it closer to its limit.</source>
-            <translation>Ни одна настройка в отдельности не устраняет и не уменьшает нарушение требования «{first}».</translation>
+            <source>Among the values tried, no single setting mends “{first}” or brings it closer to its limit.</source>
+            <translation>При проверенных значениях ни одна настройка в отдельности не устраняет и не уменьшает нарушение требования «{first}».</translation>
         </message>
         <message>
-            <source>No single setting gives “{first}” enough room: it has most with {change}.</source>
-            <translation>Ни одна настройка в отдельности не даёт требованию «{first}» достаточного запаса. {change} — запас наибольший.</translation>
+            <source>Among the values tried, no single setting gives “{first}” enough room: it has most with {change}.</source>
+            <translation>При проверенных значениях ни одна настройка в отдельности не даёт требованию «{first}» достаточного запаса. {change} — запас наибольший.</translation>
         </message>
         <message>
-            <source>No single setting mends “{first}”: it comes closest to its limit with {change}.</source>
-            <translation>Ни одна настройка в отдельности не устраняет нарушение требования «{first}». {change} — нарушение наименьшее.</translation>
+            <source>Among the values tried, no single setting mends “{first}”: it comes closest to its limit with {change}.</source>
+            <translation>При проверенных значениях ни одна настройка в отдельности не устраняет нарушение требования «{first}». {change} — нарушение наименьшее.</translation>
         </message>
         <message>
-            <source>No single setting gives “{first}” enough room: it has most with {change}, where “{second}” has not enough.</source>
-            <translation>Ни одна настройка в отдельности не даёт требованию «{first}» достаточного запаса. {change} — запас наибольший, но мал запас требования «{second}».</translation>
+            <source>Among the values tried, no single setting gives “{first}” enough room: it has most with {change}, where “{second}” has not enough.</source>
+            <translation>При проверенных значениях ни одна настройка в отдельности не даёт требованию «{first}» достаточного запаса. {change} — запас наибольший, но мал запас требования «{second}».</translation>
         </message>
         <message>
-            <source>No single setting mends “{first}”: it comes closest to its limit with {change}, where “{second}” fails.</source>
-            <translation>Ни одна настройка в отдельности не устраняет нарушение требования «{first}». {change} — нарушение наименьшее, но нарушено требование «{second}».</translation>
+            <source>Among the values tried, no single setting mends “{first}”: it comes closest to its limit with {change}, where “{second}” fails.</source>
+            <translation>При проверенных значениях ни одна настройка в отдельности не устраняет нарушение требования «{first}». {change} — нарушение наименьшее, но нарушено требование «{second}».</translation>
         </message>
         <message>
-            <source>No single setting helps: with {change} the cycle ends by itself, but “{second}” fails.</source>
-            <translation>Изменение одной настройки не помогает: {change} — цикл завершается, но нарушено требование «{second}».</translation>
+            <source>Among the values tried, no single setting helps: with {change}, the cycle ends by itself, but “{second}” fails.</source>
+            <translation>При проверенных значениях изменение одной настройки не помогает: {change} — цикл завершается, но нарушено требование «{second}».</translation>
         </message>
         <message>
-            <source>No single setting gives room: with {change} “{first}” has it, but “{second}” has not.</source>
-            <translation>Изменение одной настройки запаса не даёт: {change} — у требования «{first}» запас есть, у требования «{second}» нет.</translation>
+            <source>Among the values tried, no single setting gives room: with {change}, “{first}” has it, but “{second}” has not.</source>
+            <translation>При проверенных значениях изменение одной настройки запаса не даёт: {change} — у требования «{first}» запас есть, у требования «{second}» нет.</translation>
         </message>
         <message>
-            <source>No single setting helps, as “{first}” and “{second}” pull against each other: with {change} the first holds and the second begins to fail.</source>
-            <translation>Изменение одной настройки не помогает: требования «{first}» и «{second}» противоречат друг другу. {change} — первое выполнено, второе нарушено.</translation>
+            <source>Among the values tried, no single setting helps, as “{first}” and “{second}” pull against each other: with {change}, the first holds and the second begins to fail.</source>
+            <translation>При проверенных значениях изменение одной настройки не помогает: требования «{first}» и «{second}» противоречат друг другу. {change} — первое выполнено, второе нарушено.</translation>
         </message>
         <message>
-            <source>No single setting mends all that fails: with {change} “{first}” holds, but “{second}” still fails.</source>
-            <translation>Изменение одной настройки не устраняет всех нарушений: {change} — требование «{first}» выполнено, «{second}» по-прежнему нарушено.</translation>
+            <source>Among the values tried, no single setting mends all that fails: with {change}, “{first}” holds, but “{second}” still fails.</source>
+            <translation>При проверенных значениях изменение одной настройки не устраняет всех нарушений: {change} — требование «{first}» выполнено, «{second}» по-прежнему нарушено.</translation>
+        </message>
+        <message>
+            <source>The next value towards the present one does it, too, but brings a warning.</source>
+            <translation>Следующее значение в сторону нынешнего тоже годится, но вызывает предупреждение.</translation>
+        </message>
+        <message>
+            <source>With the present feed the added stage does not help.</source>
+            <translation>С нынешней подачей дополнительная ступень не помогает.</translation>
+        </message>
+        <message>
+            <source>Without this stage there is too little room.</source>
+            <translation>Без этой ступени запас слишком мал.</translation>
+        </message>
+        <message>
+            <source>Without this stage the cycle fails.</source>
+            <translation>Без этой ступени цикл не годится.</translation>
+        </message>
+        <message>
+            <source>The present value leaves too little room.</source>
+            <translation>При нынешнем значении запас слишком мал.</translation>
+        </message>
+        <message>
+            <source>The present value fails.</source>
+            <translation>Нынешнее значение не годится.</translation>
+        </message>
+        <message>
+            <source>Among the values tried, no single setting gives room: with {change}, nothing is close to its limit, but the change brings a warning.</source>
+            <translation>При проверенных значениях изменение одной настройки запаса не даёт: {change} — все требования выполнены с запасом, но появляется предупреждение.</translation>
+        </message>
+        <message>
+            <source>Among the values tried, no single setting helps: with {change}, everything holds, but the change brings a warning.</source>
+            <translation>При проверенных значениях изменение одной настройки не помогает: {change} — все требования выполнены, но появляется предупреждение.</translation>
+        </message>
+        <message>
+            <source>Among the values tried, no single setting gives room: with {change}, nothing is close to its limit, but one more stage ends without a step.</source>
+            <translation>При проверенных значениях изменение одной настройки запаса не даёт: {change} — все требования выполнены с запасом, но ещё одна ступень остаётся без хода.</translation>
+        </message>
+        <message>
+            <source>Among the values tried, no single setting helps: with {change}, everything holds, but one more stage ends without a step.</source>
+            <translation>При проверенных значениях изменение одной настройки не помогает: {change} — все требования выполнены, но ещё одна ступень остаётся без хода.</translation>
         </message>
         <message>
             <source>The time was up after {tried} of {all} settings.</source>

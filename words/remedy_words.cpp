@@ -30,6 +30,93 @@ double rounded(double value, int digits) {
     return std::round(value * scale) / scale;
 }
 
+/// Why a setting with which all holds is not offered.
+const char* notOffered(bool room, RemedyConflict::Kind kind) {
+    if (kind == RemedyConflict::Kind::warned) {
+        return room ? SPARKOUT_NOOP(
+                   "Remedy", "Among the values tried, no single setting gives room: with {change}, "
+                             "nothing is close to its limit, but the change brings a warning.")
+                    : SPARKOUT_NOOP("Remedy",
+                                    "Among the values tried, no single setting helps: with "
+                                    "{change}, everything holds, but the change brings a warning.");
+    }
+    return room ? SPARKOUT_NOOP(
+               "Remedy", "Among the values tried, no single setting gives room: with {change}, "
+                         "nothing is close to its limit, but one more stage ends without a step.")
+                : SPARKOUT_NOOP("Remedy",
+                                "Among the values tried, no single setting helps: with {change}, "
+                                "everything holds, but one more stage ends without a step.");
+}
+
+/// How the next value towards the present one came out; nothing where a stage more helps with the
+/// feed there is.
+const char* nearerValue(bool room, const Remedy& remedy) {
+    const RemedySetting& setting = remedy.setting;
+    if (!remedy.failing) {
+        return setting.kind == RemedyKind::addFeed
+                   ? nullptr
+                   : SPARKOUT_NOOP("Remedy", "The next value towards the present one does it, too, "
+                                             "but brings a warning.");
+    }
+    if (*remedy.failing != setting.before) {
+        return SPARKOUT_NOOP(
+            "Remedy", "With {value}, one step nearer to the present {before}, it is not so yet.");
+    }
+    if (setting.kind == RemedyKind::addFeed) {
+        return SPARKOUT_NOOP("Remedy", "With the present feed the added stage does not help.");
+    }
+    if (setting.kind == RemedyKind::addSparkOut) {
+        return room ? SPARKOUT_NOOP("Remedy", "Without this stage there is too little room.")
+                    : SPARKOUT_NOOP("Remedy", "Without this stage the cycle fails.");
+    }
+    return room ? SPARKOUT_NOOP("Remedy", "The present value leaves too little room.")
+                : SPARKOUT_NOOP("Remedy", "The present value fails.");
+}
+
+/// Where nothing mends the first.
+const char* whereNothingMends(bool room, const RemedyConflict& conflict) {
+    if (!conflict.first) {
+        return SPARKOUT_NOOP(
+            "Remedy", "Among the values tried, no single setting lets the cycle end by itself.");
+    }
+    if (!conflict.setting) {
+        return room ? SPARKOUT_NOOP(
+                   "Remedy", "Among the values tried, no single setting gives “{first}” more room.")
+                    : SPARKOUT_NOOP("Remedy", "Among the values tried, no single setting mends "
+                                              "“{first}” or brings it closer to its limit.");
+    }
+    if (!conflict.second) {
+        return room ? SPARKOUT_NOOP("Remedy", "Among the values tried, no single setting gives "
+                                              "“{first}” enough room: it has most with {change}.")
+                    : SPARKOUT_NOOP("Remedy",
+                                    "Among the values tried, no single setting mends “{first}”: it "
+                                    "comes closest to its limit with {change}.");
+    }
+    return room ? SPARKOUT_NOOP("Remedy",
+                                "Among the values tried, no single setting gives “{first}” enough "
+                                "room: it has most with {change}, where “{second}” has not enough.")
+                : SPARKOUT_NOOP(
+                    "Remedy", "Among the values tried, no single setting mends “{first}”: it comes "
+                              "closest to its limit with {change}, where “{second}” fails.");
+}
+
+/// Where something mends the first.
+const char* whereTheFirstIsMended(bool room, const RemedyConflict& conflict) {
+    return !conflict.first ? SPARKOUT_NOOP(
+               "Remedy", "Among the values tried, no single setting helps: with {change}, the "
+                         "cycle ends by itself, but “{second}” fails.")
+           : room
+               ? SPARKOUT_NOOP("Remedy", "Among the values tried, no single setting gives room: "
+                                         "with {change}, “{first}” has it, but “{second}” has not.")
+           : conflict.kind == RemedyConflict::Kind::opposed
+               ? SPARKOUT_NOOP("Remedy", "Among the values tried, no single setting helps, as "
+                                         "“{first}” and “{second}” pull against each other: with "
+                                         "{change}, the first holds and the second begins to fail.")
+               : SPARKOUT_NOOP("Remedy",
+                               "Among the values tried, no single setting mends all that fails: "
+                               "with {change}, “{first}” holds, but “{second}” still fails.");
+}
+
 } // namespace
 
 std::string RemedyWording::number(double value) const {
@@ -143,10 +230,14 @@ std::string RemedyWording::time(double time_s) const {
 }
 
 std::string RemedyWording::cost(const Remedy& remedy) const {
+    if (!remedy.timeChange_s) {
+        return filled(SPARKOUT_NOOP("Remedy", "the cycle takes {time}"),
+                      {{"time", time(remedy.time_s)}});
+    }
     constexpr double none_s = 0.005;
-    return std::abs(remedy.timeChange_s) < none_s
+    return std::abs(*remedy.timeChange_s) < none_s
                ? translated(SPARKOUT_NOOP("Remedy", "in the same time"))
-               : (remedy.timeChange_s > 0 ? "+" : "−") + time(remedy.timeChange_s);
+               : (*remedy.timeChange_s > 0 ? "+" : "−") + time(*remedy.timeChange_s);
 }
 
 std::string RemedyWording::line(const Project& project, const Remedy& remedy) const {
@@ -164,13 +255,12 @@ std::string RemedyWording::proof(const Project& project, RemedyGoal goal,
             : SPARKOUT_NOOP("Remedy",
                             "Run with {value}: everything holds; the cycle takes {time}."),
         {{"value", valueText(project, setting, remedy.value)}, {"time", time(remedy.time_s)}});
-    const bool fromNone = setting.kind == RemedyKind::addSparkOut && remedy.failing == 0.0;
-    if (remedy.failing && !fromNone && *remedy.failing != setting.before) {
+    const char* const nearer = nearerValue(goal == RemedyGoal::room, remedy);
+    if (nearer) {
         text += ' '
-                + filled(SPARKOUT_NOOP("Remedy", "With {value}, a step nearer to the present "
-                                                 "{before}, it does not do yet."),
-                         {{"value", valueText(project, setting, *remedy.failing)},
-                          {"before", valueText(project, setting, setting.before)}});
+                + filled(nearer, {{"value", valueText(project, setting,
+                                                      remedy.failing.value_or(setting.before))},
+                                  {"before", valueText(project, setting, setting.before)}});
     }
     return text + ' '
            + translated(SPARKOUT_NOOP("Remedy", "Found among the values that were tried; between "
@@ -179,48 +269,18 @@ std::string RemedyWording::proof(const Project& project, RemedyGoal goal,
 
 std::string RemedyWording::conflict(const Project& project, RemedyGoal goal,
                                     const RemedyConflict& conflict) const {
+    using enum RemedyConflict::Kind;
     const bool room = goal == RemedyGoal::room;
-    const std::string first = conflict.first ? requirement(conflict.first->kind) : std::string();
-    if (conflict.kind == RemedyConflict::Kind::unmended && !conflict.setting) {
-        return !conflict.first
-                   ? translated(SPARKOUT_NOOP("Remedy", "No single setting lets the cycle end by "
-                                                        "itself."))
-               : room
-                   ? filled(SPARKOUT_NOOP("Remedy", "No single setting gives “{first}” more room."),
-                            {{"first", first}})
-                   : filled(SPARKOUT_NOOP("Remedy", "No single setting mends “{first}” or brings "
-                                                    "it closer to its limit."),
-                            {{"first", first}});
-    }
-    const bool unmended = conflict.kind == RemedyConflict::Kind::unmended;
     const char* const sentence =
-        unmended && !conflict.second
-            ? room ? SPARKOUT_NOOP("Remedy", "No single setting gives “{first}” enough room: it "
-                                             "has most with {change}.")
-                   : SPARKOUT_NOOP("Remedy", "No single setting mends “{first}”: it comes closest "
-                                             "to its limit with {change}.")
-        : unmended && room
-            ? SPARKOUT_NOOP("Remedy", "No single setting gives “{first}” enough room: it has most "
-                                      "with {change}, where “{second}” has not enough.")
-        : unmended
-            ? SPARKOUT_NOOP("Remedy", "No single setting mends “{first}”: it comes closest to its "
-                                      "limit with {change}, where “{second}” fails.")
-        : !conflict.first
-            ? SPARKOUT_NOOP("Remedy", "No single setting helps: with {change} the cycle "
-                                      "ends by itself, but “{second}” fails.")
-        : room
-            ? SPARKOUT_NOOP("Remedy", "No single setting gives room: with {change} “{first}” has "
-                                      "it, but “{second}” has not.")
-        : conflict.kind == RemedyConflict::Kind::opposed
-            ? SPARKOUT_NOOP("Remedy", "No single setting helps, as “{first}” and “{second}” pull "
-                                      "against each other: with {change} the first holds and the "
-                                      "second begins to fail.")
-            : SPARKOUT_NOOP("Remedy", "No single setting mends all that fails: with {change} "
-                                      "“{first}” holds, but “{second}” still fails.");
-    return filled(sentence,
-                  {{"first", first},
-                   {"second", conflict.second ? requirement(conflict.second->kind) : std::string()},
-                   {"change", withSign(project, *conflict.setting, "=", conflict.value)}});
+        conflict.kind == warned || conflict.kind == idle ? notOffered(room, conflict.kind)
+        : conflict.kind == unmended                      ? whereNothingMends(room, conflict)
+                                                         : whereTheFirstIsMended(room, conflict);
+    return filled(
+        sentence,
+        {{"first", conflict.first ? requirement(conflict.first->kind) : std::string()},
+         {"second", conflict.second ? requirement(conflict.second->kind) : std::string()},
+         {"change", conflict.setting ? withSign(project, *conflict.setting, "=", conflict.value)
+                                     : std::string()}});
 }
 
 std::string RemedyWording::extent(const RemedyResult& result) const {

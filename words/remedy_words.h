@@ -22,14 +22,14 @@ public:
     /// "S_t of stage 2 ≤ 0.0031 mm". With ≤ and ≥ a value farther off was tried and holds, too;
     /// with = it is this value that was found.
     [[nodiscard]] std::string change(const Project& project, const Remedy& remedy) const;
-    /// "+0.4 min"
+    /// "+0.4 min"; "the cycle takes 0.55 min" where the cycle as it is does not end by itself.
     [[nodiscard]] std::string cost(const Remedy& remedy) const;
     /// Both: "S_t of stage 2 ≤ 0.0031 mm: +0.4 min".
     [[nodiscard]] std::string line(const Project& project, const Remedy& remedy) const;
     /// What was run for it, and how it came out.
     [[nodiscard]] std::string proof(const Project& project, RemedyGoal goal,
                                     const Remedy& remedy) const;
-    /// Why no single setting helps, with the requirements that pull against each other.
+    /// Why none of the values tried helps, with the requirements that fail.
     [[nodiscard]] std::string conflict(const Project& project, RemedyGoal goal,
                                        const RemedyConflict& conflict) const;
     /// What was tried, where not all was: "Stopped after 5 of 14 settings." Else empty.

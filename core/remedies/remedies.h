@@ -16,12 +16,12 @@
 /// Changes of one setting after which a cycle that fails holds everything, or one that is close to
 /// a limit has room.
 ///
-/// Each setting is tried at values ever farther from where it is, the distance doubled each time
-/// and to both sides, until all holds; between the last value that did not and the first that did
-/// the edge is found by bisection. All values are such as can be set, and every one is run in full:
-/// the value offered holds, and the next one towards the present value does not. Between the values
-/// that were tried a nearer one may hold, too; that is not excluded, since a cycle does not answer
-/// evenly.
+/// Each setting is tried at values ever farther from where it is and to both sides, until all
+/// holds: one by one where there are few and, of a count, near by, else each half as far again as
+/// the one before. Between the last value that did not hold and the first that did the edge is
+/// found by bisection. All values are such as can be set, and every one is run in full: the value
+/// offered holds, and the next one towards the present value does not. Between the values that were
+/// tried others may hold, too; that is not excluded, since a cycle does not answer evenly.
 namespace sparkout {
 
 /// What a remedy is to reach.
@@ -31,27 +31,38 @@ enum class RemedyGoal {
     room,  ///< none is close to its limit, either
 };
 
+/// Its name in files and on the command line: "holds".
+[[nodiscard]] const char* goalKey(RemedyGoal goal);
+
 /// What the outcome of a valid project that ran asks for.
 [[nodiscard]] RemedyGoal remedyGoal(const SimulationResult& result,
                                     const std::vector<ConstraintResult>& constraints);
 
 struct Remedy {
     RemedySetting setting;
-    double value = 0;                ///< that the setting is to have
-    std::optional<double> failing{}; ///< the next one towards the present value; run, and it fails
-    bool holdsBeyond = false;        ///< of the values tried, the next one farther off holds, too
-    double time_s = 0;               ///< of the cycle
-    double timeChange_s = 0;         ///< against the cycle as it is
+    double value = 0; ///< that the setting is to have
+    /// The next one towards the present value; run, and it fails. Nothing where that one holds, but
+    /// brings a warning, or is a stage more with the feed there is.
+    std::optional<double> failing{};
+    bool holdsBeyond = false; ///< of the values tried, the next one farther off holds, too
+    double time_s = 0;        ///< of the cycle
+    std::optional<double> timeChange_s{}; ///< against the cycle as it is, if that ends by itself
     std::vector<ConstraintResult> requirements{}; ///< the worst of each kind
 
     [[nodiscard]] Project applied(Project project) const {
         return setting.applied(std::move(project), value);
     }
+    /// The value there is; nothing for a stage more.
+    [[nodiscard]] std::optional<double> before() const {
+        return setting.addsStage() ? std::nullopt : std::optional(setting.before);
+    }
 };
 
-/// Why no single setting helps.
+/// Why no single setting helps, of the values that were tried.
 struct RemedyConflict {
     enum class Kind {
+        warned,   ///< all holds with the setting below, which brings a warning
+        idle,     ///< all holds with the setting below, but one more stage is run over
         opposed,  ///< what mends the first breaks the second, which holds as it is
         several,  ///< both fail; what mends the first does not mend the second, nor does any mend
                   ///< all
@@ -60,9 +71,12 @@ struct RemedyConflict {
     Kind kind = Kind::unmended;
     std::optional<ConstraintResult> first;  ///< as it is; nothing: the cycle does not end by itself
     std::optional<ConstraintResult> second; ///< what fails most with the setting below, if any does
-    std::optional<RemedySetting> setting;   ///< with which the first holds, or comes closest
+    std::optional<RemedySetting> setting;   ///< with which that is so
     double value = 0;                       ///< of the setting
 };
+
+/// Its name in files and on the command line: "opposed".
+[[nodiscard]] const char* conflictKey(RemedyConflict::Kind kind);
 
 struct RemedyResult {
     static constexpr std::size_t most = 3;

@@ -7,9 +7,12 @@
 #include "core/study/stage_edits.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace sparkout {
@@ -24,8 +27,10 @@ constexpr double mostStrokes = 64, mostRevolutions = 512;
 /// Stocks are moved by so much [mm], those of two stages that have little by a tenth of it.
 constexpr double stockStep_mm = 1e-3, littleStock_mm = 0.02;
 
+constexpr std::string_view inStages = "/cycle/stages/";
+
 std::string pathOfStage(std::size_t stage) {
-    return "/cycle/stages/" + std::to_string(stage);
+    return std::string(inStages) + std::to_string(stage);
 }
 
 /// A machine's step, or a tenfold of it that is still fine for such a value.
@@ -216,6 +221,18 @@ std::string RemedySetting::rowPath(const Project& project) const {
     case RemedyKind::plungeFeed: return "/machine/plunge_feed_mm_min";
     }
     return {};
+}
+
+std::string RemedySetting::pathAfter(const std::string& path) const {
+    if (!addsStage() || !path.starts_with(inStages)) {
+        return path;
+    }
+    std::size_t number = 0;
+    const char* const end = path.data() + path.size();
+    const auto [rest, error] = std::from_chars(path.data() + inStages.size(), end, number);
+    return error != std::errc{} || number <= stage
+               ? path
+               : pathOfStage(number + 1) + std::string(rest, end);
 }
 
 std::vector<RemedySetting> remedySettings(const Project& project) {

@@ -41,6 +41,8 @@ struct RemedySetting {
     [[nodiscard]] std::string path(const Project& project) const;
     /// The same as an input of the project as it is, whose row has label, symbol and unit.
     [[nodiscard]] std::string rowPath(const Project& project) const;
+    /// Where an input of the project as it is stands once the setting is applied.
+    [[nodiscard]] std::string pathAfter(const std::string& path) const;
     [[nodiscard]] bool addsStage() const {
         return kind == RemedyKind::addFeed || kind == RemedyKind::addSparkOut;
     }

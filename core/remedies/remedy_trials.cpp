@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace sparkout {
 
@@ -79,6 +80,8 @@ std::optional<RemedyTrial> RemedyTrials::run(const RemedySetting& setting, doubl
     trial.holds = met && idleStages(result) <= m_idle;
     if (!met) {
         learn(setting, value, trial);
+    } else if (!trial.holds && !m_idleTrial) {
+        m_idleTrial.emplace(Nearest{setting, value, std::nullopt, 0});
     }
     return trial;
 }
@@ -121,16 +124,18 @@ void RemedyTrials::learn(const RemedySetting& setting, double value, const Remed
 RemedyConflict RemedyTrials::conflict() const {
     RemedyConflict found;
     found.first = m_first;
-    const std::optional<Nearest>& nearest = m_opposed   ? m_opposed
-                                            : m_several ? m_several
-                                                        : m_closest;
-    if (nearest) {
-        found.kind = m_opposed   ? RemedyConflict::Kind::opposed
-                     : m_several ? RemedyConflict::Kind::several
-                                 : RemedyConflict::Kind::unmended;
+    using enum RemedyConflict::Kind;
+    const std::pair<const std::optional<Nearest>&, RemedyConflict::Kind> inOrder[] = {
+        {m_idleTrial, idle}, {m_opposed, opposed}, {m_several, several}, {m_closest, unmended}};
+    for (const auto& [nearest, kind] : inOrder) {
+        if (!nearest) {
+            continue;
+        }
+        found.kind = kind;
         found.second = nearest->second;
         found.setting = nearest->setting;
         found.value = nearest->value;
+        break;
     }
     return found;
 }

@@ -31,7 +31,8 @@ public:
     [[nodiscard]] long long runs() const { return m_runs; }
 
     /// The requirements that pull against each other in the trial that came nearest: the least
-    /// relative margin of what fails in it is the greatest of all. Where every trial leaves the
+    /// relative margin of what fails in it is the greatest of all. Before that goes a trial that
+    /// meets everything, but runs one more stage over. Where every trial leaves the
     /// first one failing, the trial in which it fails least, and what else fails there.
     [[nodiscard]] RemedyConflict conflict() const;
 
@@ -58,6 +59,7 @@ private:
     std::ptrdiff_t m_idle;                   ///< stages run over
     long long m_runs = 0;
     std::optional<Nearest> m_opposed, m_several, m_closest;
+    std::optional<Nearest> m_idleTrial; ///< the first that meets all, with a stage more run over
 };
 
 } // namespace sparkout

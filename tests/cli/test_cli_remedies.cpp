@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `remedies` as a user meets it: the real program, what it prints, and that its patch does it.
+#include "core/project/part.h"
 #include "core/remedies/remedies.h"
 #include "core/simulation/simulate.h"
+#include "core/study/operation.h"
 #include "tests/cli/cli_bench.h"
 #include "tests/registry.h"
+
+#include <QProcess>
+
+#include <csignal>
 
 namespace test_cli_remedies {
 
@@ -47,6 +53,10 @@ private slots:
             const json& told = answer.at("remedies")[i];
             QCOMPARE(told.at("value").get<double>(), found.remedies[i].value);
             QCOMPARE(told.at("time_min").get<double>(), found.remedies[i].time_s / 60);
+            QCOMPARE(told.at("before").is_null(), found.remedies[i].setting.addsStage());
+            QCOMPARE(told.at("holds_beyond").get<bool>(), found.remedies[i].holdsBeyond);
+            QCOMPARE(told.at("time_change_min").get<double>(),
+                     *found.remedies[i].timeChange_s / 60);
             for (const json& each : told.at("requirements")) {
                 QVERIFY(each.at("ok").get<bool>());
             }
@@ -85,7 +95,58 @@ private slots:
         QCOMPARE(outcome.status, 0);
         QVERIFY2(outcome.out.find("Radial runout") != std::string::npos, outcome.out.c_str());
         const json answer = json::parse(run({"remedies", file, "--json"}).out);
-        QVERIFY(answer.at("conflict").at("first") == "radial_runout");
+        const json& conflict = answer.at("conflict");
+        QVERIFY(conflict.at("first") == "radial_runout" && conflict.at("kind") == "unmended");
+        QCOMPARE(conflict.at("path").is_null(), conflict.at("value").is_null());
+        QVERIFY2(outcome.out.find("  Among the values tried, no single setting ")
+                     != std::string::npos,
+                 outcome.out.c_str());
+        const std::string help = run({"--help"}).out;
+        QVERIFY(help.find("pull against each other") == std::string::npos); // true of one kind
+    }
+
+    // Until its limit runs a cycle that waits for a size it never reaches: no time to add to.
+    void aCycleThatDoesNotEndIsNoMeasureOfTime() {
+        json waits =
+            json::parse(samples::readText(examplePath("plunge-shaft-two-stage").toStdString()));
+        waits["cycle"]["stages"][1]["radial_feed_mm_min"] = 0;
+        waits["cycle"]["stages"][1]["spark_out"] = "until_size";
+        const QString file = save("waits.sparkout", waits.dump());
+        const Outcome outcome = run({"remedies", file});
+        QVERIFY2(outcome.out.starts_with("the cycle does not end by itself\n  "),
+                 outcome.out.c_str());
+        QVERIFY2(outcome.out.find(": the cycle takes 0.") != std::string::npos,
+                 outcome.out.c_str());
+        QVERIFY2(outcome.out.find("−") == std::string::npos, outcome.out.c_str());
+        const json answer = json::parse(run({"remedies", file, "--json"}).out);
+        QVERIFY(!answer.at("remedies").empty());
+        for (const json& each : answer.at("remedies")) {
+            QVERIFY(each.at("time_change_min").is_null() && each.at("time_min") < 10);
+        }
+    }
+
+    void aSearchThatIsEndedSaysSo() {
+        Project slow = withSections(projectOf(examplePath("plunge-shaft-two-stage")), 50);
+        slow.part->radii_per_section = 360;
+        slow.part->tolerance.radial_runout_um = 1.5;
+        const QString file = save("slow.sparkout", writeProject(slow));
+        Outcome outcome;
+        for (const int delay_ms : {600, 1200, 2400, 4800}) { // past the cycle as it is
+            QProcess process;
+            process.start(SPARKOUT_CLI, {"remedies", file});
+            QVERIFY(process.waitForStarted());
+            QTest::qWait(delay_ms);
+            ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+            outcome = outcomeOf(process);
+            if (!outcome.out.empty()) {
+                break;
+            }
+        }
+        QCOMPARE(outcome.status, 130);
+        QVERIFY2(outcome.out.find("  Stopped after ") != std::string::npos, outcome.out.c_str());
+        QVERIFY2(outcome.out.find("no single setting") == std::string::npos, outcome.out.c_str());
+        QVERIFY(run({"--help"}).out.find("sweep or search for remedies ended by Ctrl+C")
+                != std::string::npos);
     }
 
     void whatCannotBeRunIsRefused() {

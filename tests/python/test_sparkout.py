@@ -203,14 +203,53 @@ class Studies(unittest.TestCase):
         found = sparkout.remedies(sparkout.Project.read(file))
         stated = cli("remedies", file, "--json")
         self.assertEqual(found.goal, stated["goal"])
-        self.assertIsNone(found.opposed)
-        self.assertEqual([each.value for each in found.remedies],
-                         [each["value"] for each in stated["remedies"]])
+        self.assertIsNone(found.conflict)
+        for member in ("settings", "tried", "found", "runs"):
+            self.assertEqual(getattr(found, member), stated[member], member)
         self.assertGreater(len(found.remedies), 0)
-        for each in found.remedies:
+        self.assertEqual(len(found.remedies), len(stated["remedies"]))
+        added = [each.before for each in found.remedies if "stages/2" in each.path]
+        self.assertEqual(added, [None]) # a stage more has no value before
+        for each, line in zip(found.remedies, stated["remedies"]):
+            for member in ("path", "before", "value", "failing", "holds_beyond"):
+                self.assertEqual(getattr(each, member), line[member], member)
+            self.assertEqual(each.time_s / 60, line["time_min"])
+            self.assertEqual(each.time_change_s / 60, line["time_change_min"])
+            for one, other in zip(each.requirements, line["requirements"], strict=True):
+                self.assertTrue(one["holds"] and other["ok"])
+                for member in ("name", "where", "unit", "value", "limit", "margin"):
+                    self.assertEqual(one[member], other[member], member)
             changed = sparkout.evaluate(each.project)
             self.assertTrue(changed.holds)
             self.assertEqual(changed.time_s, each.time_s)
+
+    def test_why_no_remedy_helps_is_that_of_the_command_line(self):
+        file = EXAMPLES / "plunge-shaft-two-stage.sparkout"
+        kinds = set()
+        for values in ({"/machine/geometric_runout_um": 6}, {"/gauge/commands": 1},
+                       {"/part/tolerance/radial_runout_um": 1e-6}):
+            with self.subTest(values), tempfile.TemporaryDirectory() as folder:
+                project = sparkout.Project.read(file).with_values(values)
+                changed = pathlib.Path(folder) / "changed.sparkout"
+                project.write(changed)
+                stated = cli("remedies", changed, "--json")["conflict"]
+                found = sparkout.remedies(project)
+                self.assertEqual({member: getattr(found.conflict, member) for member in stated},
+                                 stated)
+                self.assertEqual(set(stated), {"kind", "first", "second", "path", "value"})
+                self.assertTrue(found.text.startswith("Among the values tried, no single setting"))
+                kinds.add(found.conflict.kind)
+        self.assertIn("unmended", kinds)
+
+    def test_a_cycle_that_does_not_end_is_no_measure_of_time(self):
+        project = sparkout.Project.read(EXAMPLES / "plunge-shaft-two-stage.sparkout").with_values({
+            "/cycle/stages/1/radial_feed_mm_min": 0,
+            "/cycle/stages/1/spark_out": "until_size"})
+        found = sparkout.remedies(project)
+        self.assertGreater(len(found.remedies), 0)
+        for each in found.remedies:
+            self.assertIsNone(each.time_change_s)
+            self.assertRegex(each.text, r": the cycle takes [0-9.]+ (min|s)$")
 
     def test_what_cannot_be_searched_is_refused(self):
         project = sparkout.Project.read(FACTORY).with_values({"/optimisation": None})
