@@ -15,7 +15,7 @@ std::string RemedyText::translated(const char* text) const {
 }
 
 std::string RemedyText::number(double value) const {
-    return showNumber(value, QLocale()).replace(u'-', u'−').toStdString();
+    return printedNumber(value).toStdString();
 }
 
 std::string RemedyText::unit(const char* unit) const {
