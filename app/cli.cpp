@@ -96,6 +96,9 @@ examples   writes the example projects into a folder, which is made if need be;
            where one of them was edited there, nothing is written
   --force    replaces those that were edited
 
+Sections of a plunge and parts of a batch are counted from 0, as in the file; in the window and
+its reports from 1.
+
 Exit status: 0 done; 1 the input is refused; 2 usage; 3 the cycle cannot reach size;
 4 a requirement fails (--check); 5 no cycle of the grid is feasible; 130 or 143 a batch,
 sweep or search for remedies ended by Ctrl+C or SIGTERM.

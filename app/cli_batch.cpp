@@ -322,12 +322,13 @@ std::string capabilityCells(const std::optional<Capability>& capability) {
 
 std::string batchText(const BatchResult& result, const std::optional<SobolIndices>& indices) {
     const BatchSummary summary = summarise(result);
-    std::string text =
-        std::to_string(summary.parts) + " of " + std::to_string(result.batchParts) + " parts, "
-        + statusName(result.status) + "\nverdict " + verdictText(weigh(summary, result), summary)
-        + "\nnot good " + shareText(summary.bad) + "; did not reach size "
-        + std::to_string(summary.failed) + "\n" + strippedText(summary) + "worst part "
-        + std::to_string(summary.worstPart) + factorsText(result, summary.worstPart) + '\n';
+    std::string text = std::to_string(summary.parts) + " of " + std::to_string(result.batchParts)
+                       + " parts, " + statusName(result.status) + "\nverdict "
+                       + verdictText(weigh(summary, result), summary) + "\nnot good "
+                       + shareText(summary.bad) + "; did not reach size "
+                       + std::to_string(summary.failed) + "\n" + strippedText(summary)
+                       + "worst part " + std::to_string(summary.worstPart) + " (from 0)"
+                       + factorsText(result, summary.worstPart) + '\n';
     const auto regressions = rankRegressions(result);
     const auto factors = givenFactors(result.project);
     for (std::size_t i = 0; i < summary.characteristics.size(); ++i) {

@@ -36,7 +36,8 @@ std::string accuracyText(const SimulationResult& result, const PartAccuracy& acc
                "known\n";
     }
     std::string text = "deviations, µm       min, max of the diameter; radial runout; roundness by "
-                       "minimum zone, least squares\n";
+                       "minimum zone, least squares";
+    text += result.project.operation->hasZones ? "\n" : "; sections from 0\n";
     for (std::size_t i = 0; i < result.sections.size(); ++i) {
         const SectionResult& section = result.sections[i];
         text += padded("  " + sectionName(section.zone, static_cast<int>(i)))

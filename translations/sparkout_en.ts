@@ -55,10 +55,10 @@
     <context>
         <name>PassportPrediction</name>
         <message numerus="yes">
-            <source>Of the %n part(s), the first of which is number 0, number %1 has the least margin. %2.</source>
+            <source>Of the %n part(s) number %1 has the least margin. %2.</source>
             <translation>
-                <numerusform>Of the %n part, which is number 0, number %1 has the least margin. %2.</numerusform>
-                <numerusform>Of the %n parts, the first of which is number 0, number %1 has the least margin. %2.</numerusform>
+                <numerusform>Of the %n part number %1 has the least margin. %2.</numerusform>
+                <numerusform>Of the %n parts number %1 has the least margin. %2.</numerusform>
             </translation>
         </message>
     </context>

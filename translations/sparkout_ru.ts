@@ -1891,6 +1891,10 @@ Reloading takes that version; your changes stay in Undo.</source>
     <context>
         <name>Hint</name>
         <message>
+            <source>%1 Entered and shown on the diameter; the file and all results have it per side.</source>
+            <translation>%1 Вводится и показывается на диаметр; в файле и во всех результатах — на сторону.</translation>
+        </message>
+        <message>
             <source>Allowed: %1</source>
             <translation>Допускается: %1</translation>
         </message>
@@ -1934,8 +1938,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Числа ступеней, которые перебирает поиск.</translation>
         </message>
         <message>
-            <source>Stock step</source>
-            <translation>Шаг припуска</translation>
+            <source>Stock step per side</source>
+            <translation>Шаг припуска на сторону</translation>
         </message>
         <message>
             <source>Stage stocks are multiples of it.</source>
@@ -2378,8 +2382,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>среднее</translation>
         </message>
         <message>
-            <source>Index of the section the gauge watches, counted from 0 at the headstock. In traverse grinding the gauge is in the middle of the zone between the reversals.</source>
-            <translation>Номер сечения, за которым следит прибор, счёт с 0 от передней бабки. При шлифовании с осевой подачей прибор стоит посередине нереверсной зоны.</translation>
+            <source>Section the gauge watches, counted from the headstock: from 1 in the window and in reports, from 0 in files and on the command line. In traverse grinding the gauge is in the middle of the zone between the reversals.</source>
+            <translation>Номер сечения, за которым следит прибор, считая от передней бабки: в окне и отчётах с 1, в файлах и командной строке с 0. При шлифовании с осевой подачей прибор стоит посередине нереверсной зоны.</translation>
         </message>
         <message>
             <source>Gauge at a free position</source>
@@ -3142,8 +3146,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>С осевой подачей: высота круга, от которой зависит ширина контакта. Врезное: длина обработки.</translation>
         </message>
         <message>
-            <source>Stock of the last stage</source>
-            <translation>Припуск последней ступени</translation>
+            <source>Stock per side of the last stage</source>
+            <translation>Припуск последней ступени на сторону</translation>
         </message>
         <message>
             <source>Least and most, in cycles of several stages.</source>
@@ -3362,8 +3366,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Врезная подача по ступеням</translation>
         </message>
         <message>
-            <source>Stock by stage</source>
-            <translation>Припуск по ступеням</translation>
+            <source>Stock per side by stage</source>
+            <translation>Припуск на сторону по ступеням</translation>
         </message>
         <message>
             <source>Cost of a part</source>
@@ -3400,6 +3404,10 @@ Reloading takes that version; your changes stay in Undo.</source>
     </context>
     <context>
         <name>Issue</name>
+        <message>
+            <source>%1 (stock on diameter)</source>
+            <translation>%1 (припуск на диаметр)</translation>
+        </message>
         <message>
             <source>the file is empty</source>
             <translation>файл пуст</translation>
@@ -4579,11 +4587,11 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Вне допуска</translation>
         </message>
         <message numerus="yes">
-            <source>Of the %n part(s), the first of which is number 0, number %1 has the least margin. %2.</source>
+            <source>Of the %n part(s) number %1 has the least margin. %2.</source>
             <translation>
-                <numerusform>Из %n детали, считая с нулевой, наименьший запас у детали номер %1. %2.</numerusform>
-                <numerusform>Из %n деталей, считая с нулевой, наименьший запас у детали номер %1. %2.</numerusform>
-                <numerusform>Из %n деталей, считая с нулевой, наименьший запас у детали номер %1. %2.</numerusform>
+                <numerusform>Из %n детали наименьший запас у детали номер %1. %2.</numerusform>
+                <numerusform>Из %n деталей наименьший запас у детали номер %1. %2.</numerusform>
+                <numerusform>Из %n деталей наименьший запас у детали номер %1. %2.</numerusform>
             </translation>
         </message>
         <message>
@@ -6079,8 +6087,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Фактор: %1</translation>
         </message>
         <message>
-            <source>Number of the part, the first is 0</source>
-            <translation>Номер детали, первая — 0</translation>
+            <source>Number of the part</source>
+            <translation>Номер детали</translation>
         </message>
         <message>
             <source>Factor</source>
@@ -7092,6 +7100,10 @@ Reloading takes that version; your changes stay in Undo.</source>
     </context>
     <context>
         <name>sparkout::Actions</name>
+        <message>
+            <source>Stoc&amp;k on diameter</source>
+            <translation>&amp;Припуск на диаметр</translation>
+        </message>
         <message>
             <source>Keep run</source>
             <translation>Запомнить расчёт</translation>
@@ -9008,6 +9020,10 @@ Reloading takes that version; your changes stay in Undo.</source>
     </context>
     <context>
         <name>sparkout::FormRow</name>
+        <message>
+            <source>Stock on diameter</source>
+            <translation>Припуск на диаметр</translation>
+        </message>
         <message>
             <source>empty: %1</source>
             <translation>пусто: %1</translation>
@@ -12037,8 +12053,8 @@ target, µm</source>
             <translation>Подача {feed} ступени {stage} {is}</translation>
         </message>
         <message>
-            <source>Stock of stage {stage} {is} (stage {other}: {rest})</source>
-            <translation>Припуск ступени {stage} {is} (ступени {other}: {rest})</translation>
+            <source>Stock per side of stage {stage} {is} (stage {other}: {rest})</source>
+            <translation>Припуск на сторону ступени {stage} {is} (ступени {other}: {rest})</translation>
         </message>
         <message>
             <source>Double strokes of spark-out {is}</source>
@@ -12049,8 +12065,8 @@ target, µm</source>
             <translation>Число оборотов выхаживания {is}</translation>
         </message>
         <message>
-            <source>One more stage after stage {stage}: {feed} {is}, stock {stock}</source>
-            <translation>Ещё одна ступень после ступени {stage}: {feed} {is}, припуск {stock}</translation>
+            <source>One more stage after stage {stage}: {feed} {is}, stock per side {stock}</source>
+            <translation>Ещё одна ступень после ступени {stage}: {feed} {is}, припуск на сторону {stock}</translation>
         </message>
         <message>
             <source>Spark-out as one more stage: double strokes {is}</source>
@@ -13101,12 +13117,16 @@ good</source>
     <context>
         <name>StockFit</name>
         <message>
-            <source>Fit the stocks: the first stage takes %1 %2</source>
-            <translation>Согласовать припуски: первая ступень снимает %1 %2</translation>
+            <source>%1 %2 on diameter</source>
+            <translation>%1 %2 на диаметр</translation>
         </message>
         <message>
-            <source>Fit the stocks in proportion, to %1 %2 together</source>
-            <translation>Согласовать припуски пропорционально, всего %1 %2</translation>
+            <source>Fit the stocks: the first stage takes %1</source>
+            <translation>Согласовать припуски: первая ступень снимает %1</translation>
+        </message>
+        <message>
+            <source>Fit the stocks in proportion, to %1 together</source>
+            <translation>Согласовать припуски пропорционально, всего %1</translation>
         </message>
     </context>
     <context>
@@ -13145,6 +13165,52 @@ good</source>
         <message>
             <source>Nothing found</source>
             <translation>Ничего не найдено</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::StockReading</name>
+        <message>
+            <source>Stage stock on diameter</source>
+            <translation>Припуск ступени на диаметр</translation>
+        </message>
+        <message>
+            <source>Stock on diameter</source>
+            <translation>Припуск на диаметр</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::StiffnessOffer</name>
+        <message>
+            <source>Its effect: γ %1 mm/N; machining time %2 min; diameter deviations %3 µm; requirements that fail %4.</source>
+            <translation>Её влияние: γ %1 мм/Н; машинное время %2 мин; отклонения диаметра %3 мкм; невыполненных требований %4.</translation>
+        </message>
+        <message>
+            <source>With it the cycle cannot be run: %1</source>
+            <translation>С ней цикл нельзя рассчитать: %1</translation>
+        </message>
+        <message>
+            <source>Computing its effect …</source>
+            <translation>Вычисляется её влияние …</translation>
+        </message>
+        <message>
+            <source>Effect of the stiffness</source>
+            <translation>Влияние жёсткости</translation>
+        </message>
+        <message>
+            <source>Without it the stiffness of the project stays as it is; the other values of the machine are taken.</source>
+            <translation>Без отметки жёсткость в проекте остаётся прежней; остальные значения станка берутся.</translation>
+        </message>
+        <message>
+            <source>The compliance is given on the page of the machine, which does not read a stiffness. With this the given compliance goes, and γ follows from the stiffness of the machine and from the shaft.</source>
+            <translation>На странице станка задана податливость, поэтому жёсткость не используется. С этой отметкой заданная податливость снимается, и γ вычисляется по жёсткости станка и по валу.</translation>
+        </message>
+        <message>
+            <source>&amp;Compute the compliance from its stiffness</source>
+            <translation>&amp;Вычислять податливость по её жёсткости</translation>
+        </message>
+        <message>
+            <source>Take its &amp;stiffness</source>
+            <translation>Взять её &amp;жёсткость</translation>
         </message>
     </context>
 </TS>

@@ -180,7 +180,7 @@ std::string RemedyWording::withSign(const Project& project, const RemedySetting&
         const Project changed = setting.applied(project, value);
         const Stage& giver = changed.cycle->stages[setting.other];
         return filled(
-            SPARKOUT_NOOP("Remedy", "Stock of stage {stage} {is} (stage {other}: {rest})"),
+            SPARKOUT_NOOP("Remedy", "Stock per side of stage {stage} {is} (stage {other}: {rest})"),
             {{"stage", stage},
              {"is", is},
              {"other", number(static_cast<double>(setting.other) + 1)},
@@ -194,7 +194,7 @@ std::string RemedyWording::withSign(const Project& project, const RemedySetting&
         const Project changed = setting.applied(project, value);
         const Stage& added = changed.cycle->stages[setting.stage + 1];
         return filled(SPARKOUT_NOOP("Remedy", "One more stage after stage {stage}: {feed} {is}, "
-                                              "stock {stock}"),
+                                              "stock per side {stock}"),
                       {{"stage", stage},
                        {"feed", row.symbol},
                        {"is", is},

@@ -72,7 +72,7 @@ std::string PartTable::line(const PartRecord& record) const {
     const bool done = outcome.completed;
     const bool whole = done && !outcome.fails[static_cast<std::size_t>(ConstraintKind::overlap)];
     const auto word = [this](bool yes) { return yes ? m_dialect.yes : m_dialect.no; };
-    std::string line = std::to_string(record.part) + m_dialect.separator
+    std::string line = std::to_string(record.part + m_dialect.firstPart) + m_dialect.separator
                        + m_dialect.states[!done   ? 1
                                           : whole ? 0
                                                   : 2]

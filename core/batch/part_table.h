@@ -36,6 +36,7 @@ public:
         /// Done, does not reach size, done but strips stay uncut.
         std::array<std::string, 3> states{"completed", "cannot_reach_size", "strips_uncut"};
         std::string yes = "true", no = "false";
+        int firstPart = 0; ///< its number
     };
 
     PartTable(PartColumns columns, Dialect dialect)

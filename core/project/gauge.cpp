@@ -57,8 +57,9 @@ const StructInfo& tableOf<Gauge>() {
                        .nullMeaning = SPARKOUT_NOOP("Input", "the middle one"),
                        .relevant = gaugeAtSection, .page = Page::gauge,
                        .hint = SPARKOUT_NOOP(
-                           "Input", "Index of the section the gauge watches, counted from 0 at the "
-                                    "headstock. In traverse grinding the gauge is in the middle "
+                           "Input", "Section the gauge watches, counted from the headstock: from 1 "
+                                    "in the window and in reports, from 0 in files and on the "
+                                    "command line. In traverse grinding the gauge is in the middle "
                                     "of the zone between the reversals."),
                        .source = "MODEL-6"),
         SPARKOUT_FIELD(

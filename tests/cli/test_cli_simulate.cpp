@@ -90,6 +90,13 @@ private slots:
         }
     }
 
+    void sectionsAreCountedAsInTheFileAndTheTextSaysSo() {
+        const std::string out = run({"simulate", samplePath("smallest-plunge")}).out;
+        QVERIFY(out.find("; sections from 0\n  section 0 ") != std::string::npos);
+        QVERIFY(run({"simulate", samplePath("complete")}).out.find("from 0") == std::string::npos);
+        QVERIFY(run({"--help"}).out.find("counted from 0") != std::string::npos);
+    }
+
     void textListsTheShopsNumbersStageByStage() {
         const std::string out = run({"simulate", samplePath("complete")}).out;
         const ShopNumbers shop = shopNumbers(simulate(projectOf(samplePath("complete"))));

@@ -92,7 +92,7 @@ QString percentShown(double share) {
 ShownValue inputShown(const RunValue& input) {
     const auto& [path, field, owner] = std::get<Leaf>(input.value);
     const std::optional<double> number = singleNumberIn(*field, owner);
-    const QString shown = number ? showNumber(*number, QLocale()) : fieldText(*field, owner);
+    const QString shown = number ? printedNumber(*number) : fieldText(*field, owner);
     return {locationText(path), unitText(field->unit), shown,
             number ? CsvCell(*number) : CsvCell(shown)};
 }
@@ -164,8 +164,8 @@ QString changeShown(const ChangedValue& change) {
     QString from = before ? numberShown(field, *before) : fieldText(field, change.kept.owner);
     QString to = after ? numberShown(field, *after) : fieldText(field, change.now->owner);
     if (before && after && from == to) {
-        from = showNumber(*before, QLocale());
-        to = showNumber(*after, QLocale());
+        from = printedNumber(*before);
+        to = printedNumber(*after);
     }
     return QStringLiteral("%1 → %2").arg(from, to);
 }

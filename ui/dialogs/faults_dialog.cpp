@@ -22,10 +22,10 @@ QStringList FaultsDialog::lines(const Issues& issues) {
     for (const Issue& issue : issues) {
         const QString path = QString::fromStdString(issue.path);
         const QString where = locationText(issue.path);
-        list += path.isEmpty() ? issueText(issue)
+        list += path.isEmpty() ? fileIssueText(issue)
                 : where.isEmpty() || where == path.section(u'/', -1)
-                    ? tr("%1: %2").arg(path, issueText(issue))
-                    : tr("%1 (%2): %3").arg(where, path, issueText(issue));
+                    ? tr("%1: %2").arg(path, fileIssueText(issue))
+                    : tr("%1 (%2): %3").arg(where, path, fileIssueText(issue));
     }
     return list;
 }

@@ -11,6 +11,7 @@
 #include "ui/report/documents/passport_inputs.h"
 #include "ui/text/example_texts.h"
 #include "ui/text/names.h"
+#include "ui/text/shown_scale.h"
 #include "ui/text/texts.h"
 #include "ui/views/batch/batch_figures.h"
 #include "ui/views/batch/batch_text.h"
@@ -125,7 +126,7 @@ CsvTable worstPart(const BatchOutcome& outcome) {
     if (part < 0) {
         return table;
     }
-    addFact(table, StudyBook::tr("Number of the part, the first is 0"), static_cast<double>(part));
+    addFact(table, StudyBook::tr("Number of the part"), static_cast<double>(part + 1));
     const ScenarioSource source(outcome.result.project);
     const std::vector<double> values = source.values(part);
     for (std::size_t f = 0; f < values.size(); ++f) {
@@ -196,8 +197,10 @@ CsvTable sweepFacts(const SweepResult& sweep) {
         if (row != own.rows.end()) {
             addFact(table, StudyBook::tr("%1: of the project").arg(name), (*row)[3], unit);
         }
-        addFact(table, StudyBook::tr("%1: from").arg(name), input.values.front(), unit);
-        addFact(table, StudyBook::tr("%1: to").arg(name), input.values.back(), unit);
+        const ShownScale shown = ShownScale::at(input.axis.input);
+        addFact(table, StudyBook::tr("%1: from").arg(name), shown.shown(input.values.front()),
+                unit);
+        addFact(table, StudyBook::tr("%1: to").arg(name), shown.shown(input.values.back()), unit);
         addFact(table, StudyBook::tr("%1: values").arg(name),
                 static_cast<double>(input.values.size()));
     }
@@ -212,10 +215,11 @@ CsvTable mapTable(const SweepResult& sweep, std::size_t quantity) {
     table.header << SweepText::inputAxis(first);
     for (const double value : second.values) {
         table.header << QStringLiteral("%1 %2").arg(SweepText::inputBrief(second.axis.input),
-                                                    SweepText::inputValue(value, second.unit));
+                                                    SweepText::inputValue(value, second));
     }
+    const ShownScale shown = ShownScale::at(first.axis.input);
     for (std::size_t i = 0; i < first.values.size(); ++i) {
-        std::vector<CsvCell> row{first.values[i]};
+        std::vector<CsvCell> row{shown.shown(first.values[i])};
         for (std::size_t j = 0; j < second.values.size(); ++j) {
             const SweepPoint& point = sweep.points[sweep.index(i, j)];
             row.emplace_back(point.values.empty() ? SweepValue().value

@@ -4,6 +4,7 @@
 #include "ui/text/calculation.h"
 #include "ui/text/joined.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_scale.h"
 #include "ui/text/texts.h"
 
 #include <QAction>
@@ -24,6 +25,7 @@ constexpr int typingPause_ms = 800;
 NumberSpec NumberSpec::of(const Field& field) {
     NumberSpec spec{field.stated(), field.soft, field.unit, false, false, field.nullMeaning};
     spec.integer = field.kind == Kind::integer || field.kind == Kind::optionalInteger;
+    spec.scale = ShownScale::ofInput(field);
     spec.optional = field.kind == Kind::optionalNumber || field.kind == Kind::optionalInteger;
     return spec;
 }
@@ -72,9 +74,13 @@ void NumberField::reset(std::optional<double> value) {
     updateRemark();
 }
 
+QString NumberField::written(double value) const {
+    return showNumber(m_spec.scale.shown(value), QLocale());
+}
+
 void NumberField::showValue() {
     m_typing.stop();
-    setText(m_value ? showNumber(*m_value, QLocale()) : QString());
+    setText(m_value ? written(*m_value) : QString());
     describe();
 }
 
@@ -88,7 +94,14 @@ void NumberField::setSpec(const NumberSpec& spec) {
     if (spec == m_spec) {
         return;
     }
+    const bool another = spec.scale != m_spec.scale;
+    if (another && typing()) {
+        settle(); // it was typed in the old one
+    }
     m_spec = spec;
+    if (another && !refused()) {
+        showValue();
+    }
     if (m_value || refused()) {
         evaluate();
     }
@@ -125,7 +138,7 @@ Remark NumberField::judge(std::optional<double>& value) const {
                                              : Remark{Mark::error, tr("a number is needed here")};
     }
     const auto calculation = Calculation::of(text());
-    value = calculation ? calculation->value() : parseNumber(text());
+    value = read();
     if (value) {
         return judgeNumber(*value);
     }
@@ -138,18 +151,20 @@ Remark NumberField::judgeNumber(double value) const {
         return {Mark::error, tr("a whole number is needed here")};
     }
     if (!m_spec.hard.contains(value)) {
-        return {Mark::error,
-                tr("out of range; allowed: %1").arg(rangeShown(m_spec.hard, m_spec.unit))};
+        return {Mark::error, tr("out of range; allowed: %1")
+                                 .arg(rangeShown(m_spec.scale.shown(m_spec.hard), m_spec.unit))};
     }
     if (!m_spec.soft.contains(value)) {
-        return {Mark::warning, tr("unusual; usual: %1").arg(rangeShown(m_spec.soft, m_spec.unit))};
+        return {
+            Mark::warning,
+            tr("unusual; usual: %1").arg(rangeShown(m_spec.scale.shown(m_spec.soft), m_spec.unit))};
     }
     return {};
 }
 
 std::optional<double> NumberField::read() const {
     const auto calculation = Calculation::of(text());
-    return calculation ? calculation->value() : parseNumber(text());
+    return m_spec.scale.kept(calculation ? calculation->value() : parseNumber(text()));
 }
 
 QString NumberField::result() const {
@@ -158,7 +173,7 @@ QString NumberField::result() const {
         return {};
     }
     const QString unit = unitText(m_spec.unit);
-    return QStringLiteral("= ") + showNumber(*calculation->value(), QLocale())
+    return QStringLiteral("= ") + printedNumber(*calculation->value())
            + (unit.isEmpty() ? QString() : QStringLiteral("\u00a0") + unit);
 }
 
@@ -223,7 +238,7 @@ void NumberField::settle() {
     if (!refused()) {
         m_settled = m_value;
     }
-    if (!refused() && m_value && text() != showNumber(*m_value, QLocale())) {
+    if (!refused() && m_value && text() != written(*m_value)) {
         showValue();
     }
     if (QToolTip::isVisible() && hasFocus()) {
@@ -244,7 +259,7 @@ void NumberField::step(int steps) {
         return;
     }
     const QString after = stepNumber(before, steps, m_spec.integer || m_spec.hard.contains(0));
-    const auto value = parseNumber(after);
+    const auto value = m_spec.scale.kept(parseNumber(after));
     if (value && m_spec.hard.contains(*value)) {
         setText(after);
         evaluate();

@@ -4,6 +4,7 @@
 #include "core/field.h"
 #include "ui/fields/cells_line_edit.h"
 #include "ui/fields/mark.h"
+#include "ui/text/shown_scale.h"
 
 #include <QTimer>
 
@@ -20,6 +21,7 @@ struct NumberSpec {
     bool integer = false;
     bool optional = false; ///< may be left empty
     const char* nullMeaning = "";
+    ShownScale scale = {}; ///< from the value to what is shown and typed
 
     [[nodiscard]] static NumberSpec of(const Field& field);
     /// With the range that holds for the member in a project.
@@ -80,6 +82,7 @@ private:
     void showResult();
     void step(int steps);
     void showValue();
+    [[nodiscard]] QString written(double value) const;
     void endTyping();
     [[nodiscard]] bool unsettled() const; ///< the text is not the value before the edit
     void describe();

@@ -37,14 +37,15 @@ ValueSlider::ValueSlider(QWidget* parent) : QWidget(parent) {
     connect(&m_pause, &QTimer::timeout, this, &ValueSlider::settled);
 }
 
-void ValueSlider::display(const SliderSpec& spec, std::optional<double> value,
-                          const QString& unit) {
+void ValueSlider::display(const SliderSpec& spec, std::optional<double> value, const QString& unit,
+                          const ShownScale& shown) {
     const bool another = value != m_value;
     if (another) {
         m_dragged.reset(); // somebody else has changed it
     }
     m_value = value;
     m_unit = unit;
+    m_shown = shown;
     const bool holds = value && *value >= m_scale.low() && *value <= m_scale.high();
     if (!dragging() && (spec != m_spec || !holds || m_scale.extended())) {
         m_spec = spec;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/session/slider_scale.h"
+#include "ui/text/shown_scale.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -20,11 +21,15 @@ public:
 
     /// What it shows: a scale for the spec and the value, which may lie outside. A drag goes on
     /// with its scale as long as the value is the one it gave.
-    void display(const SliderSpec& spec, std::optional<double> value, const QString& unit);
+    void display(const SliderSpec& spec, std::optional<double> value, const QString& unit,
+                 const ShownScale& shown = {});
 
     [[nodiscard]] std::optional<double> value() const { return m_value; }
     [[nodiscard]] const SliderScale& scale() const { return m_scale; }
     [[nodiscard]] const QString& unit() const { return m_unit; }
+    [[nodiscard]] const ShownScale& shown() const {
+        return m_shown;
+    } ///< from values to what is read
     [[nodiscard]] bool dragging() const { return m_dragged.has_value(); }
     void setByHand(double value); ///< as if moved there
 
@@ -58,6 +63,7 @@ private:
     SliderScale m_scale;
     std::optional<double> m_value;
     QString m_unit;
+    ShownScale m_shown;
     std::optional<double> m_dragged; ///< the value before the running drag
     double m_grip = 0;               ///< where the handle was taken, from its middle
     int m_wheel = 0;                 ///< turned, but not yet a step

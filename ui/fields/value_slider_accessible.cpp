@@ -17,7 +17,7 @@ public:
 
     QString text(QAccessible::Text kind) const override {
         if (kind == QAccessible::Value && m_slider->value()) {
-            const QString number = showNumber(*m_slider->value(), QLocale());
+            const QString number = printedNumber(shown(*m_slider->value()));
             return m_slider->unit().isEmpty() ? number : number + u' ' + m_slider->unit();
         }
         return QAccessibleWidget::text(kind);
@@ -28,16 +28,20 @@ public:
                                                    : QAccessibleWidget::interface_cast(type);
     }
 
-    QVariant currentValue() const override { return m_slider->value().value_or(0); }
-    void setCurrentValue(const QVariant& value) override { m_slider->setByHand(value.toDouble()); }
-    QVariant maximumValue() const override { return m_slider->scale().high(); }
-    QVariant minimumValue() const override { return m_slider->scale().low(); }
+    QVariant currentValue() const override { return shown(m_slider->value().value_or(0)); }
+    void setCurrentValue(const QVariant& value) override {
+        m_slider->setByHand(m_slider->shown().kept(value.toDouble()));
+    }
+    QVariant maximumValue() const override { return shown(m_slider->scale().high()); }
+    QVariant minimumValue() const override { return shown(m_slider->scale().low()); }
     QVariant minimumStepSize() const override {
         const double value = m_slider->value().value_or(0);
-        return m_slider->scale().stepped(value, 1) - value;
+        return shown(m_slider->scale().stepped(value, 1)) - shown(value);
     }
 
 private:
+    double shown(double value) const { return m_slider->shown().shown(value); }
+
     ValueSlider* m_slider;
 };
 

@@ -57,7 +57,7 @@ QString shown(const ordered_json& value, const Field& field) {
                                   : inWords(QT_TRANSLATE_NOOP("Catalogue", "not given"));
     }
     if (value.is_number()) {
-        return showNumber(value.get<double>(), QLocale());
+        return printedNumber(value.get<double>());
     }
     for (const Choice& choice : field.choices) {
         if (value == choice.key) {

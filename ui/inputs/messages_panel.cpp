@@ -105,7 +105,7 @@ void MessagesPanel::addStockFit() {
 
 void MessagesPanel::addLine(Mark mark, const std::string& path, const QString& sentence) {
     m_worst = std::max(m_worst, mark);
-    const QString where = locationText(path);
+    const QString where = inputLocation(path);
     auto* item = new QListWidgetItem(
         markIcon(mark), where.isEmpty() ? sentence : tr("%1: %2").arg(where, sentence), this);
     item->setData(Qt::UserRole, QString::fromStdString(path));

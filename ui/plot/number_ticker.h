@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/text/number_text.h"
+
 #include <qcustomplot.h>
 
 namespace sparkout {
 
-/// The numbers of an axis with a true minus; that of an exponent is the plot's own.
+/// The numbers of an axis with a true minus, very small and large ones with a power of ten.
 class NumberTicker : public QCPAxisTicker {
 protected:
     QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
-        const QString label = QCPAxisTicker::getTickLabel(tick, locale, format, precision);
+        const QString label =
+            withPower(QCPAxisTicker::getTickLabel(tick, locale, format, precision));
         return label.startsWith(u'-') ? u'−' + label.mid(1) : label;
     }
 };

@@ -106,12 +106,14 @@ QString statedDifference(double value, Digits digits, double beside) {
            + Names::fixed(value, static_cast<int>(decimals));
 }
 
+constexpr double roundOff = 1e-12; ///< of places in mm, s, µm: none of them goes so far
+
 double plainPlace(double x) {
-    return QString::number(x, 'g', sureDigits).toDouble();
+    return std::abs(x) < roundOff ? 0 : QString::number(x, 'g', sureDigits).toDouble();
 }
 
 QString statedPlace(double x) {
-    return showNumber(plainPlace(x), QLocale());
+    return printedNumber(plainPlace(x));
 }
 
 } // namespace sparkout

@@ -13,6 +13,7 @@ namespace {
 const QString languageKey = QStringLiteral("language");
 const QString themeKey = QStringLiteral("theme");
 const QString fontKey = QStringLiteral("fontSize");
+const QString stockKey = QStringLiteral("stockOnDiameter");
 const QString tourKey = QStringLiteral("tourSeen");
 const QString handoutKey = QStringLiteral("handout");
 const QString folderKey = QStringLiteral("lastFolder");
@@ -84,6 +85,14 @@ int Settings::fontSize() const {
 
 void Settings::setFontSize(int percent) {
     m_file->set(fontKey, percent);
+}
+
+bool Settings::stockOnDiameter() const {
+    return m_file->value(stockKey).toBool();
+}
+
+void Settings::setStockOnDiameter(bool onDiameter) {
+    m_file->set(stockKey, onDiameter);
 }
 
 bool Settings::tourSeen() const {

@@ -25,6 +25,8 @@ public:
     void setTheme(const QString& theme);
     [[nodiscard]] int fontSize() const; ///< in per cent of the system's; 100: as it is
     void setFontSize(int percent);
+    [[nodiscard]] bool stockOnDiameter() const; ///< as the inputs show and take it
+    void setStockOnDiameter(bool onDiameter);
     [[nodiscard]] bool tourSeen() const; ///< the tour of the window was shown once
     void setTourSeen();
     [[nodiscard]] QString handout() const; ///< what the last course hand-out had, in words

@@ -4,6 +4,7 @@
 #include "core/project/member.h"
 #include "core/project/project.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_scale.h"
 #include "ui/text/texts.h"
 
 #include <QCoreApplication>
@@ -65,7 +66,7 @@ QString valueText(const Field& field, const void* owner) {
     if (!value) {
         return inputText(field.nullMeaning);
     }
-    const QString number = printedNumber(*value);
+    const QString number = printedNumber(ShownScale::ofInput(field).shown(*value));
     return *field.unit ? number + u'\u00a0' + unitText(field.unit) : number;
 }
 

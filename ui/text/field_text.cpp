@@ -3,6 +3,7 @@
 
 #include "core/project/member.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_scale.h"
 #include "ui/text/texts.h"
 
 #include <QCoreApplication>
@@ -86,7 +87,7 @@ std::optional<double> singleNumberIn(const Field& field, const void* owner) {
     case Kind::number:
     case Kind::optionalNumber:
     case Kind::integer:
-    case Kind::optionalInteger: return numberIn(field, owner);
+    case Kind::optionalInteger: return ShownScale::of(field).shown(numberIn(field, owner));
     default: return std::nullopt;
     }
 }

@@ -10,7 +10,8 @@
 /// Values of any input as texts, without their units and with all their digits.
 namespace sparkout {
 
-/// The number of a row that holds a single one, or the number of items of a list of structs.
+/// The number, as people count, of a row that holds a single one, or the number of items of a list
+/// of structs.
 [[nodiscard]] std::optional<double> singleNumberIn(const Field& field, const void* owner);
 
 /// The value of a row that holds no single number; what null means when it is not given.

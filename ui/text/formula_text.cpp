@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/formula_text.h"
 
+#include "ui/text/number_text.h"
 #include "ui/text/source_names.h"
 #include "ui/text/texts.h"
 
@@ -28,20 +29,6 @@ namespace {
 /// Decimals of a length in mm beyond its significant digits: a form error is the difference of two
 /// radii.
 constexpr int moreDecimals = 1;
-
-/// "8.38·10⁻⁷" for "8.38e-07".
-QString withPower(QString text) {
-    const qsizetype e = text.indexOf(u'e', 0, Qt::CaseInsensitive);
-    if (e < 0) {
-        return text;
-    }
-    QString power;
-    for (const QChar digit : QString::number(text.mid(e + 1).toInt())) {
-        constexpr char16_t raised[] = u"⁰¹²³⁴⁵⁶⁷⁸⁹";
-        power += digit == u'-' ? QChar(u'⁻') : QChar(raised[digit.digitValue()]);
-    }
-    return text.left(e) + QStringLiteral("·10") + power;
-}
 
 /// Of the number, not of its exponent.
 QString trueMinus(const QString& number) {
@@ -78,12 +65,7 @@ QString stepText(const FormulaStep& step) {
 
 /// Name and source, then the steps.
 QStringList paragraphs(const FormulaSheet& sheet) {
-    QString head = QCoreApplication::translate("Formula", sheet.name);
-    const QString source = sourceText(sheet.source);
-    if (!source.isEmpty()) {
-        head += QStringLiteral(" (%1)").arg(source);
-    }
-    QStringList paragraphs{head};
+    QStringList paragraphs{formulaHead(sheet)};
     for (const FormulaStep& step : sheet.steps) {
         paragraphs << stepText(step);
     }
@@ -91,6 +73,12 @@ QStringList paragraphs(const FormulaSheet& sheet) {
 }
 
 } // namespace
+
+QString formulaHead(const FormulaSheet& sheet) {
+    const QString name = QCoreApplication::translate("Formula", sheet.name);
+    const QString source = sourceText(sheet.source);
+    return source.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, source);
+}
 
 QString formulaNumber(const FormulaTerm& term, int digits) {
     return withPower(trueMinus(digitsOf(term, digits, QLocale())));
@@ -102,16 +90,6 @@ double shownValue(const FormulaTerm& term, int digits) {
 
 QString formulaText(const FormulaSheet& sheet) {
     return paragraphs(sheet).join(u'\n');
-}
-
-QString formulaMarkup(const FormulaSheet& sheet) {
-    static const QRegularExpression power(QStringLiteral("\\^([0-9]+(?:[.,][0-9]+)?)"));
-    QStringList texts;
-    for (const QString& text : paragraphs(sheet)) {
-        texts << withIndices(text).replace(power, QStringLiteral("<sup>\\1</sup>"));
-    }
-    texts.front() = QStringLiteral("<b>%1</b>").arg(texts.front());
-    return QStringLiteral("<p>%1</p>").arg(texts.join(QStringLiteral("</p><p>")));
 }
 
 } // namespace sparkout

@@ -16,11 +16,11 @@ inline constexpr int sheetDigits = 5;
 /// The value that is read off those digits.
 [[nodiscard]] double shownValue(const FormulaTerm& term, int digits = sheetDigits);
 
+/// Its name and source.
+[[nodiscard]] QString formulaHead(const FormulaSheet& sheet);
+
 /// A formula with its numbers in the present language, plain text: its name and source, then one
 /// paragraph a step, "L = √(a·D_e) = √(0.005·28.6) = 0.378 mm".
 [[nodiscard]] QString formulaText(const FormulaSheet& sheet);
-
-/// The same as rich text, with indices below and powers above the line.
-[[nodiscard]] QString formulaMarkup(const FormulaSheet& sheet);
 
 } // namespace sparkout

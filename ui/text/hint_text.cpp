@@ -2,7 +2,9 @@
 #include "ui/text/hint_text.h"
 
 #include "ui/text/defaults.h"
+#include "ui/text/shown_scale.h"
 #include "ui/text/source_names.h"
+#include "ui/text/stock_reading.h"
 #include "ui/text/texts.h"
 
 #include <QCoreApplication>
@@ -16,16 +18,26 @@ QString hintTr(const char* text) {
     return QCoreApplication::translate("Hint", text);
 }
 
+QString meaning(const Field& field) {
+    const QString hint = inputText(field.hint);
+    return StockReading::isOnDiameter(field)
+               ? hintTr(QT_TRANSLATE_NOOP("Hint", "%1 Entered and shown on the diameter; the file "
+                                                  "and all results have it per side."))
+                     .arg(hint)
+               : hint;
+}
+
 /// The facts of a hint, each with its name.
 QStringList facts(const Field& field) {
+    const ShownScale scale = ShownScale::ofInput(field);
     QStringList list;
     if (!field.hard.unbounded() && field.kind != Kind::objectList) {
         list += hintTr(QT_TRANSLATE_NOOP("Hint", "Allowed: %1"))
-                    .arg(rangeShown(field.stated(), field.unit));
+                    .arg(rangeShown(scale.shown(field.stated()), field.unit));
     }
     if (!field.soft.unbounded()) {
-        list +=
-            hintTr(QT_TRANSLATE_NOOP("Hint", "Usual: %1")).arg(rangeShown(field.soft, field.unit));
+        list += hintTr(QT_TRANSLATE_NOOP("Hint", "Usual: %1"))
+                    .arg(rangeShown(scale.shown(field.soft), field.unit));
     }
     if (hasDefault(field)) {
         list += hintTr(QT_TRANSLATE_NOOP("Hint", "Default: %1")).arg(defaultText(field));
@@ -48,23 +60,23 @@ QStringList moreFacts(const Field& field) {
 } // namespace
 
 QString symbolMarkup(const Field& field) {
-    QString symbol = withIndices(QString::fromUtf8(field.symbol));
+    QString symbol = withIndices(StockReading::symbol(field));
     symbol.replace(u' ', QStringLiteral("&nbsp;")); // in one line
     return symbol.isEmpty() ? symbol : QStringLiteral("<i>%1</i>").arg(symbol);
 }
 
 QString labelMarkup(const Field& field) {
-    const QString label = inputText(field.label).toHtmlEscaped();
+    const QString label = StockReading::label(field).toHtmlEscaped();
     return *field.symbol ? QStringLiteral("%1&nbsp;%2").arg(label, symbolMarkup(field)) : label;
 }
 
 QString columnText(const Field& field) {
-    const QString label = inputText(*field.column ? field.column : field.label);
+    const QString label = StockReading::column(field);
     return *field.unit ? QStringLiteral("%1, %2").arg(label, unitText(field.unit)) : label;
 }
 
 QString columnMarkup(const Field& field) {
-    QString text = inputText(*field.column ? field.column : field.label).toHtmlEscaped();
+    QString text = StockReading::column(field).toHtmlEscaped();
     if (*field.symbol) {
         text += u' ' + symbolMarkup(field); // on a line of its own in a narrow column
     }
@@ -77,7 +89,7 @@ QString columnMarkup(const Field& field) {
 }
 
 QString hintMarkup(const Field& field) {
-    QString html = QStringLiteral("<p>%1</p>").arg(withIndices(inputText(field.hint)));
+    QString html = QStringLiteral("<p>%1</p>").arg(withIndices(meaning(field)));
     if (*field.formula) {
         html +=
             QStringLiteral("<p><i>%1</i></p>").arg(withIndices(QString::fromUtf8(field.formula)));
@@ -93,7 +105,7 @@ QString hintMarkup(const Field& field) {
 }
 
 QString hintPlain(const Field& field) {
-    QStringList parts{inputText(field.hint)};
+    QStringList parts{meaning(field)};
     if (*field.formula) {
         parts += QString::fromUtf8(field.formula) + u'.';
     }
@@ -104,14 +116,15 @@ QString hintPlain(const Field& field) {
 }
 
 QString limitsMarkup(const Field& field) {
+    const ShownScale scale = ShownScale::ofInput(field);
     QStringList list;
     if (!field.hard.unbounded() && field.kind != Kind::objectList) {
         list += hintTr(QT_TRANSLATE_NOOP("Hint", "allowed %1"))
-                    .arg(rangeBrief(field.stated(), field.unit));
+                    .arg(rangeBrief(scale.shown(field.stated()), field.unit));
     }
     if (!field.soft.unbounded()) {
-        list +=
-            hintTr(QT_TRANSLATE_NOOP("Hint", "usual %1")).arg(rangeBrief(field.soft, field.unit));
+        list += hintTr(QT_TRANSLATE_NOOP("Hint", "usual %1"))
+                    .arg(rangeBrief(scale.shown(field.soft), field.unit));
     }
     if (hasDefault(field)) {
         list += hintTr(QT_TRANSLATE_NOOP("Hint", "default %1")).arg(defaultText(field));
@@ -124,7 +137,7 @@ QString limitsMarkup(const Field& field) {
 }
 
 QString meaningMarkup(const Field& field) {
-    return withIndices(inputText(field.hint));
+    return withIndices(meaning(field));
 }
 
 } // namespace sparkout

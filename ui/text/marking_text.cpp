@@ -19,7 +19,7 @@ QString markingWord(const char* text) {
 }
 
 QString number(double value) {
-    return showNumber(value, QLocale());
+    return printedNumber(value);
 }
 
 /// What a grain is, by the letter and the first digit of its mark [ABRASIVES].

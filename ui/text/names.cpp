@@ -4,6 +4,7 @@
 #include "core/digits.h"
 #include "core/project/member.h"
 #include "core/quality/ranges.h"
+#include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
 #include <QLocale>
@@ -23,6 +24,17 @@ QLocale numbers() {
     return locale;
 }
 
+constexpr double roundOff = 1e-12; // of a difference, against what it is the difference of
+constexpr double leastPlain = 1e-7, mostPlain = 1e15; // beyond them a power of ten
+
+QString withoutZeros(QString text) {
+    while (text.contains(numbers().decimalPoint()) && !text.contains(u'·')
+           && (text.endsWith(u'0') || !text.back().isDigit())) {
+        text.chop(1);
+    }
+    return text;
+}
+
 // c.value over the nearer end, above 0, of its range.
 QString timesOfEnd(const ConstraintResult& c) {
     const double times = c.value / c.limit;
@@ -30,12 +42,7 @@ QString timesOfEnd(const ConstraintResult& c) {
     while (digits < 6 && times != 1 && std::abs(times - 1) < std::pow(10, 1 - digits)) {
         ++digits; // what is beyond the end, or not quite, is not shown as the end
     }
-    QString text = Names::significant(times, digits);
-    while (text.contains(numbers().decimalPoint())
-           && (text.endsWith(u'0') || !text.back().isDigit())) {
-        text.chop(1);
-    }
-    return text;
+    return withoutZeros(Names::significant(times, digits));
 }
 
 } // namespace
@@ -47,7 +54,7 @@ QString Names::zone(Zone zone, int section) {
     case Zone::rz2: return tr("RZ2", "exit reversal zone, short");
     case Zone::section: break;
     }
-    return tr("Section %1").arg(section);
+    return tr("Section %1").arg(section + 1);
 }
 
 QString Names::zoneFull(Zone zone, int section) {
@@ -57,7 +64,11 @@ QString Names::zoneFull(Zone zone, int section) {
     case Zone::rz2: return tr("Exit reversal zone RZ2");
     case Zone::section: break;
     }
-    return tr("Section %1").arg(section);
+    return tr("Section %1").arg(section + 1);
+}
+
+QString Names::part(std::int64_t part) {
+    return QString::number(part + 1);
 }
 
 QString Names::step(Step step) {
@@ -155,11 +166,7 @@ QString Names::amount(ConstraintKind kind, double value, bool withSign) {
         const bool plus = decimals > 0 && value >= 0.5 * std::pow(10.0, -decimals); // no count's
         return (withSign && plus ? QStringLiteral("+") : QString()) + fixed(value, decimals);
     }
-    QString text = significant(value);
-    while (text.contains(numbers().decimalPoint())
-           && (text.endsWith(u'0') || !text.back().isDigit())) {
-        text.chop(1); // limits are round
-    }
+    const QString text = withoutZeros(significant(value)); // limits are round
     return (withSign && value > 0 ? QStringLiteral("+") : QString()) + text;
 }
 
@@ -178,7 +185,8 @@ QString Names::margin(const ConstraintResult& c) {
     if (!c.isWhole) {
         return QStringLiteral("–");
     }
-    return isRange(c.kind) ? inRange(c, true) : amount(c.kind, c.margin, true);
+    const bool none = std::abs(c.margin) < roundOff * std::abs(c.limit);
+    return isRange(c.kind) ? inRange(c, true) : amount(c.kind, none ? 0 : c.margin, true);
 }
 
 QString Names::inRange(const ConstraintResult& c, bool brief) {
@@ -216,7 +224,7 @@ QString Names::uncutStrips(const Project& project) {
 
 QString Names::issue(const Issue& issue) {
     const QString text = issueText(issue);
-    return issue.path.empty() ? text : locationText(issue.path) + QStringLiteral(": ") + text;
+    return issue.path.empty() ? text : inputLocation(issue.path) + QStringLiteral(": ") + text;
 }
 
 QString Names::refusal(const Issues& issues, int most) {
@@ -280,7 +288,9 @@ QString Names::significant(double value, int digits) {
     if (!std::isfinite(value)) {
         return QStringLiteral("–");
     }
-    return fixed(value, decimalsOf(value, digits));
+    const double size = std::abs(value);
+    const bool plain = size == 0 || (size >= leastPlain && size < mostPlain);
+    return plain ? fixed(value, decimalsOf(value, digits)) : printedNumber(value, digits);
 }
 
 } // namespace sparkout

@@ -9,6 +9,8 @@
 #include <QCoreApplication>
 #include <QString>
 
+#include <cstdint>
+
 namespace sparkout {
 
 /// The translated names and number forms that every view uses, in one place.
@@ -16,9 +18,11 @@ class Names {
     Q_DECLARE_TR_FUNCTIONS(Names)
 public:
     static QString zone(Zone zone,
-                        int section = 0); ///< "RZ1", or "Section 2" (from 0, as in the file)
+                        int section = 0);                ///< "RZ1", or "Section 1" for section 0
     static QString zoneFull(Zone zone, int section = 0); ///< "Entry reversal zone RZ1"
-    static QString step(Step step);                      ///< "E1"; empty for none
+    /// The number of a part of a batch, "1" for part 0.
+    static QString part(std::int64_t part);
+    static QString step(Step step); ///< "E1"; empty for none
     /// What a step E1…E5 is in a zone: "plunge-in", "entry dwell", "working stroke", …
     static QString stepMeaning(Zone zone, Step step);
     /// Of the cycle: "After double stroke 27 of 54", or within it; before the first one.
@@ -59,7 +63,7 @@ public:
     static QString micrometres(double value_um);              ///< 2 decimals, current locale
     static QString signedMicrometres(double value_um);        ///< the same, with its sign
     static QString millimetres(double value_mm);              ///< 4 decimals
-    static QString significant(double value, int digits = 3); ///< never an exponent
+    static QString significant(double value, int digits = 3); ///< never "1e-15"
 };
 
 } // namespace sparkout

@@ -3,6 +3,7 @@
 
 #include <QRegularExpression>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -15,9 +16,31 @@ constexpr qsizetype longest = 400; // digits of the smallest double, with room
 constexpr double smallestPlain = 1e-7;
 constexpr double largestPlain = 1e15;
 
+constexpr QStringView raised = u"⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+/// "1.5e-8" for "1.5·10⁻⁸", "1e-15" for "10⁻¹⁵"; any other text stays.
+QString withExponent(const QString& text) {
+    static const QRegularExpression pattern(
+        QStringLiteral("^([+\\-−–]?)(?:([\\d.,]+)\\s*[·×*]\\s*)?10([⁺⁻]?)([⁰¹²³⁴⁵⁶⁷⁸⁹]+)$"));
+    const QRegularExpressionMatch found = pattern.match(text);
+    if (!found.hasMatch()) {
+        return text;
+    }
+    QString exponent = found.captured(3) == u"⁻" ? QStringLiteral("-") : QString();
+    for (const QChar digit : found.captured(4)) {
+        exponent += QString::number(raised.indexOf(digit));
+    }
+    const QString mantissa = found.captured(2).isEmpty() ? QStringLiteral("1") : found.captured(2);
+    return found.captured(1) + mantissa + u'e' + exponent;
+}
+
+QString signOf(double value) {
+    return value < 0 ? QStringLiteral("−") : QString();
+}
+
 /// The text in the letters from_chars reads; empty when it holds others.
 QByteArray plain(const QString& text) {
-    const QString trimmed = text.trimmed();
+    const QString trimmed = withExponent(text.trimmed());
     if (trimmed.size() > longest) {
         return {};
     }
@@ -75,8 +98,29 @@ QString showNumber(double value, const QLocale& locale) {
     return text.replace(padding, QStringLiteral("e\\1\\2")).replace(u'.', locale.decimalPoint());
 }
 
+QString withPower(const QString& number) {
+    const qsizetype e = number.indexOf(u'e', 0, Qt::CaseInsensitive);
+    if (e < 0) {
+        return number;
+    }
+    QString power;
+    for (const QChar digit : QString::number(number.mid(e + 1).toInt())) {
+        power += digit == u'-' ? QChar(u'⁻') : raised[digit.digitValue()];
+    }
+    const QString mantissa = number.left(e);
+    const QString sign = mantissa.chopped(std::min<qsizetype>(1, mantissa.size()));
+    const bool isOne = mantissa.endsWith(u'1') && (sign.isEmpty() || sign == u"-" || sign == u"−");
+    return (isOne ? sign : mantissa + u'·') + QStringLiteral("10") + power;
+}
+
 QString printedNumber(double value) {
-    return showNumber(value, QLocale()).replace(u'-', u'−');
+    return signOf(value) + withPower(showNumber(std::abs(value), QLocale()));
+}
+
+QString printedNumber(double value, int digits) {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return signOf(value) + withPower(locale.toString(std::abs(value), 'g', digits));
 }
 
 QString stepNumber(const QString& text, int steps, bool zeroAllowed) {

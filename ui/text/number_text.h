@@ -10,16 +10,24 @@
 /// Numbers and dates as people type and read them.
 namespace sparkout {
 
-/// Reads a number written with a decimal point or comma, an exponent, a typographic minus and
-/// spaces around it. Anything else, group separators too, is no number.
+/// Reads a number written with a decimal point or comma, an exponent or a power of ten, a
+/// typographic minus and spaces around it. Anything else, group separators too, is no number.
 [[nodiscard]] std::optional<double> parseNumber(const QString& text);
 
 /// The shortest digits that read back to the same double, with the locale's decimal separator;
 /// plain decimals from 1e-7 to 1e15, an exponent beyond.
 [[nodiscard]] QString showNumber(double value, const QLocale& locale);
 
-/// The same in the present locale with a typographic minus: for what is read, not typed.
+/// The same in the present locale with a typographic minus and a power of ten where the other has
+/// an exponent, "1.5·10⁻⁸": for what is read, not typed.
 [[nodiscard]] QString printedNumber(double value);
+
+/// So many significant digits at most, as QLocale's 'g' has them, written as printedNumber() does.
+[[nodiscard]] QString printedNumber(double value, int digits);
+
+/// A number with an exponent as people write it: "1.5·10⁻⁸" for "1.5e-8", "10⁻¹⁵" for "1e-15". A
+/// text without an exponent stays.
+[[nodiscard]] QString withPower(const QString& number);
 
 /// The number of a text one step of its last digit higher (steps > 0) or lower, written as the
 /// text is. A step to zero that the caller refuses goes one digit finer.

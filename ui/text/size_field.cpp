@@ -60,7 +60,7 @@ TypedSize readSize(const QString& typed, const Part& part) {
     }
     return {size, *deviations,
             sizeWords(QT_TRANSLATE_NOOP("SizeField", "∅%1 mm, upper %2 µm, lower %3 µm"))
-                .arg(showNumber(size->nominal_mm, QLocale()), signedNumber(deviations->upper_um),
+                .arg(printedNumber(size->nominal_mm), signedNumber(deviations->upper_um),
                      signedNumber(deviations->lower_um))};
 }
 
@@ -74,7 +74,7 @@ QString fieldOf(const Part& part) {
             const auto limits = sizeDeviations(size);
             if (limits && limits->upper_um == part.upper_deviation_um
                 && limits->lower_um == part.lower_deviation_um) {
-                return showNumber(part.diameter_mm, QLocale()) + field + QString::number(grade);
+                return printedNumber(part.diameter_mm) + field + QString::number(grade);
             }
         }
     }

@@ -5,6 +5,8 @@
 #include "core/project/member.h"
 #include "core/project/project.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_scale.h"
+#include "ui/text/stock_reading.h"
 #include "words/issue_words.h"
 
 #include <QCoreApplication>
@@ -75,11 +77,10 @@ protected:
     std::string translated(const char* context, const std::string& text) const override {
         return sparkout::translated(context, text.c_str()).toStdString();
     }
-    std::string number(double value) const override {
-        return withMinus(showNumber(value, QLocale()));
-    }
+    std::string number(double value) const override { return printedNumber(value).toStdString(); }
     std::string numeral(const std::string& digits) const override {
-        return withMinus(QString::fromStdString(digits).replace(u'.', QLocale().decimalPoint()));
+        return withMinus(
+            withPower(QString::fromStdString(digits)).replace(u'.', QLocale().decimalPoint()));
     }
     std::string input(const std::string& path) const override {
         const Field& field = *nearestField(Project(), path);
@@ -164,10 +165,21 @@ QString rangeBrief(const Range& range, const char* unit) {
 }
 
 QString issueText(const Issue& issue) {
+    const ShownScale scale = ShownScale::of(issue);
+    const QString text = fileIssueText({issue.code, issue.severity, issue.path,
+                                        scale.shown(issue.value), scale.shown(issue.limit)});
+    return scale.factor == 1
+               ? text
+               : QCoreApplication::translate("Issue", "%1 (stock on diameter)").arg(text);
+}
+
+QString fileIssueText(const Issue& issue) {
     return QString::fromStdString(WindowWording().sentence(issue));
 }
 
-QString locationText(const std::string& path) {
+namespace {
+
+QString location(const std::string& path, QString (*label)(const Field&)) {
     QStringList words;
     const StructInfo* table = &tableOf<Project>();
     const Field* list = nullptr;
@@ -181,9 +193,9 @@ QString locationText(const std::string& path) {
                          .arg(structText(list->nested->name))
                          .arg(index + 1);
         } else if (isIndex && list && list->kind == Kind::compliance) {
-            words += QCoreApplication::translate("Zone", "Section %1").arg(index);
+            words += QCoreApplication::translate("Zone", "Section %1").arg(index + 1);
         } else if (field) {
-            words += inputText(field->label);
+            words += label(*field);
             table = field->nested;
             list = field;
         } else {
@@ -191,6 +203,16 @@ QString locationText(const std::string& path) {
         }
     }
     return words.join(QStringLiteral(" › "));
+}
+
+} // namespace
+
+QString locationText(const std::string& path) {
+    return location(path, [](const Field& field) { return inputText(field.label); });
+}
+
+QString inputLocation(const std::string& path) {
+    return location(path, StockReading::label);
 }
 
 QString printableText(const QString& text) {

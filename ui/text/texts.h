@@ -24,9 +24,13 @@ namespace sparkout {
 
 /// The sentence of an issue with value and limit filled in.
 [[nodiscard]] QString issueText(const Issue& issue);
+/// The same with the numbers that stand in the file.
+[[nodiscard]] QString fileIssueText(const Issue& issue);
 
 /// Where an issue is, in words: "Cycle › Stage 2 › Axial feed".
 [[nodiscard]] QString locationText(const std::string& path);
+/// The same as the inputs have it, where stock may be on the diameter.
+[[nodiscard]] QString inputLocation(const std::string& path);
 
 /// A file name or another text from outside as it may stand in a message of one line.
 [[nodiscard]] QString printableText(const QString& text);

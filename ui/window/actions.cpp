@@ -34,6 +34,7 @@ Actions::Actions(QMainWindow& window)
     , keepRun(make("keepRun", u"keep", Qt::CTRL | Qt::Key_K))
     , english(make("english", u""))
     , russian(make("russian", u""))
+    , stockOnDiameter(make("stockOnDiameter", u""))
     , detach(make("detach", u"detach", Qt::CTRL | Qt::SHIFT | Qt::Key_D))
     , nextPanel(make("nextPanel", u"", Qt::Key_F6))
     , previousPanel(make("previousPanel", u"", Qt::SHIFT | Qt::Key_F6))
@@ -47,6 +48,7 @@ Actions::Actions(QMainWindow& window)
     , m_head(new WindowHead(&window)) {
     quit->setMenuRole(QAction::QuitRole);
     about->setMenuRole(QAction::AboutRole);
+    stockOnDiameter->setCheckable(true);
     auto* languages = new QActionGroup(this);
     for (QAction* action : {english, russian}) {
         action->setCheckable(true);
@@ -148,6 +150,7 @@ void Actions::buildViewMenu(QMenuBar& bar) {
     m_theme->addActions({themes.begin(), themes.end()});
     m_fontSize = m_view->addMenu(QString());
     m_fontSize->addActions({sizes.begin(), sizes.end()});
+    m_view->addAction(stockOnDiameter);
     m_view->addSeparator();
     m_view->addAction(resetLayout);
 }
@@ -246,6 +249,7 @@ void Actions::retranslate() {
     reports.front().preview->setIconText(tr("Cycle card"));
     english->setText(QStringLiteral("English"));
     russian->setText(QStringLiteral("Русский"));
+    stockOnDiameter->setText(tr("Stoc&k on diameter"));
     detach->setText(tr("&Detach or attach the view"));
     nextPanel->setText(tr("&Next panel"));
     previousPanel->setText(tr("&Previous panel"));

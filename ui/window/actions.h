@@ -67,6 +67,7 @@ public:
     QAction* russian;
     std::array<QAction*, allThemes.size()> themes; ///< in the order of allThemes
     std::array<QAction*, fontSizes.size()> sizes;  ///< in the order of fontSizes
+    QAction* stockOnDiameter;                      ///< in the inputs, else per side
     QAction* detach;                               ///< or attach: the view in use
     QAction* nextPanel;
     QAction* previousPanel;

@@ -10,9 +10,10 @@
 #include "ui/kit/font_size.h"
 #include "ui/kit/keyboard.h"
 #include "ui/kit/tool_tips.h"
-#include "ui/plot/step_sheet.h"
 #include "ui/session/background.h"
 #include "ui/session/kept_runs.h"
+#include "ui/step/step_sheet.h"
+#include "ui/text/stock_reading.h"
 #include "ui/text/texts.h"
 #include "ui/views/batch/batch_view.h"
 #include "ui/views/compare/compare_view.h"
@@ -83,6 +84,7 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
     connect(m_tabs, &ViewTabs::detachableChanged, this, &MainWindow::showPlayback);
     m_layout = new WindowLayout(*this, {m_inputs, m_verdict, m_messages, m_sheet}, *m_tabs,
                                 *m_playback, m_settings);
+    StockReading::instance().setOnDiameter(m_settings.stockOnDiameter());
     connectActions();
     connectDocument();
     retranslate();
@@ -235,6 +237,11 @@ void MainWindow::connectActions() {
     for (std::size_t i = 0; i < fontSizes.size(); ++i) {
         on(m_actions->sizes[i], [this, i] { setFontSize(fontSizes[i]); });
     }
+    on(m_actions->stockOnDiameter, [this] {
+        m_inputs->endTyping(); // meant as the field has read so far
+        StockReading::instance().setOnDiameter(m_actions->stockOnDiameter->isChecked());
+    });
+    connect(&StockReading::instance(), &StockReading::changed, this, &MainWindow::showStockReading);
     on(m_actions->detach, [this] { toggleDetached(); });
     on(m_actions->nextPanel, [this] { m_layout->movePanel(1); });
     on(m_actions->previousPanel, [this] { m_layout->movePanel(-1); });
@@ -284,6 +291,17 @@ void MainWindow::setLanguage(const QString& code) {
     m_language.apply(code);
     setLocale(QLocale());
     retranslate();
+}
+
+void MainWindow::showStockReading() {
+    const bool onDiameter = StockReading::instance().onDiameter();
+    m_settings.setStockOnDiameter(onDiameter);
+    m_actions->stockOnDiameter->setChecked(onDiameter);
+    m_inputs->retranslate();
+    m_messages->retranslate();
+    if (m_outcome) {
+        m_inputs->setOutcome(m_outcome);
+    }
 }
 
 void MainWindow::setTheme(Theme theme) {
@@ -354,7 +372,7 @@ void MainWindow::connectDocument() {
     m_files->askRefusedTexts([this] {
         QStringList lines;
         for (const Refusal& refusal : m_inputs->refusals()) {
-            lines += tr("%1: %2").arg(locationText(refusal.path), refusal.reason);
+            lines += tr("%1: %2").arg(inputLocation(refusal.path), refusal.reason);
         }
         return lines;
     });
@@ -453,6 +471,7 @@ void MainWindow::retranslate() {
     m_actions->showLanguage(m_language.code());
     m_actions->showTheme(appliedTheme());
     m_actions->showFontSize(appliedFontSize());
+    m_actions->stockOnDiameter->setChecked(StockReading::instance().onDiameter());
     m_actions->nameViews(views());
     m_playback->retranslate();
     m_sheet->retranslate();

@@ -76,6 +76,7 @@ private:
     void setLanguage(const QString& code);
     void setTheme(Theme theme);
     void setFontSize(int percent);
+    void showStockReading();
     void recolour();
     void toggleDetached();
     void showOutcome(const OutcomePtr& outcome);

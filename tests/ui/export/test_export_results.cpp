@@ -65,7 +65,7 @@ private slots:
         QCOMPARE(read.names().mid(0, 6), names);
         QCOMPARE(read.names().size(), 9);
         QCOMPARE(read.names()[6],
-                 traverse ? QStringLiteral("Trace RZ1") : QStringLiteral("Trace Section 0"));
+                 traverse ? QStringLiteral("Trace RZ1") : QStringLiteral("Trace Section 1"));
         checkRequirements(read, *outcome);
         checkZones(read, *outcome);
         checkTrace(read, *outcome);

@@ -27,12 +27,14 @@ private slots:
             settings.setFontSize(115);
             settings.setLastFolder(QStringLiteral("/tmp/детали"));
             settings.setWindow(geometry, "state");
+            settings.setStockOnDiameter(true);
             settings.addRecentFile(QStringLiteral("/tmp/вал.sparkout"));
         }
         const Settings again(file);
         QCOMPARE(again.language(), QStringLiteral("ru"));
         QCOMPARE(again.theme(), QStringLiteral("contrast"));
         QCOMPARE(again.fontSize(), 115);
+        QVERIFY(again.stockOnDiameter());
         QCOMPARE(again.lastFolder(), QStringLiteral("/tmp/детали"));
         QCOMPARE(again.windowGeometry(), geometry);
         QCOMPARE(again.windowState(), QByteArray("state"));

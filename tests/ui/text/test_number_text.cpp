@@ -2,6 +2,7 @@
 #include "ui/text/number_text.h"
 
 #include "core/project/validate.h"
+#include "ui/text/names.h"
 #include "ui/text/texts.h"
 
 #include "tests/registry.h"
@@ -53,6 +54,61 @@ private slots:
         QLocale::setDefault(before);
         QCOMPARE(printed, QStringLiteral("−12,5"));
         QCOMPARE(parseNumber(printed).value(), -12.5);
+    }
+
+    void whatIsReadHasAPowerOfTen_data() {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<QString>("text");
+        const auto row = [](double value, const QString& text) {
+            QTest::newRow(qPrintable(text)) << value << text;
+        };
+        row(0, QStringLiteral("0"));
+        row(1e-4, QStringLiteral("0,0001"));
+        row(1e-15, QStringLiteral("10⁻¹⁵"));
+        row(-1e-15, QStringLiteral("−10⁻¹⁵"));
+        row(1.5e-8, QStringLiteral("1,5·10⁻⁸"));
+        row(-2e20, QStringLiteral("−2·10²⁰"));
+        row(1.1e-9, QStringLiteral("1,1·10⁻⁹"));
+        row(11e-9, QStringLiteral("1,1·10⁻⁸"));
+    }
+    void whatIsReadHasAPowerOfTen() {
+        QFETCH(double, value);
+        QFETCH(QString, text);
+        const QLocale before;
+        QLocale::setDefault(locales[1]);
+        const QString printed = printedNumber(value), brief = printedNumber(value, 6);
+        const QString allowed = rangeShown({1e-15, 1}, "");
+        QLocale::setDefault(before);
+        QCOMPARE(printed, text);
+        QCOMPARE(brief, text);
+        QCOMPARE(parseNumber(text).value(), value);
+        QVERIFY2(allowed.contains(QStringLiteral("10⁻¹⁵")), qPrintable(allowed));
+    }
+
+    void aFewDigitsOfAnyNumberAreReadAtAGlance() {
+        const QLocale before;
+        QLocale::setDefault(locales[0]);
+        const QStringList texts{Names::significant(1e-15), Names::significant(-1.23456e-10, 3),
+                                Names::significant(1.5e-6, 3), Names::significant(0),
+                                Names::significant(2.5e20, 2)};
+        ConstraintResult even;
+        even.kind = ConstraintKind::burn;
+        even.limit = 0.3;
+        even.margin = 0.1 + 0.2 - 0.3; // what rounding leaves, 5.6e-17
+        const QString margin = Names::margin(even);
+        QLocale::setDefault(before);
+        QCOMPARE(texts, QStringList({QStringLiteral("10⁻¹⁵"), QStringLiteral("−1.23·10⁻¹⁰"),
+                                     QStringLiteral("0.00000150"), QStringLiteral("0.00"),
+                                     QStringLiteral("2.5·10²⁰")}));
+        QVERIFY2(!margin.contains(u'·') && !margin.contains(QStringLiteral("10")),
+                 qPrintable(margin));
+    }
+
+    void whatIsNoPowerIsNoNumber() {
+        for (const QString& text : {QStringLiteral("10⁻"), QStringLiteral("·10⁻⁵"),
+                                    QStringLiteral("2 10⁻⁵"), QStringLiteral("⁵")}) {
+            QVERIFY2(!parseNumber(text), qPrintable(text));
+        }
     }
 
     void smallNumbersAreShownInPlainDecimals_data() {

@@ -4,6 +4,8 @@
 #include "core/project/member.h"
 #include "ui/fields/value_slider.h"
 #include "ui/session/document.h"
+#include "ui/text/shown_scale.h"
+#include "ui/text/stock_reading.h"
 #include "ui/text/texts.h"
 
 namespace sparkout {
@@ -54,14 +56,15 @@ void NumberEditor::show(bool replaced) {
     replaced ? m_field->reset(stored()) : m_field->setValue(stored());
     if (m_slider) {
         m_slider->display(sliderSpec(document().project(), path(), field()), stored(),
-                          unitText(field().unit));
+                          unitText(field().unit), ShownScale::ofInput(field()));
     }
 }
 
 void NumberEditor::retranslate() {
+    m_field->setSpec(NumberSpec::of(field()));
     m_field->retranslate();
     if (m_slider) {
-        m_slider->setAccessibleName(tr("%1, slider").arg(inputText(field().label)));
+        m_slider->setAccessibleName(tr("%1, slider").arg(StockReading::label(field())));
     }
 }
 

@@ -76,7 +76,7 @@ void CatalogueBar::choose() {
         return;
     }
     m_document.endMerge();
-    m_document.edit(withEntry(dialog.chosen()->entry, m_document.project()), editText(m_kind));
+    m_document.edit(dialog.taken(), editText(m_kind));
 }
 
 QString CatalogueBar::proposedName() const {

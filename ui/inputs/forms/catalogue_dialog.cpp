@@ -6,6 +6,7 @@
 #include "core/project/wheel.h"
 #include "ui/files/catalogue_changes.h"
 #include "ui/inputs/forms/entry_name_dialog.h"
+#include "ui/inputs/forms/stiffness_offer.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/sealed_state.h"
@@ -107,6 +108,7 @@ CatalogueDialog::CatalogueDialog(CatalogueStore& store, Project project, Setting
     , m_list(new QTreeWidget(this))
     , m_note(plainLabel(this))
     , m_preview(new QTreeWidget(this))
+    , m_stiffness(new StiffnessOffer(m_project, this))
     , m_refused(plainLabel(this))
     , m_rename(new QPushButton(tr("&Rename…"), this))
     , m_remove(new QPushButton(tr("&Delete…"), this)) {
@@ -168,6 +170,7 @@ void CatalogueDialog::build() {
     layout->addWidget(m_fault);
     layout->addWidget(m_aside, 0, Qt::AlignLeft);
     layout->addWidget(splitter, 1);
+    layout->addWidget(m_stiffness);
     layout->addWidget(m_refused);
     layout->addWidget(buttons);
     m_refused->setObjectName(QStringLiteral("catalogueRefused"));
@@ -178,6 +181,7 @@ void CatalogueDialog::build() {
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_search, &QLineEdit::textChanged, this, &CatalogueDialog::filter);
     connect(m_list, &QTreeWidget::currentItemChanged, this, &CatalogueDialog::showChosen);
+    connect(m_stiffness, &StiffnessOffer::chosen, this, &CatalogueDialog::showPreview);
     connect(m_list, &QTreeWidget::itemDoubleClicked, this, &QDialog::accept);
     connect(m_aside, &QPushButton::clicked, this, &CatalogueDialog::putAside);
     connect(m_rename, &QPushButton::clicked, this, &CatalogueDialog::renameOwn);
@@ -296,21 +300,43 @@ const CatalogueItem* CatalogueDialog::chosen() const {
     return index < 0 ? nullptr : &m_store.items()[std::size_t(index)];
 }
 
+Project CatalogueDialog::taken() const {
+    return m_stiffness->taken(withEntry(chosen()->entry, m_project));
+}
+
 void CatalogueDialog::showChosen() {
     const CatalogueItem* item = chosen();
-    m_preview->clear();
     m_take->setEnabled(item != nullptr);
     m_rename->setEnabled(item && item->own);
     m_remove->setEnabled(item && item->own);
     if (!item) {
+        m_preview->clear();
+        m_stiffness->withdraw();
         m_note->setText(tr("No entry has all these words."));
         m_refused->clear();
         return;
     }
+    if (m_store.kind() == CatalogueKind::machines) {
+        m_stiffness->offer(withEntry(item->entry, m_project));
+    }
+    showPreview();
+}
+
+/// What stays as it is because its stiffness is not taken is left out.
+void CatalogueDialog::showPreview() {
+    const CatalogueItem* item = chosen();
+    if (!item) {
+        return;
+    }
+    m_preview->clear();
     int count = 0;
     QFont bold = font();
     bold.setBold(true);
     for (const CatalogueChange& change : changesBy(item->entry, m_project)) {
+        const bool isStiffness = change.key.starts_with("stiffness_n_um");
+        if (isStiffness && !m_stiffness->isTaken() && !complianceIsGiven()) {
+            continue;
+        }
         auto* row = new QTreeWidgetItem(
             m_preview,
             {withUnit(inputText(change.field->label), *change.field), change.now, change.then,
@@ -330,17 +356,21 @@ void CatalogueDialog::showChosen() {
         count == 0 ? tr("It changes nothing.")
                    : tr("%n inputs change (in bold); the others stay as they are.", nullptr, count);
     QStringList said{note.isEmpty() ? QString() : note + u'.', changes};
-    if (m_store.kind() == CatalogueKind::machines
-        && !std::holds_alternative<std::monostate>(m_project.machine->compliance_mm_per_n)) {
+    if (complianceIsGiven() && !m_stiffness->isTaken()) {
         said += tr("The compliance is given on this page, so the stiffness is not read.");
     }
     m_note->setText(joined(said, QStringLiteral(" ")));
-    const Issues errors = newErrors(m_project, withEntry(item->entry, m_project));
+    const Issues errors = newErrors(m_project, taken());
     m_refused->setText(errors.empty()
                            ? QString()
                            : tr("With it the inputs would be refused: %1")
                                  .arg(locationText(errors.front().path) + QStringLiteral(": ")
                                       + issueText(errors.front())));
+}
+
+bool CatalogueDialog::complianceIsGiven() const {
+    return m_store.kind() == CatalogueKind::machines
+           && !std::holds_alternative<std::monostate>(m_project.machine->compliance_mm_per_n);
 }
 
 void CatalogueDialog::showFault() {

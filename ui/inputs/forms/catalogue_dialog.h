@@ -15,6 +15,7 @@ class QTreeWidget;
 namespace sparkout {
 
 class Settings;
+class StiffnessOffer;
 
 /// A catalogue to choose from: search, entries with their main numbers and sources, and what the
 /// chosen one would change in the project. The user's own entries are renamed and deleted here.
@@ -26,6 +27,8 @@ public:
     ~CatalogueDialog() override;
 
     [[nodiscard]] const CatalogueItem* chosen() const; ///< null: none
+    /// The project with the chosen entry, and with what was chosen of it. There must be one.
+    [[nodiscard]] Project taken() const;
     [[nodiscard]] static QString title(CatalogueKind kind);
 
 protected:
@@ -38,7 +41,9 @@ private:
     void fill(const QString& current); ///< and makes the entry of that name the current one
     void filter();
     void showChosen();
+    void showPreview();
     void showFault();
+    [[nodiscard]] bool complianceIsGiven() const; ///< so that no stiffness is read
     void putAside();
     void renameOwn();
     void removeOwn();
@@ -54,6 +59,7 @@ private:
     QTreeWidget* m_list;
     QLabel* m_note;
     QTreeWidget* m_preview;
+    StiffnessOffer* m_stiffness;
     QLabel* m_refused;
     QPushButton* m_rename;
     QPushButton* m_remove;

@@ -227,7 +227,7 @@ void ComplianceBox::showReason(const Line& line) {
 void ComplianceBox::retranslate(const Line& line) {
     const bool section = !line.key.empty() && line.key.front() >= '0' && line.key.front() <= '9';
     const QString name =
-        section ? tr("Section %1").arg(std::stoi(line.key)) : zoneText(line.key.c_str());
+        section ? tr("Section %1").arg(std::stoi(line.key) + 1) : zoneText(line.key.c_str());
     const QString hint = hintMarkup(m_field);
     line.label->setText(name);
     line.unit->setText(unitText(m_field.unit));

@@ -11,6 +11,7 @@
 #include "ui/kit/metrics.h"
 #include "ui/text/defaults.h"
 #include "ui/text/hint_text.h"
+#include "ui/text/stock_reading.h"
 #include "ui/text/texts.h"
 
 #include <QComboBox>
@@ -180,9 +181,9 @@ void FormRow::retranslate() {
             setHintField(*one, field);
         }
     }
-    widget->setAccessibleName(*field.unit
-                                  ? tr("%1, %2").arg(inputText(field.label), unitText(field.unit))
-                                  : inputText(field.label));
+    widget->setAccessibleName(
+        *field.unit ? tr("%1, %2").arg(StockReading::label(field), unitText(field.unit))
+                    : StockReading::label(field));
     if (auto* line = qobject_cast<NumberField*>(widget)) {
         line->setHint(hintPlain(field));
         if (meaningIsLong()) {
@@ -198,6 +199,15 @@ void FormRow::retranslate() {
 }
 
 void FormRow::fillMenu(QMenu& menu) {
+    if (StockReading::isStock(m_editor->field())) {
+        menu.addSeparator();
+        QAction* diameter = menu.addAction(tr("Stock on diameter"));
+        diameter->setObjectName(QStringLiteral("stockOnDiameter"));
+        diameter->setCheckable(true);
+        diameter->setChecked(StockReading::instance().onDiameter());
+        connect(diameter, &QAction::toggled, &StockReading::instance(),
+                &StockReading::setOnDiameter);
+    }
     if (!m_mark) {
         return;
     }

@@ -7,6 +7,8 @@
 #include "ui/tables/pasted_cells.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_scale.h"
+#include "ui/text/stock_reading.h"
 #include "ui/text/texts.h"
 
 #include <QGuiApplication>
@@ -99,7 +101,8 @@ QString ListModel::shown(const QModelIndex& index) const {
         return text;
     }
     const auto value = number(index);
-    return value ? showNumber(*value, QLocale()) : QString();
+    return value ? showNumber(ShownScale::ofInput(field(index)).shown(*value), QLocale())
+                 : QString();
 }
 
 QModelIndex ListModel::indexAt(const std::string& wanted) const {
@@ -161,7 +164,7 @@ QVariant ListModel::fieldData(const QModelIndex& index, int role) const {
     case Qt::AccessibleTextRole:
         return tr("%1 %2, %3: %4")
             .arg(structText(m_list.nested->name), QString::number(index.row() + 1),
-                 inputText(field(index).label), shown(index));
+                 StockReading::label(field(index)), shown(index));
     case Qt::AccessibleDescriptionRole:
         return mark.mark == Mark::none ? hintPlain(field(index)) : mark.reason;
     default: return {};
@@ -278,7 +281,8 @@ QString ListModel::takeText(Project& project, int row, const Field& column,
                    : tr("“%1” has no place, the row does not use this column").arg(text);
     }
     const Range& allowed = column.allowed(project, member.owner);
-    const std::optional<double> value = pastedNumber(text);
+    const ShownScale scale = ShownScale::ofInput(column);
+    const std::optional<double> value = scale.kept(pastedNumber(text));
     const bool whole = column.kind == Kind::integer || column.kind == Kind::optionalInteger;
     QString reason;
     if (text.isEmpty()) {
@@ -293,7 +297,7 @@ QString ListModel::takeText(Project& project, int row, const Field& column,
         setNumberIn(column, member.owner, value);
         return {};
     }
-    const QString range = rangeShown(allowed, column.unit);
+    const QString range = rangeShown(scale.shown(allowed), column.unit);
     return text.isEmpty() ? reason.arg(range) : reason.arg(range, text);
 }
 

@@ -3,12 +3,35 @@
 
 #include "core/project/member.h"
 #include "ui/inputs/forms/list_model.h"
+#include "ui/tables/pasted_cells.h"
+#include "ui/text/number_text.h"
+#include "ui/text/stock_reading.h"
 #include "ui/text/texts.h"
+
+#include <QLocale>
 
 #include <algorithm>
 #include <utility>
 
 namespace sparkout {
+
+namespace {
+
+/// The head of a column of stock that was copied while stock was read the other way.
+QString columnInOtherReading(const Field& field) {
+    if (!StockReading::isStock(field)) {
+        return {};
+    }
+    const QString name = StockReading::column(field, !StockReading::isOnDiameter(field));
+    return QStringLiteral("%1, %2").arg(name, unitText(field.unit));
+}
+
+QString scaled(const QString& text, double factor) {
+    const std::optional<double> value = factor == 1 ? std::nullopt : pastedNumber(text);
+    return value ? showNumber(*value * factor, QLocale()) : text;
+}
+
+} // namespace
 
 ListPaste::ListPaste(const ListModel& model, std::string path, const Field& list,
                      const Project& project)
@@ -50,8 +73,14 @@ std::vector<ListPaste::Column> ListPaste::columnsByHeads(const QStringList& head
         for (std::size_t k = 0; k < fields.size(); ++k) {
             const QString own =
                 m_model.headerData(int(k), Qt::Horizontal, Qt::DisplayRole).toString().simplified();
-            if (!head.isEmpty() && head.compare(own, Qt::CaseInsensitive) == 0) {
+            const auto is = [&head](const QString& name) {
+                return !head.isEmpty() && head.compare(name, Qt::CaseInsensitive) == 0;
+            };
+            if (is(own)) {
                 columns.push_back({i, fields[k]});
+            } else if (is(columnInOtherReading(*fields[k]))) {
+                const bool onDiameter = StockReading::isOnDiameter(*fields[k]);
+                columns.push_back({i, fields[k], onDiameter ? 2 : 0.5});
             }
         }
     }
@@ -100,7 +129,8 @@ void ListPaste::take(const std::vector<QStringList>& rows, const std::vector<Col
         for (std::size_t i = 0; i < rows.size(); ++i) {
             for (const Column& column : columns) {
                 if ((column.field->kind == Kind::countOrWord) == words) {
-                    takeCell(m_first + int(i), *column.field, rows[i].value(column.from).trimmed());
+                    takeCell(m_first + int(i), *column.field,
+                             scaled(rows[i].value(column.from).trimmed(), column.factor));
                 }
             }
         }
@@ -112,7 +142,7 @@ void ListPaste::takeCell(int row, const Field& field, const QString& text) {
     if (!reason.isEmpty()) {
         m_faults += tr("%1 %2, %3: %4", "stage 2, stock: reason")
                         .arg(structText(m_list.nested->name), QString::number(row + 1),
-                             inputText(*field.column ? field.column : field.label), reason);
+                             StockReading::column(field), reason);
     }
 }
 

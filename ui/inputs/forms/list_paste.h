@@ -40,6 +40,7 @@ private:
     struct Column {
         qsizetype from;
         const Field* field;
+        double factor = 1; ///< from the pasted numbers to those that are shown
     };
 
     [[nodiscard]] std::vector<Column> columnsByHeads(const QStringList& heads) const;

@@ -267,7 +267,7 @@ void ListTable::updateReasons() {
             .arg(markColor(mark, colors).name(), text.toHtmlEscaped());
     };
     const auto add = [&](Mark mark, const std::string& path, const QString& reason) {
-        lines += line(mark, tr("%1: %2").arg(locationText(path), reason));
+        lines += line(mark, tr("%1: %2").arg(inputLocation(path), reason));
     };
     for (qsizetype i = 0; i < std::min(m_notPasted.size(), shownFaults); ++i) {
         lines += line(Mark::error, tr("Not pasted: %1").arg(m_notPasted[i]));

@@ -9,6 +9,8 @@
 #include "ui/session/document.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_scale.h"
+#include "ui/text/stock_reading.h"
 #include "ui/text/texts.h"
 
 #include <QGridLayout>
@@ -124,13 +126,14 @@ void RowSliders::showLine(const Line& line) {
     const auto value = m_model.number(index);
     const QString unit = unitText(line.field->unit);
     line.slider->display(sliderSpec(m_document.project(), m_model.path(index), *line.field), value,
-                         unit);
-    const QString number = value ? showNumber(*value, QLocale()) : QStringLiteral("—");
+                         unit, ShownScale::ofInput(*line.field));
+    const QString number =
+        value ? printedNumber(ShownScale::ofInput(*line.field).shown(*value)) : QStringLiteral("—");
     line.value->setText(unit.isEmpty() ? number : number + u'\u00a0' + unit);
 }
 
 void RowSliders::retranslate(const Line& line) {
-    const QString label = inputText(*line.field->column ? line.field->column : line.field->label);
+    const QString label = StockReading::column(*line.field);
     const QString symbol = symbolMarkup(*line.field);
     line.label->setText(symbol.isEmpty() ? label.toHtmlEscaped()
                                          : label.toHtmlEscaped() + u' ' + symbol);

@@ -6,6 +6,7 @@
 #include "ui/inputs/forms/column_header.h"
 #include "ui/session/document.h"
 #include "ui/tables/pasted_cells.h"
+#include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
 #include <QGuiApplication>
@@ -32,9 +33,7 @@ namespace {
 
 /// Three digits, and no exponent however long it takes.
 QString timeText(double time_s) {
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return time_s < 1000 ? locale.toString(time_s, 'g', 3) : locale.toString(time_s, 'f', 0);
+    return printedNumber(time_s < 1000 ? time_s : std::round(time_s), time_s < 1000 ? 3 : 15);
 }
 
 /// A stage of a spark-out becomes one that feeds.

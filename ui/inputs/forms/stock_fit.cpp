@@ -6,9 +6,9 @@
 #include "core/study/stock_edits.h"
 #include "ui/session/document.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_scale.h"
+#include "ui/text/stock_reading.h"
 #include "ui/text/texts.h"
-
-#include <QLocale>
 
 #include <algorithm>
 
@@ -24,11 +24,17 @@ QString StockFit::text(const Document& document) {
     const bool firstAlone =
         std::equal(before.begin() + 1, before.end(), after.begin() + 1,
                    [](const Stage& a, const Stage& b) { return a.stock_mm == b.stock_mm; });
-    const QString unit = unitText("mm");
-    return firstAlone ? tr("Fit the stocks: the first stage takes %1\u00a0%2")
-                            .arg(showNumber(after.front().stock_mm, QLocale()), unit)
-                      : tr("Fit the stocks in proportion, to %1\u00a0%2 together")
-                            .arg(showNumber(document.project().part->stock_mm, QLocale()), unit);
+    const auto amount = [](double value_mm) {
+        const Field& stock = *tableOf<Part>().find("stock_mm");
+        const QString number = printedNumber(ShownScale::ofInput(stock).shown(value_mm));
+        return StockReading::isOnDiameter(stock)
+                   ? tr("%1\u00a0%2 on diameter").arg(number, unitText("mm"))
+                   : number + u'\u00a0' + unitText("mm");
+    };
+    return firstAlone
+               ? tr("Fit the stocks: the first stage takes %1").arg(amount(after.front().stock_mm))
+               : tr("Fit the stocks in proportion, to %1 together")
+                     .arg(amount(document.project().part->stock_mm));
 }
 
 void StockFit::apply(Document& document) {

@@ -45,9 +45,7 @@ std::vector<QString> nominalTexts(const Outcome& outcome,
 }
 
 QString percentText(double order) {
-    QLocale numbers;
-    numbers.setNumberOptions(QLocale::OmitGroupSeparator);
-    return numbers.toString(100 * order, 'g', 6) + QStringLiteral("\u00a0%");
+    return printedNumber(100 * order, 6) + QStringLiteral("\u00a0%");
 }
 
 /// A text whose numbers keep their percent signs.
@@ -147,12 +145,10 @@ std::vector<Block> PassportPrediction::worst(const Subject& subject) {
     const BatchSummary& summary = subject.batch->summary;
     const ScenarioSource source(subject.batch->result.project);
     const std::vector<double> values = source.values(summary.worstPart);
-    std::vector<Block> blocks{
-        Paragraph{tr("Of the %n part(s), the first of which is number 0, number %1 has the least "
-                     "margin. %2.",
-                     nullptr, static_cast<int>(summary.parts))
-                      .arg(summary.worstPart)
-                      .arg(sparkout::verdict::overall(*subject.worst))}};
+    std::vector<Block> blocks{Paragraph{
+        tr("Of the %n part(s) number %1 has the least margin. %2.", nullptr,
+           static_cast<int>(summary.parts))
+            .arg(Names::part(summary.worstPart), sparkout::verdict::overall(*subject.worst))}};
     if (!values.empty()) {
         Facts facts;
         for (std::size_t f = 0; f < values.size(); ++f) {

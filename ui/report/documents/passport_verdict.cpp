@@ -70,8 +70,8 @@ std::vector<Block> PassportVerdict::verdict(const Subject& subject) {
         }
         if (summary.bad.count > 0) {
             reasons << tr("Worst part, number %1: %2.")
-                           .arg(summary.worstPart)
-                           .arg(sparkout::verdict::overall(*subject.worst));
+                           .arg(Names::part(summary.worstPart),
+                                sparkout::verdict::overall(*subject.worst));
         }
     } else {
         facts.facts.emplace_back(tr("Parts of the batch that are not good"),

@@ -7,6 +7,7 @@
 #include "core/units.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_scale.h"
 #include "ui/text/size_field.h"
 #include "ui/text/texts.h"
 
@@ -57,7 +58,7 @@ std::pair<QString, QString> inputFact(const Project& project, const char* path) 
     if (field.kind == sparkout::Kind::text) {
         return {name, cell(oneLine(field.as<std::string>(member.owner)))};
     }
-    const std::optional<double> value = numberIn(field, member.owner);
+    const std::optional<double> value = ShownScale::of(field).shown(numberIn(field, member.owner));
     return {name, !value        ? cell({})
                   : *field.unit ? withUnit(printedNumber(*value), field.unit)
                                 : printedNumber(*value)};

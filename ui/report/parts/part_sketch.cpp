@@ -32,9 +32,7 @@ constexpr QColor ink(0, 0, 0), faint(110, 110, 110), paper(255, 255, 255), body(
 struct Sketch {
     Q_DECLARE_TR_FUNCTIONS(PartSketch)
 public:
-    static QString length(double value_mm) {
-        return tr("%1 mm").arg(QLocale().toString(value_mm, 'g', 6));
-    }
+    static QString length(double value_mm) { return tr("%1 mm").arg(printedNumber(value_mm, 6)); }
     static QString description(const Outcome& outcome);
     static QString headstock() { return tr("headstock"); }
     static QString tailstock() { return tr("tailstock"); }
@@ -61,7 +59,7 @@ std::vector<Stretch> stretches(const Outcome& outcome) {
                                   : project.part->length_mm / static_cast<double>(sections.size());
         const double middle = sections[i].position_mm;
         all.push_back({middle - length / 2, middle + length / 2,
-                       zone == Zone::section ? QString::number(i) : Names::zone(zone)});
+                       zone == Zone::section ? QString::number(i + 1) : Names::zone(zone)});
     }
     return all;
 }

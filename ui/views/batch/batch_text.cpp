@@ -233,7 +233,8 @@ QString BatchText::part(const BatchOutcome& outcome, std::int64_t part) {
                      .arg(factor(kind), Names::significant(values[f]), unitText(unit))
                      .trimmed();
     }
-    return tr("Part %1").arg(part) + (texts.isEmpty() ? QString() : QStringLiteral(": "))
+    return tr("Part %1").arg(Names::part(part))
+           + (texts.isEmpty() ? QString() : QStringLiteral(": "))
            + texts.join(QStringLiteral(", "));
 }
 

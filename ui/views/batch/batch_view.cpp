@@ -278,7 +278,7 @@ void BatchView::takeWorst() {
             }
             return withPart(std::move(project), batch->result, batch->summary.worstPart);
         };
-        emit runWanted(take, tr("Worst part, no. %1").arg(m_batch->summary.worstPart));
+        emit runWanted(take, tr("Worst part, no. %1").arg(Names::part(m_batch->summary.worstPart)));
     }
 }
 

@@ -30,7 +30,8 @@ PartTable::Dialect dialectOfParts(TableFormat format) {
             {PartRows::tr("done").toStdString(), PartRows::tr("does not reach size").toStdString(),
              PartRows::tr("strips stay uncut").toStdString()},
             PartRows::tr("yes").toStdString(),
-            PartRows::tr("no").toStdString()};
+            PartRows::tr("no").toStdString(),
+            1};
 }
 
 std::vector<std::string> headOfParts(const PartColumns& columns) {

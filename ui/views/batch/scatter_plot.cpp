@@ -160,7 +160,7 @@ CsvTable ScatterPlot::table() const {
         if (shows(outside(i) ? outsideKey : goodKey)
             && m_rect->axis(QCPAxis::atBottom)->range().contains(x)
             && m_rect->axis(QCPAxis::atLeft)->range().contains(y)) {
-            table.rows.push_back({static_cast<double>(rows[i].part), x, y});
+            table.rows.push_back({static_cast<double>(rows[i].part + 1), x, y});
         }
     }
     return table;
@@ -189,8 +189,8 @@ QString ScatterPlot::valuesAt(const QPointF& at) const {
             Names::significant(m_outcome->valueOf(*found, quantity), 4));
     };
     return tr("Part %1: %2; %3")
-        .arg(m_outcome->result.statistics.rows[*found].part)
-        .arg(value(m_across), value(m_up));
+        .arg(Names::part(m_outcome->result.statistics.rows[*found].part), value(m_across),
+             value(m_up));
 }
 
 // --- look and words -----------------------------------------------------------------------------

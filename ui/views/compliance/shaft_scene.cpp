@@ -7,6 +7,7 @@
 #include "ui/charts/profiles_look.h"
 #include "ui/plot/plot_style.h"
 #include "ui/plot/quantity_colour.h"
+#include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ constexpr double restHalf = 0.2; ///< half the width of a rest, of the largest r
 constexpr double noteGap = 6;    ///< between a thing and its name, in pixels
 
 QString stiffnessText(double value_n_um) {
-    return QLocale().toString(value_n_um, 'g', 4);
+    return printedNumber(value_n_um, 4);
 }
 } // namespace
 

@@ -2,9 +2,8 @@
 #include "ui/views/layers/surface_scene.h"
 
 #include "ui/charts/magnified_profile.h"
+#include "ui/text/number_text.h"
 #include "ui/views/layers/layers_surface.h"
-
-#include <QLocale>
 
 #include <algorithm>
 #include <array>
@@ -131,15 +130,13 @@ void SurfaceScene::drawScale(QCPPainter& painter, const SurfaceScale& scale, int
                          width, height);
         painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, text);
     };
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
     const double size = std::max(scale.most, 1e-9);
     const double step = roundUp125(along == 1 ? std::max(size / mostTicks, 1.0) : size / mostTicks);
     // Two zeros meet in the corner: the upright one is left out.
     for (double value = along == 2 ? step : 0; value <= size * (1 + 1e-9); value += step) {
         painter.drawLine(at(value / size, 0), at(value / size, tickLength));
-        write(at(value / size, along == 2 ? tickLength * 1.5 : numberAway),
-              locale.toString(value, 'g', 6), along == 2);
+        write(at(value / size, along == 2 ? tickLength * 1.5 : numberAway), printedNumber(value, 6),
+              along == 2);
     }
     if (along == 2) { // over the edge, from its left end
         const QPointF top = at(1, 0) - QPointF(0, metrics.height() * 1.2);

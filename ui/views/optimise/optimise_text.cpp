@@ -40,13 +40,13 @@ QString OptimiseText::cycle(const Cycle& cycle) {
         for (const std::optional<double>& feed :
              {stage.radial_feed_mm, stage.axial_feed_mm_min, stage.radial_feed_mm_min}) {
             if (feed) {
-                numbers << showNumber(*feed, QLocale());
+                numbers << printedNumber(*feed);
             }
         }
         if (const auto steps = stage.sparkOutSteps()) {
             numbers << tr("spark-out %1").arg(QLocale().toString(*steps));
         }
-        numbers << showNumber(stage.stock_mm, QLocale());
+        numbers << printedNumber(stage.stock_mm);
         stages << numbers.join(QStringLiteral(" · "));
     }
     return stages.join(QStringLiteral(" → "));
@@ -56,13 +56,13 @@ QString OptimiseText::found(const FoundCycle& found, const Project& searched) {
     QStringList parts{cycle(found.cycle)};
     const MachineSettings own = machineSettings(searched);
     if (found.machine.work_speed_rpm != own.work_speed_rpm) {
-        parts << tr("%1 rev/min").arg(showNumber(found.machine.work_speed_rpm, QLocale()));
+        parts << tr("%1 rev/min").arg(printedNumber(found.machine.work_speed_rpm));
     }
     if (found.machine.dwell_entry_s != own.dwell_entry_s
         || found.machine.dwell_exit_s != own.dwell_exit_s) {
         parts << tr("dwells %1 and %2 s")
-                     .arg(showNumber(found.machine.dwell_entry_s, QLocale()),
-                          showNumber(found.machine.dwell_exit_s, QLocale()));
+                     .arg(printedNumber(found.machine.dwell_entry_s),
+                          printedNumber(found.machine.dwell_exit_s));
     }
     return parts.join(QStringLiteral("; "));
 }

@@ -7,6 +7,7 @@
 #include "ui/kit/metrics.h"
 #include "ui/kit/search_combo.h"
 #include "ui/kit/tool_row.h"
+#include "ui/text/shown_scale.h"
 #include "ui/text/texts.h"
 #include "ui/views/sweep/sweep_text.h"
 
@@ -129,6 +130,7 @@ void SweepAxisBox::showAxis(const std::optional<NumberInput>& input) {
         spec.soft = input->field->soft;
         spec.unit = input->field->unit;
         spec.integer = input->integer;
+        spec.scale = ShownScale::of(*input->field);
     }
     const QSignalBlocker points(m_points), ratios(m_ratios);
     const auto set = [&spec](NumberField& field, double value) {

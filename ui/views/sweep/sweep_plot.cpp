@@ -3,6 +3,7 @@
 
 #include "core/project/sweep.h"
 #include "ui/plot/number_ticker.h"
+#include "ui/text/shown_scale.h"
 
 #include <QMouseEvent>
 
@@ -68,7 +69,8 @@ void SweepPlot::setChosen(std::optional<std::size_t> point) {
 // --- what it is about ---------------------------------------------------------------------------
 
 SweepScale SweepPlot::scaleOf(std::size_t input) const {
-    return {sweep().inputs[input].axis.spacing == SweepSpacing::logarithmic};
+    const SweepAxis& axis = sweep().inputs[input].axis;
+    return {axis.spacing == SweepSpacing::logarithmic, ShownScale::at(axis.input)};
 }
 
 std::optional<double> SweepPlot::presentPlace(std::size_t input) const {
@@ -202,7 +204,10 @@ CsvTable SweepPlot::tableOf(const SweepResult& sweep, const std::vector<std::siz
             continue;
         }
         const std::vector<double> values = sweep.valuesAt(i);
-        std::vector<CsvCell> row(values.begin(), values.end());
+        std::vector<CsvCell> row;
+        for (std::size_t of = 0; of < values.size(); ++of) {
+            row.emplace_back(ShownScale::at(sweep.inputs[of].axis.input).shown(values[of]));
+        }
         row.emplace_back(SweepText::status(point));
         for (const std::size_t q : quantities) {
             const SweepValue value = point.values.empty() ? SweepValue{} : point.values[q];

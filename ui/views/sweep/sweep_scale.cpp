@@ -34,7 +34,8 @@ QVector<double> SweepTicker::createTickVector(double step, const QCPRange& range
 }
 
 QString SweepTicker::getTickLabel(double tick, const QLocale& locale, QChar format, int precision) {
-    return NumberTicker::getTickLabel(m_scale.valueAt(tick), locale, format, precision);
+    return NumberTicker::getTickLabel(m_scale.shown.shown(m_scale.valueAt(tick)), locale, format,
+                                      precision);
 }
 
 } // namespace sparkout

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/plot/number_ticker.h"
+#include "ui/text/shown_scale.h"
 
 #include <qcustomplot.h>
 
@@ -13,6 +14,7 @@ namespace sparkout {
 /// QCustomPlot, whose colour maps know no other.
 struct SweepScale {
     bool ratios = false;
+    ShownScale shown = {}; ///< from the value to the number at the tick
 
     [[nodiscard]] double at(double value) const { return ratios ? std::log10(value) : value; }
     [[nodiscard]] double valueAt(double place) const {

@@ -5,6 +5,7 @@
 #include "ui/plot/run_bar.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_scale.h"
 #include "ui/text/texts.h"
 
 #include <algorithm>
@@ -53,8 +54,9 @@ QString SweepText::inputAxis(const SweptInput& input) {
     return withUnit(inputBrief(input.axis.input), input.unit, QStringLiteral(", "));
 }
 
-QString SweepText::inputValue(double value, const std::string& unit) {
-    return withUnit(printedNumber(value), unit, QStringLiteral(" "));
+QString SweepText::inputValue(double value, const SweptInput& input) {
+    return withUnit(printedNumber(ShownScale::at(input.axis.input).shown(value)), input.unit,
+                    QStringLiteral(" "));
 }
 
 QString SweepText::name(const SweepQuantity& quantity) {
@@ -132,7 +134,7 @@ QString SweepText::inputs(const SweepResult& sweep, std::size_t point) {
     const std::vector<double> values = sweep.valuesAt(point);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const SweptInput& input = sweep.inputs[i];
-        texts << inputBrief(input.axis.input) + u' ' + inputValue(values[i], input.unit);
+        texts << inputBrief(input.axis.input) + u' ' + inputValue(values[i], input);
     }
     return texts.join(QStringLiteral(", "));
 }

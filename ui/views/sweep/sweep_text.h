@@ -19,7 +19,7 @@ public:
     static QString input(const std::string& path);      ///< "Wheel › Dullness"
     static QString inputBrief(const std::string& path); ///< "Dullness", "Stage 2 › Spark-out"
     static QString inputAxis(const SweptInput& input);  ///< "Stock per side, mm"
-    static QString inputValue(double value, const std::string& unit); ///< "0.15 mm"
+    static QString inputValue(double value, const SweptInput& input); ///< "0.15 mm"
 
     static QString name(const SweepQuantity& quantity);  ///< "Radial runout"
     static QString where(const SweepQuantity& quantity); ///< "RZ1", "whole part"

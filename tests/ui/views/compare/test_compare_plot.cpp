@@ -144,7 +144,7 @@ private slots:
         desk.compute();
         QCOMPARE(desk.plot().runs().size(), 2u);
         QCOMPARE(desk.plot().runs()[1].column, 1u); // the middle one
-        QCOMPARE(desk.plot().runs()[1].name, QStringLiteral("Run 1: Section 1"));
+        QCOMPARE(desk.plot().runs()[1].name, QStringLiteral("Run 1: Section 2"));
     }
 
     void theLegendHidesAQuantityOrARun() {

@@ -144,7 +144,7 @@ void TestProfilesView::pointingAtASampleTellsAngleAndDeviation() {
     const double deviation = (p.radii_mm[9] - view.across()->series().target_mm) * 1000;
     const double across = (p.radii_mm[9] + p.radii_mm[27] - 30) * 1000;
     for (const QString& piece :
-         {QStringLiteral("Section 1"), QStringLiteral("φ = 90.0°"), QStringLiteral("k = 9"),
+         {QStringLiteral("Section 2"), QStringLiteral("φ = 90.0°"), QStringLiteral("k = 9"),
           Names::fixed(deviation, 3), Names::fixed(across, 3)}) {
         QVERIFY2(values->text().contains(piece), qPrintable(values->text()));
     }
@@ -160,11 +160,11 @@ void TestProfilesView::keysWalkFromSampleToSample() {
     show(view, m_of.plunge);
     auto* values = part<QLabel>(view, "profilesValues");
     QTest::keyClick(view.across(), Qt::Key_Right, Qt::ControlModifier);
-    QVERIFY(values->text().contains(QStringLiteral("Section 0, φ = 0.0° (k = 0)")));
+    QVERIFY(values->text().contains(QStringLiteral("Section 1, φ = 0.0° (k = 0)")));
     QTest::keyClick(view.across(), Qt::Key_Left, Qt::ControlModifier);
     QVERIFY(values->text().contains(QStringLiteral("k = 35")));
     QTest::keyClick(view.across(), Qt::Key_PageDown);
-    QVERIFY(values->text().contains(QStringLiteral("Section 1")));
+    QVERIFY(values->text().contains(QStringLiteral("Section 2")));
     QTest::keyClick(view.across(), Qt::Key_Escape);
     QVERIFY(!values->text().contains(QStringLiteral("Section")));
 }

@@ -9,9 +9,10 @@
 
 class QComboBox;
 class QLabel;
-class QTextEdit;
 
 namespace sparkout {
+
+class FormulaView;
 
 /// The formulas of the step the cycle stands at, with their numbers: the balance of the radius that
 /// was ground last, in each zone or section under the wheel at that moment.
@@ -34,7 +35,7 @@ private:
     CycleCursor& m_cycle;
     QComboBox* m_zone;
     QLabel* m_place;
-    QTextEdit* m_sheet;
+    FormulaView* m_sheet;
     std::optional<std::size_t> m_wanted; ///< zone or section the user chose
 };
 

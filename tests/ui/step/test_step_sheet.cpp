@@ -5,15 +5,18 @@
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/support/window_bench.h"
-#include "ui/plot/step_sheet.h"
-#include "ui/text/formula_text.h"
+#include "ui/step/formula_view.h"
+#include "ui/step/step_sheet.h"
 #include "ui/window/playback_bar.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QImage>
 #include <QLabel>
+#include <QPalette>
 #include <QTest>
-#include <QTextDocument>
 #include <QTextEdit>
 #include <QToolButton>
 
@@ -30,15 +33,14 @@ struct Sheet {
         cycle.setOutcome(outcome);
     }
     [[nodiscard]] QString text() const {
-        return view.findChild<QTextEdit*>()->toPlainText().replace(QChar::Nbsp, u' ');
+        return view.findChild<FormulaView*>()->text().replace(QChar::Nbsp, u' ');
     }
     [[nodiscard]] QString place() const { return view.findChild<QLabel*>()->text(); }
     /// Of the nth pass of the moment.
     [[nodiscard]] QString expected(std::size_t nth) const {
-        QTextDocument document;
-        document.setHtml(formulaMarkup(visitSheet(outcome->result, outcome->trajectory,
-                                                  cycle.progress().open + nth, cycle.radius())));
-        return document.toPlainText().replace(QChar::Nbsp, u' ');
+        return FormulaView::textOf(visitSheet(outcome->result, outcome->trajectory,
+                                              cycle.progress().open + nth, cycle.radius()))
+            .replace(QChar::Nbsp, u' ');
     }
     void toWorkingStroke() {
         cycle.toStroke(3);
@@ -98,6 +100,49 @@ private slots:
             QTest::keyClick(zone, section == 0 ? Qt::Key_Home : Qt::Key_Down);
             QCOMPARE(sheet.text(), sheet.expected(static_cast<std::size_t>(section)));
         }
+    }
+
+    // Each side of an equation is a piece that is drawn, and is copied in one line.
+    void theFormulasAreTypesetAndCopiedAsText() {
+        Sheet sheet(fixtures::traverseProject());
+        sheet.toWorkingStroke();
+        auto* view = sheet.view.findChild<FormulaView*>();
+        const QString characters = view->toPlainText();
+        QVERIFY(characters.count(QChar::ObjectReplacementCharacter) >= 10);
+        QVERIFY(!characters.contains(u'='));
+        const QStringList lines = sheet.text().split(u'\n');
+        QVERIFY(lines.size() > 3);
+        for (qsizetype i = 1; i < lines.size(); ++i) {
+            QVERIFY2(lines[i].count(QStringLiteral(" = ")) >= 1, qPrintable(lines[i]));
+        }
+        view->setFocus();
+        QTest::keySequence(view, QKeySequence::SelectAll);
+        QTest::keySequence(view, QKeySequence::Copy);
+        QCOMPARE(QApplication::clipboard()->text().replace(QChar::Nbsp, u' '), sheet.text());
+    }
+
+    // The formulas are drawn in the colour of texts, within the view, in any width and type size.
+    void theyFitTheViewAndHaveItsColour() {
+        Sheet sheet(fixtures::traverseProject());
+        sheet.toWorkingStroke();
+        auto* view = sheet.view.findChild<FormulaView*>();
+        for (const int width : {240, 320, 600}) {
+            sheet.view.resize(width, 500);
+            QVERIFY2(view->document()->size().width() <= view->viewport()->width() + 1,
+                     qPrintable(QString::number(width)));
+        }
+        QPalette dark = view->palette();
+        dark.setColor(QPalette::Base, Qt::black);
+        dark.setColor(QPalette::Text, Qt::green);
+        view->setPalette(dark);
+        const QImage image = view->viewport()->grab().toImage();
+        int green = 0;
+        for (int y = image.height() / 4; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                green += image.pixelColor(x, y).green() > 150;
+            }
+        }
+        QVERIFY2(green > 500, qPrintable(QString::number(green)));
     }
 
     void atTheBlankItSaysWhatToDo() {

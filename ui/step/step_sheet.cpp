@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/plot/step_sheet.h"
+#include "ui/step/step_sheet.h"
 
 #include "core/quality/visit_sheet.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
-#include "ui/text/formula_text.h"
+#include "ui/step/formula_view.h"
 #include "ui/text/names.h"
 
 #include <QComboBox>
@@ -12,8 +12,6 @@
 #include <QLabel>
 #include <QScrollBar>
 #include <QSignalBlocker>
-#include <QTextDocument>
-#include <QTextEdit>
 #include <QVBoxLayout>
 
 namespace sparkout {
@@ -23,7 +21,7 @@ StepSheet::StepSheet(CycleCursor& cycle, QWidget* parent)
     , m_cycle(cycle)
     , m_zone(new QComboBox(this))
     , m_place(new QLabel(this))
-    , m_sheet(new QTextEdit(this)) {
+    , m_sheet(new FormulaView(this)) {
     setObjectName(QStringLiteral("stepSheet"));
     setHelpTopic(*this, QStringLiteral("step"));
     m_zone->setObjectName(QStringLiteral("stepZone"));
@@ -31,10 +29,6 @@ StepSheet::StepSheet(CycleCursor& cycle, QWidget* parent)
     m_sheet->setObjectName(QStringLiteral("stepFormulas"));
     m_place->setTextFormat(Qt::PlainText);
     m_place->setWordWrap(true);
-    m_sheet->setReadOnly(true);
-    m_sheet->document()->setDefaultStyleSheet(
-        QStringLiteral("p { margin-top: 0; margin-bottom: 5px; }"));
-    m_sheet->setTabChangesFocus(true);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(metrics::gap, metrics::gap, metrics::gap, metrics::gap);
     column->setSpacing(metrics::tight);
@@ -85,7 +79,7 @@ void StepSheet::showSheet() {
                              ? tr("The part is the blank still. Step on or press Play below the "
                                   "views: the formulas of each step stand here, with its numbers.")
                              : tr("No cycle has been recorded."));
-        m_sheet->clear();
+        m_sheet->clearSheet();
         return;
     }
     const Outcome& outcome = *m_cycle.outcome();
@@ -96,10 +90,8 @@ void StepSheet::showSheet() {
     m_place->setText(at.step == Step::none
                          ? tr("%1, %2").arg(when, k)
                          : tr("%1, %2, %3").arg(when, tr("revolution %1").arg(at.revolution), k));
-    const QString text =
-        formulaMarkup(visitSheet(outcome.result, outcome.trajectory, pass, m_cycle.radius()));
     const int scrolled = m_sheet->verticalScrollBar()->value();
-    m_sheet->setHtml(text);
+    m_sheet->setSheet(visitSheet(outcome.result, outcome.trajectory, pass, m_cycle.radius()));
     m_sheet->verticalScrollBar()->setValue(scrolled);
 }
 

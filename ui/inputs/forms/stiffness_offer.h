@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+#include "core/study/outcome.h"
+#include "ui/session/effect_finder.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QLabel;
+
+namespace sparkout {
+
+/// Offers the stiffness of a machine from the catalogue, with what it does to the compliance, the
+/// machining time and the diameters.
+class StiffnessOffer : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit StiffnessOffer(Project project, QWidget* parent = nullptr);
+
+    /// Of a machine that has been put into the project; hidden where its stiffness changes nothing.
+    void offer(const Project& with);
+    void withdraw();
+    [[nodiscard]] bool isTaken() const; ///< or there is nothing to choose
+    /// The project with the machine, and with its stiffness if that was chosen.
+    [[nodiscard]] Project taken(Project with) const;
+
+signals:
+    void chosen(); ///< or not any more
+
+private:
+    void askForEffect();
+    void showEffect(const OutcomePtr& before, const OutcomePtr& after);
+    [[nodiscard]] bool isGiven() const; ///< the compliance, so that no stiffness is read
+
+    Project m_project;
+    Project m_with;
+    bool m_offered = false;
+    QCheckBox* m_take;
+    QLabel* m_effect;
+    EffectFinder m_finder;
+};
+
+} // namespace sparkout
