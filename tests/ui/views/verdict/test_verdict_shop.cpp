@@ -168,7 +168,8 @@ private slots:
         QTest::keyClick(menu, Qt::Key_Down); // the whole table
         QTest::keyClick(menu, Qt::Key_Return);
         checkCopied(bench);
-        QMenu* other = rightClick(*bench.requirements().viewport(), middleOfRow(bench.requirements(), 1));
+        QMenu* other =
+            rightClick(*bench.requirements().viewport(), middleOfRow(bench.requirements(), 1));
         QVERIFY(other);
         QTest::keyClick(other, Qt::Key_Down);
         QTest::keyClick(other, Qt::Key_Down);
