@@ -486,7 +486,7 @@ void BatchView::nameParts() {
     content()->setItemText(3, tr("Rejects by cause"));
     m_weights->setItemText(0, tr("Rank regression"));
     m_weights->setItemText(1, tr("Sobol indices"));
-    m_weights->setAccessibleName(tr("How the weight of a factor is told"));
+    m_weights->setAccessibleName(tr("How the weight of a factor is expressed"));
     m_weights->setToolTip(
         tr("Rank regression: standardised coefficients, of the parts of the batch; sign and weight "
            "as far as the dependence is monotone, which R² says. Sobol indices: share of the "
