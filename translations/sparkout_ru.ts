@@ -53,7 +53,7 @@
             <translation>Не годны: %1.</translation>
         </message>
         <message>
-            <source>%1 of %2 parts have no size, form and Ra: strips stay uncut, so no Ppk is told.</source>
+            <source>%1 of %2 parts have no size, form and Ra: strips stay uncut, so no Ppk is given.</source>
             <translation>У %1 из %2 деталей нет размера, формы и Ra: остаются непрошлифованные полосы, поэтому Ppk не указан.</translation>
         </message>
         <message numerus="yes">
@@ -3374,11 +3374,11 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Стоимость детали</translation>
         </message>
         <message>
-            <source>not told</source>
+            <source>not computed</source>
             <translation>не считается</translation>
         </message>
         <message>
-            <source>Told beside the time; the choice is the quickest cycle.</source>
+            <source>Shown beside the time; the choice is the quickest cycle.</source>
             <translation>Указывается рядом со временем; выбирается самый быстрый цикл.</translation>
         </message>
         <message>
@@ -3752,7 +3752,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Шероховатость не ограничивает подачу, пока расчёт не откалиброван: %1</translation>
         </message>
         <message>
-            <source>Roughness is not limiting while it is not calibrated: with the roughness calibration of 1 the computed Ra is too small, and no depth of cut can be told from it.</source>
+            <source>Roughness is not limiting while it is not calibrated: with the roughness calibration of 1 the computed Ra is too small, and no depth of cut can be derived from it.</source>
             <translation>Шероховатость не ограничивает подачу, пока расчёт не откалиброван: при поправке шероховатости, равной 1, расчётный параметр Ra занижен, и допустимую глубину резания по нему определить нельзя.</translation>
         </message>
     </context>
@@ -7448,11 +7448,11 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>%1, 95 % до</translation>
         </message>
         <message>
-            <source>Below it lie 0.135 % of the parts, as below mean − 3 s of a normal quantity; told of 741 parts and more</source>
+            <source>Below it lie 0.135 % of the parts, as below mean − 3 s of a normal quantity; given from 741 parts on</source>
             <translation>Ниже него 0.135 % деталей, как ниже среднего − 3 s у нормальной величины; указывается от 741 детали</translation>
         </message>
         <message>
-            <source>Above it lie 0.135 % of the parts, as above mean + 3 s of a normal quantity; told of 741 parts and more</source>
+            <source>Above it lie 0.135 % of the parts, as above mean + 3 s of a normal quantity; given from 741 parts on</source>
             <translation>Выше него 0.135 % деталей, как выше среднего + 3 s у нормальной величины; указывается от 741 детали</translation>
         </message>
         <message>
@@ -7611,7 +7611,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Индексы Соболя</translation>
         </message>
         <message>
-            <source>How the weight of a factor is told</source>
+            <source>How the weight of a factor is expressed</source>
             <translation>Чем выражен вес фактора</translation>
         </message>
         <message>
@@ -8678,11 +8678,11 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Пояснение</translation>
         </message>
         <message>
-            <source>E1…E5 number the steps in which a zone is ground during one double stroke, so the same number is another step in another zone. They are shown when a few double strokes are in sight.</source>
+            <source>E1…E5 number the steps in which a zone is ground during one double stroke, so the same number is another step in another zone. They are shown when a few double strokes are shown.</source>
             <translation>Э1…Э5 — номера этапов, на которых зона шлифуется за один двойной ход, поэтому в разных зонах один номер означает разное. Этапы показаны, когда на графике немного двойных ходов.</translation>
         </message>
         <message>
-            <source>A zone is shown as ground during the whole stroke, as the model has it: where the wheel stands within a stroke is not told apart.</source>
+            <source>A zone is shown as ground during the whole stroke, as the model has it: where the wheel stands within a stroke is not distinguished.</source>
             <translation>Зона показана шлифуемой в течение всего хода, как принято в модели: положение круга внутри хода не различается.</translation>
         </message>
         <message>
@@ -8717,7 +8717,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Обзор всего цикла</translation>
         </message>
         <message>
-            <source>Arrows move what is in sight, with Shift its end, with Ctrl its beginning; Home shows the whole cycle.</source>
+            <source>Arrows move the visible part, with Shift its end, with Ctrl its beginning; Home shows the whole cycle.</source>
             <translation>Стрелки сдвигают видимый участок, с Shift — его конец, с Ctrl — его начало; Home показывает весь цикл.</translation>
         </message>
         <message>
@@ -8768,7 +8768,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Значения под указателем</translation>
         </message>
         <message>
-            <source>Part of the cycle in sight</source>
+            <source>Visible part of the cycle</source>
             <translation>Видимая часть цикла</translation>
         </message>
         <message>
@@ -10594,7 +10594,7 @@ target, µm</source>
             <translation>В масштабе</translation>
         </message>
         <message>
-            <source>What is in sight</source>
+            <source>What is shown</source>
             <translation>Что показано</translation>
         </message>
         <message>
@@ -11973,6 +11973,22 @@ target, µm</source>
     </context>
     <context>
         <name>sparkout::VerdictModel</name>
+        <message>
+            <source>What the drawing, the process or the machine asks of the cycle</source>
+            <translation>То, чего от цикла требуют чертёж, процесс или станок</translation>
+        </message>
+        <message>
+            <source>What the cycle comes to, at its worst</source>
+            <translation>Что получается в цикле, в наихудшем месте</translation>
+        </message>
+        <message>
+            <source>What is allowed</source>
+            <translation>Допускаемое значение</translation>
+        </message>
+        <message>
+            <source>How far the value is from its limit; below 0 it is beyond</source>
+            <translation>Насколько величина отстоит от предела; меньше 0 — предел превышен</translation>
+        </message>
         <message>
             <source>not known: strips uncut</source>
             <translation>не известно: остались полосы</translation>

@@ -194,9 +194,9 @@ const StructInfo& tableOf<Optimisation>() {
                                     "twice the same fixes it."),
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(Optimisation, cost, .label = SPARKOUT_NOOP("Input", "Cost of a part"),
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not told"), .page = Page::search,
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not computed"), .page = Page::search,
                        .hint = SPARKOUT_NOOP(
-                           "Input", "Told beside the time; the choice is the quickest cycle."),
+                           "Input", "Shown beside the time; the choice is the quickest cycle."),
                        .source = "GILBERT1950"),
     };
     static const StructInfo info =

@@ -74,7 +74,7 @@ double BarChart::total(std::size_t category) const {
 
 // --- words --------------------------------------------------------------------------------------
 
-QString BarChart::told(std::size_t of, std::size_t category) const {
+QString BarChart::described(std::size_t of, std::size_t category) const {
     QString name = categories[static_cast<qsizetype>(category)];
     name.replace(u'\n', u' ');
     if (shape == Shape::boxes) {
@@ -103,12 +103,12 @@ QString BarChart::description() const {
     for (std::size_t category = 0; category < static_cast<std::size_t>(categories.size());
          ++category) {
         if (shape == Shape::boxes) {
-            lines << told(0, category);
+            lines << described(0, category);
         }
         for (std::size_t i = 0; i < series.size(); ++i) {
             const double part = value(i, category);
             if (std::isfinite(part) && (part != 0 || series.size() == 1)) {
-                lines << told(i, category);
+                lines << described(i, category);
             }
         }
     }
@@ -175,7 +175,7 @@ LegendEntries BarChart::legend(const QPalette& palette, bool isDimmed,
             continue;
         }
         LegendEntry made = entry(bars.colour(palette), Qt::NoPen,
-                                 shape == Shape::ring ? told(i, 0)
+                                 shape == Shape::ring ? described(i, 0)
                                  : bars.onSecond      ? nameWithUnit(bars.name, secondUnit)
                                                       : bars.name);
         made.hatch = bars.hatch;

@@ -52,7 +52,7 @@ struct BarLimit {
     BarColour colour = {}; ///< none: that of texts
 };
 
-/// A chart as a value: what is drawn, told and tabulated of categories side by side.
+/// A chart as a value: what is drawn, described and tabulated of categories side by side.
 struct BarChart {
     enum class Shape {
         stacked, ///< the series on top of one another, what is below 0 downwards
@@ -73,7 +73,7 @@ struct BarChart {
     BarColour boxColour = {};
     std::vector<double> sums; ///< by category, drawn as marks where bars lead up and down
     QString sumName;
-    bool hasTotals = false; ///< the stacks' heights are told
+    bool hasTotals = false; ///< the stacks' heights are stated
     std::optional<BarBand> band;
     std::vector<BarLimit> limits;
     std::optional<double> most; ///< bars beyond it are cut; their numbers are not
@@ -91,7 +91,7 @@ struct BarChart {
     [[nodiscard]] double value(std::size_t series, std::size_t category) const; ///< no number: none
     [[nodiscard]] double total(std::size_t category) const;                     ///< of all series
     /// "Stage 1, working stroke: 0.42 min".
-    [[nodiscard]] QString told(std::size_t series, std::size_t category) const;
+    [[nodiscard]] QString described(std::size_t series, std::size_t category) const;
     /// All of it in words, a line a category.
     [[nodiscard]] QString description() const;
     /// A row a category; of those series that are shown.

@@ -102,26 +102,26 @@ void BarPlot::restyle() {
 
 // --- mouse and keyboard -------------------------------------------------------------------------
 
-QString BarPlot::toldOf(int part) const {
+QString BarPlot::describedAt(int part) const {
     if (part < 0 || part >= static_cast<int>(m_drawing.parts().size())) {
         return {};
     }
-    return told(m_drawing.parts()[static_cast<std::size_t>(part)]);
+    return described(m_drawing.parts()[static_cast<std::size_t>(part)]);
 }
 
-QString BarPlot::told(const BarPart& part) const {
-    return chart().told(part.series, part.category);
+QString BarPlot::described(const BarPart& part) const {
+    return chart().described(part.series, part.category);
 }
 
 QString BarPlot::valuesAt(const QPointF& at) const {
-    return toldOf(m_drawing.partAt(at));
+    return describedAt(m_drawing.partAt(at));
 }
 
 void BarPlot::onMouse(QMouseEvent* event) {
     ViewPlot::onMouse(event);
     const int part = m_drawing.partAt(event->position());
     part >= 0 && m_leads ? setCursor(Qt::PointingHandCursor) : unsetCursor();
-    setToolTip(toldOf(part));
+    setToolTip(describedAt(part));
 }
 
 void BarPlot::pointAway() {
@@ -163,9 +163,9 @@ void BarPlot::enter(int part) {
 
 void BarPlot::choose(int part) {
     m_chosen = part;
-    const QString told = toldOf(part);
-    emit pointed(told);
-    setAccessibleDescription(told);
+    const QString text = describedAt(part);
+    emit pointed(text);
+    setAccessibleDescription(text);
     QAccessibleEvent changed(this, QAccessible::DescriptionChanged);
     QAccessible::updateAccessibility(&changed);
     replot(rpQueuedReplot);

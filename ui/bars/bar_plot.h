@@ -38,7 +38,7 @@ protected:
     void showChoice() override;
     [[nodiscard]] LegendEntries besides(int key) const override;
     [[nodiscard]] QString valuesAt(const QPointF& at) const override;
-    [[nodiscard]] virtual QString told(const BarPart& part) const; ///< in words
+    [[nodiscard]] virtual QString described(const BarPart& part) const; ///< in words
     void onMouse(QMouseEvent* event) override;
     void pointAway() override;
     bool event(QEvent* event) override;
@@ -53,8 +53,8 @@ protected:
 private:
     class Layer;
 
-    [[nodiscard]] QString toldOf(int part) const; ///< empty: none
-    void choose(int part);                        ///< by keyboard
+    [[nodiscard]] QString describedAt(int part) const; ///< empty: none
+    void choose(int part);                             ///< by keyboard
     void enter(int part);
 
     BarDrawing m_drawing;

@@ -29,7 +29,7 @@ struct ChartLook {
     [[nodiscard]] QColor ink() const;
 };
 
-/// Where the bars of a chart stand: what Qt Charts makes of an area, told beforehand.
+/// Where the bars of a chart stand: what Qt Charts makes of an area, computed beforehand.
 struct ChartArea {
     static constexpr double hole = 0.58; ///< of the radius of a ring
     static constexpr double most = 0.72; ///< of a category's room that its bars take

@@ -51,6 +51,19 @@ QString requirementName(const ConstraintResult& c, const QString& name, const QS
     return parts.join(QStringLiteral(", "));
 }
 
+/// What the heads of the columns mean.
+QString headTip(int column) {
+    switch (column) {
+    case VerdictModel::requirement:
+        return VerdictModel::tr("What the drawing, the process or the machine asks of the cycle");
+    case VerdictModel::value: return VerdictModel::tr("What the cycle comes to, at its worst");
+    case VerdictModel::limit: return VerdictModel::tr("What is allowed");
+    case VerdictModel::margin:
+        return VerdictModel::tr("How far the value is from its limit; below 0 it is beyond");
+    default: return {};
+    }
+}
+
 } // namespace
 
 void VerdictModel::setOutcome(OutcomePtr outcome) {
@@ -197,6 +210,9 @@ QVariant VerdictModel::requirementData(const Row& row, int column, int role) con
 QVariant VerdictModel::head(int column, int role) const {
     if (role == Qt::TextAlignmentRole) {
         return aligned(column != requirement);
+    }
+    if (role == Qt::ToolTipRole) {
+        return headTip(column);
     }
     if (role != Qt::DisplayRole) {
         return {};

@@ -82,8 +82,8 @@ bool LimitNames::isGuess(ConstraintKind kind, const Project& project) {
 
 QString LimitNames::guessed() {
     return tr("Roughness is not limiting while it is not calibrated: with the roughness "
-              "calibration of 1 the computed Ra is too small, and no depth of cut can be told "
-              "from it.");
+              "calibration of 1 the computed Ra is too small, and no depth of cut can be "
+              "derived from it.");
 }
 
 QString LimitNames::missingLinks(const Project& project) {

@@ -350,10 +350,10 @@ private slots:
         QTest::keyClick(&plot, Qt::Key_Return);
         QCOMPARE(entered.size(), std::size_t(1));
         const auto [series, category] = entered.front();
-        QCOMPARE(told.last(), plot.chart().told(series, category));
+        QCOMPARE(told.last(), plot.chart().described(series, category));
         QCOMPARE(plot.accessibleDescription(), told.last());
         QTest::keyClick(&plot, Qt::Key_Up);
-        QVERIFY(told.last() != plot.chart().told(series, category));
+        QVERIFY(told.last() != plot.chart().described(series, category));
         for (int i = 0; i < 20; ++i) {
             QTest::keyClick(&plot, Qt::Key_Right); // the end holds
         }

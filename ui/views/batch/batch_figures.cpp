@@ -129,13 +129,13 @@ QVariant BatchFigures::side(int row, int role) const {
     case deviation: return tip ? tr("Standard deviation of the sample") : tr("s");
     case lowPercentile:
         return tip ? tr("Below it lie 0.135 % of the parts, as below mean − 3 s of a normal "
-                        "quantity; told of 741 parts and more")
+                        "quantity; given from 741 parts on")
                          .replace(QStringLiteral("0.135"), QLocale().toString(0.135))
                    : tr("Percentile 0.135 %").replace(u'.', QLocale().decimalPoint());
     case median: return tr("Median");
     case highPercentile:
         return tip ? tr("Above it lie 0.135 % of the parts, as above mean + 3 s of a normal "
-                        "quantity; told of 741 parts and more")
+                        "quantity; given from 741 parts on")
                          .replace(QStringLiteral("0.135"), QLocale().toString(0.135))
                    : tr("Percentile 99.865 %").replace(u'.', QLocale().decimalPoint());
     case pp:

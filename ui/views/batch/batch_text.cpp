@@ -201,7 +201,7 @@ QString BatchText::counts(const BatchSummary& summary) {
     }
     if (summary.stripped > 0) {
         texts << tr("%1 of %2 parts have no size, form and Ra: strips stay uncut, so no Ppk is "
-                    "told.")
+                    "given.")
                      .arg(summary.stripped)
                      .arg(summary.parts);
     }

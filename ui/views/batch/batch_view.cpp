@@ -454,7 +454,7 @@ void BatchView::nameParts() {
     fillChoice(*content(),
                {tr("Histograms"), tr("Sensitivity"), tr("Scatter"), tr("Rejects by cause")});
     fillChoice(*m_weights, {tr("Rank regression"), tr("Sobol indices")});
-    m_weights->setAccessibleName(tr("How the weight of a factor is told"));
+    m_weights->setAccessibleName(tr("How the weight of a factor is expressed"));
     m_weights->setToolTip(
         tr("Rank regression: standardised coefficients, of the parts of the batch; sign and weight "
            "as far as the dependence is monotone, which R² says. Sobol indices: share of the "

@@ -147,7 +147,7 @@ CsvTable SensitivityPlot::table() const {
     return table;
 }
 
-QString SensitivityPlot::told(const BarPart& part) const {
+QString SensitivityPlot::described(const BarPart& part) const {
     const Bars& bars = m_bars.at(part.series / seriesOfPlace());
     const auto number = [](double value) { return Names::fixed(value, 2); };
     const QString who = QStringLiteral("%1, %2").arg(

@@ -9,7 +9,7 @@
 
 namespace sparkout {
 
-/// How the weight of a factor is told.
+/// How the weight of a factor is expressed.
 enum class SensitivityKind { ranks, sobol };
 
 /// Which factor matters most for one characteristic of a batch: a row a factor, a bar a zone or
@@ -24,7 +24,7 @@ public:
     void setIndices(SobolIndicesPtr indices);                        ///< of the same batch, or null
     void setKind(SensitivityKind kind);
     [[nodiscard]] SensitivityKind kind() const { return m_kind; }
-    [[nodiscard]] bool empty() const { return m_bars.empty(); } ///< nothing could be told
+    [[nodiscard]] bool empty() const { return m_bars.empty(); } ///< nothing could be computed
     [[nodiscard]] CsvTable table() const override;
     /// Of every characteristic that has them.
     [[nodiscard]] static CsvTable ranksTable(const BatchOutcome& outcome);
@@ -35,10 +35,10 @@ public:
 
 protected:
     void setTexts() override;
-    [[nodiscard]] QString told(const BarPart& part) const override;
+    [[nodiscard]] QString described(const BarPart& part) const override;
 
 private:
-    /// What is told of one place.
+    /// What is known of one place.
     struct Bars {
         std::size_t characteristic;       ///< of the summary
         std::vector<double> inner, outer; ///< by factor; of ranks both are the coefficient

@@ -92,9 +92,9 @@ void FeedsNote::retranslate() {
         text
             << tr("E1…E5 number the steps in which a zone is ground during one double stroke, so "
                   "the same number is another step in another zone. They are shown when a few "
-                  "double strokes are in sight.")
+                  "double strokes are shown.")
             << tr("A zone is shown as ground during the whole stroke, as the model has it: where "
-                  "the wheel stands within a stroke is not told apart.")
+                  "the wheel stands within a stroke is not distinguished.")
             << tr("Over the whole cycle a point is a double stroke: feeds are summed over its "
                   "passes, the force is that of its hardest pass. Closer, a point is one pass, and "
                   "within one double stroke it is one radius under the wheel.");

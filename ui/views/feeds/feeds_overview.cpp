@@ -38,7 +38,7 @@ FeedsOverview::FeedsOverview(const FeedsPlot& plot, QWidget* parent)
 
 void FeedsOverview::retranslate() {
     setAccessibleName(tr("Overview of the whole cycle"));
-    setAccessibleDescription(tr("Arrows move what is in sight, with Shift its end, with Ctrl its "
+    setAccessibleDescription(tr("Arrows move the visible part, with Shift its end, with Ctrl its "
                                 "beginning; Home shows the whole cycle."));
     setToolTip(
         tr("Actual feed over the whole cycle. Drag the window or its edges; the wheel zooms; "

@@ -428,7 +428,7 @@ void FeedsView::nameParts() {
     m_plot->setAccessibleName(tr("Curves of the feeds by stage"));
     m_span->setPlaceholderText(tr("Free choice"));
     m_strokeLabel->setText(tr("No.", "number of the double stroke or revolution"));
-    tell(*m_span, tr("Part of the cycle in sight"));
+    tell(*m_span, tr("Visible part of the cycle"));
     tell(*m_axis, tr("Horizontal axis"));
     tell(*m_section, tr("Section that is also shown"));
     tell(*m_previous, tr("Previous"));

@@ -164,8 +164,8 @@ private slots:
             const LayerColumn& layers = desk.outcome().layers.columns[zone];
             QVERIFY(std::abs(removed_um - 1000 * (layers.blank_mm - layers.final_mm)) < 1e-6);
         }
-        QVERIFY(chart.told(2, 0).contains(QStringLiteral("E3")));
-        QVERIFY(chart.told(2, 1).contains(QStringLiteral("E1")));
+        QVERIFY(chart.described(2, 0).contains(QStringLiteral("E3")));
+        QVERIFY(chart.described(2, 1).contains(QStringLiteral("E1")));
     }
 
     void aDiametersSharesAddUpToItsDeviation() {

@@ -192,6 +192,34 @@ private slots:
         QVERIFY(bench.settled());
     }
 
+    // The sweep that undo dropped may not have ended yet when the same is chosen again.
+    void theSameInputChosenAgainAfterAnUndoIsRun() {
+        Project slow = shaft(); // a second or so, still run by itself
+        slow.part->radii_per_section = 180;
+        for (const Project& project : {shaft(), slow}) {
+            for (const bool finished : {true, false}) {
+                Bench bench(project);
+                for (int i = 0; i < 3; ++i) {
+                    bench.choose("sweep1Input", QStringLiteral("Wheel › Dullness"));
+                    QCOMPARE(bench.document.project().sweep->inputs.front().input, dullness);
+                    if (finished) {
+                        QVERIFY(bench.settled());
+                    }
+                    bench.document.undo();
+                    QVERIFY(!bench.document.project().sweep);
+                    if (finished) {
+                        QTRY_VERIFY(!bench.view.sweep());
+                    }
+                }
+                bench.choose("sweep1Input", QStringLiteral("Wheel › Dullness"));
+                QVERIFY(bench.settled());
+                QVERIFY(bench.view.curves()->isVisible());
+                QVERIFY(!bench.view.curves()->curves().empty());
+                QVERIFY(!bench.part<QLabel>("sweepNotice").isVisible());
+            }
+        }
+    }
+
     void theCurvesAreTheResultsOfTheEngine() {
         const Project project = swept(shaft(), {{dullness, 0.01, 0.06, 11}});
         Bench bench(project);
