@@ -34,12 +34,12 @@ QString slenderShaft() {
         paths, [](const QString& path) { return nameOf(path) == u"slender-shaft"; });
 }
 
-/// Chooses a machine by typing and looks at the offer before it answers.
+/// Chooses a machine by its name and looks at the offer before it answers.
 QString choose(Window& window, const QString& answer,
                const std::function<void(QCheckBox&, QLabel&, QDialog&)>& look) {
     DialogAnswers answers({answer});
     answers.seen = [&look](QDialog& dialog) {
-        QTest::keyClicks(child<QLineEdit>(dialog, "catalogueSearch"), QStringLiteral("3У12"));
+        child<QLineEdit>(dialog, "catalogueSearch")->setText(QStringLiteral("3У12"));
         look(*child<QCheckBox>(dialog, "takeStiffness"), *child<QLabel>(dialog, "stiffnessEffect"),
              dialog);
     };

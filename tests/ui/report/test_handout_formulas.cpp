@@ -23,13 +23,13 @@ using namespace handout_bench;
 
 namespace {
 
-/// A printed number as C reads it: "8,38·10⁻⁷" as "8.38e-07".
+/// A printed number as C reads it: "8,38·10⁻⁷" as "8.38e-07", "10⁻⁷" as "1e-07".
 QString plainNumbers(QString text) {
-    static const QRegularExpression power(QStringLiteral("·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)"));
+    static const QRegularExpression power(QStringLiteral("(·|(?<![\\d.,]))10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)"));
     static const QString raised = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
     for (auto found = power.match(text); found.hasMatch(); found = power.match(text)) {
-        QString exponent = QStringLiteral("e");
-        for (const QChar c : found.captured(1)) {
+        QString exponent = found.captured(1).isEmpty() ? QStringLiteral("1e") : QStringLiteral("e");
+        for (const QChar c : found.captured(2)) {
             exponent += c == u'⁻' ? QChar(u'-') : QChar(u'0' + int(raised.indexOf(c)));
         }
         text.replace(found.capturedStart(), found.capturedLength(), exponent);

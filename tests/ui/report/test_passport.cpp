@@ -226,7 +226,7 @@ private slots:
             QVERIFY(worst > 0);
         }
         const QString text = textOfHtml(made(project, Format::html));
-        const qsizetype at = text.indexOf(QStringLiteral("number %1 has the least").arg(worst));
+        const qsizetype at = text.indexOf(QStringLiteral("number %1 has the least").arg(worst + 1));
         QVERIFY(at >= 0);
         const QString there = text.mid(at, 800);
         const std::vector<double> values = source.values(worst);

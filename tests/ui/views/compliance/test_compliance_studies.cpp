@@ -172,7 +172,7 @@ private slots:
         QCOMPARE(sections, qsizetype{4});
         for (qsizetype j = 0; j < sections; ++j) {
             const QString name = Names::zone(Zone::section, static_cast<int>(j));
-            QVERIFY2(name.contains(QString::number(j)), qPrintable(name));
+            QVERIFY2(name.contains(QString::number(j + 1)), qPrintable(name));
             QCOMPARE(names.count(name), 1);
             const qsizetype column = table.header.size() - sections + j;
             QVERIFY2(table.header[column].contains(name), qPrintable(table.header[column]));
