@@ -15,15 +15,15 @@
 
 namespace sparkout {
 
+template class Indirect<Batch>;
 template class Indirect<Cycle>;
 template class Indirect<Gauge>;
 template class Indirect<Machine>;
 template class Indirect<Material>;
+template class Indirect<Optimisation>;
 template class Indirect<Part>;
+template class Indirect<Sweep>;
 template class Indirect<Wheel>;
-template class OptionalIndirect<Batch>;
-template class OptionalIndirect<Optimisation>;
-template class OptionalIndirect<Sweep>;
 
 int placeCount(const Project& project) {
     return project.operation->hasZones ? 3 : project.sections;

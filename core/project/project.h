@@ -22,15 +22,15 @@ struct Optimisation;
 struct Part;
 struct Sweep;
 struct Wheel;
+extern template class Indirect<Batch>;
 extern template class Indirect<Cycle>;
 extern template class Indirect<Gauge>;
 extern template class Indirect<Machine>;
 extern template class Indirect<Material>;
+extern template class Indirect<Optimisation>;
 extern template class Indirect<Part>;
+extern template class Indirect<Sweep>;
 extern template class Indirect<Wheel>;
-extern template class OptionalIndirect<Batch>;
-extern template class OptionalIndirect<Optimisation>;
-extern template class OptionalIndirect<Sweep>;
 
 /// A kept run: what was run, when, by which engine, and its summary. Never changed again.
 struct KeptRun {
