@@ -6,8 +6,12 @@
 #include <QProcess>
 #include <QString>
 #include <QStringList>
+#include <QTest>
+
+#include <sys/types.h>
 
 #include <algorithm>
+#include <csignal>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -22,6 +26,14 @@ struct Outcome {
 
     std::string text() const { return std::to_string(status) + '\n' + out + err; }
 };
+
+/// Of a process that runs: the number of one that has ended is 0, which would be the tests
+/// themselves.
+inline void endBySignal(const QProcess& process, int signal) {
+    const auto number = static_cast<pid_t>(process.processId());
+    QVERIFY2(number > 0, "it has ended by itself");
+    ::kill(number, signal);
+}
 
 inline Outcome outcomeOf(QProcess& process) {
     const int patience_ms = 60'000;

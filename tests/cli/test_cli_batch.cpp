@@ -44,7 +44,7 @@ public:
         return false;
     }
     Outcome endBy(int signal) {
-        ::kill(static_cast<pid_t>(m_process.processId()), signal);
+        endBySignal(m_process, signal);
         return outcomeOf(m_process);
     }
     void readProgress() { m_process.setReadChannel(QProcess::StandardError); }

@@ -389,7 +389,7 @@ private slots:
             QVERIFY(process.waitForReadyRead(30'000));
             progress += process.readAllStandardError();
         }
-        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        endBySignal(process, SIGINT);
         checkStopped(outcomeOf(process));
     }
 

@@ -293,18 +293,20 @@ private slots:
         QAction& toggle = *feeds.view.cursors()->toggle;
         toggle.setChecked(false);
         settle();
-        const QSize plot = feeds.view.plot()->size();
+        const QSize view = feeds.view.size();
+        const int height = feeds.view.plot()->height();
         const QImage without = picture();
         toggle.setChecked(true);
         settle();
-        feeds.view.plot()->resize(plot);
+        feeds.view.resize(view.width(), view.height() + height - feeds.view.plot()->height());
+        settle();
         feeds.view.plot()->replot(QCustomPlot::rpImmediateRefresh);
         const QImage with = picture();
         QCOMPARE(with.size(), without.size());
         QVERIFY(with != without);
         toggle.setChecked(false);
+        feeds.view.resize(view);
         settle();
-        feeds.view.plot()->resize(plot);
         feeds.view.plot()->replot(QCustomPlot::rpImmediateRefresh);
         QCOMPARE(picture(), without);
     }

@@ -177,7 +177,7 @@ void TestViews::theSelectedRowIsCopiedAlone() {
     QCOMPARE(copied.count(u'\n'), 1);
     QCOMPARE(copied.section(u'\t', 2, 2), model.index(row, 1).data().toString());
     table->selectRow(0); // a group
-    QVERIFY(table->selectionModel()->selectedRows().isEmpty());
+    QVERIFY(!table->selectionModel()->isRowSelected(0));
 }
 
 void TestViews::nothingIsClippedAt300Pixels() {

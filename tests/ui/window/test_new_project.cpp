@@ -38,7 +38,9 @@ const std::map<std::string, QString> drawing{{"/part/diameter_mm", QStringLitera
 
 struct NewBench : Bench {
     explicit NewBench(const char* command = "newTraverse") : Bench(QStringLiteral("en")) {
-        open(examplePaths().front());
+        if (!open(examplePaths().front())) {
+            qFatal("the example cannot be opened");
+        }
         action(command)->trigger();
     }
     [[nodiscard]] NumberField& field(const std::string& path) {
