@@ -242,9 +242,17 @@ void ComparePlot::restyle() {
         axisOf(quantity)->setTickLabelColor(colour);
     }
     for (const Curve& curve : m_curves) {
-        curve.graph->setPen(
-            runPen(runs()[curve.run].number, toned(style::drawnAs(curve.quantity))));
+        QPen pen = runPen(runs()[curve.run].number, toned(style::drawnAs(curve.quantity)));
+        pen.setWidthF(pen.widthF() * weightOf(curve.quantity));
+        curve.graph->setPen(pen);
     }
+}
+
+/// The dash says which run, so that in black and white the weight says which axis.
+double ComparePlot::weightOf(Quantity quantity) const {
+    constexpr double left = 1.3, right = 0.7;
+    const bool isSecond = quantity == second(0) || quantity == second(1);
+    return isSecond ? right : left;
 }
 
 void ComparePlot::setTexts() {
@@ -258,7 +266,9 @@ LegendEntries ComparePlot::legendEntries() const {
     LegendEntries entries;
     for (const Quantity quantity : quantities()) {
         const int key = static_cast<int>(quantity);
-        entries.push_back(lineEntry(key, toned(style::drawnAs(quantity)), quantityName(quantity)));
+        QPen pen = runPen(0, toned(style::drawnAs(quantity)));
+        pen.setWidthF(pen.widthF() * weightOf(quantity));
+        entries.push_back(lineEntry(key, pen, quantityName(quantity)));
     }
     for (const ComparedFeeds& run : runs()) {
         const int key = runKey + run.number;

@@ -55,6 +55,7 @@ private:
     [[nodiscard]] LegendEntries besides(int key) const override;
     void onMouse(QMouseEvent* event) override;
     void pointAway() override;
+    [[nodiscard]] double weightOf(Quantity quantity) const;
     struct Curve {
         std::size_t run; ///< index in runs()
         Quantity quantity;

@@ -115,8 +115,8 @@ InputsPanel::~InputsPanel() {
 
 /// As wide as the forms are laid out for, and the names of the pages need.
 QSize InputsPanel::minimumSizeHint() const {
-    return {std::max(atFontSize(usualWidth), m_strip->minimumSize().width()),
-            QWidget::minimumSizeHint().height()};
+    const int least = std::max(atFontSize(usualPanel), leastPanel);
+    return {std::max(least, m_strip->minimumSize().width()), QWidget::minimumSizeHint().height()};
 }
 
 void InputsPanel::showPage(int index) {

@@ -23,8 +23,6 @@ class InputsPanel : public QWidget {
     Q_OBJECT
 
 public:
-    static constexpr int usualWidth = 347; ///< at the usual size of type
-
     explicit InputsPanel(Document& document, QWidget* parent = nullptr,
                          Settings* settings = nullptr);
     ~InputsPanel() override;

@@ -45,7 +45,6 @@ constexpr Row table[] = {
     {Drawn::coupledSections, Tone::orange},
     {Drawn::couplingDifference, Tone::purple},
     {Drawn::limit, Tone::vermilion},
-    {Drawn::limitedFeed, Tone::blue},
     {Drawn::forbidden, Tone::vermilion},
     {Drawn::everyRequirementHolds, Tone::green},
     {Drawn::holds, Tone::green},
@@ -78,8 +77,7 @@ static_assert(isWhole(), "a row for each thing that is drawn, in the order of th
 
 constexpr std::array series{Tone::blue, Tone::orange,    Tone::green, Tone::purple,
                             Tone::sky,  Tone::vermilion, Tone::yellow};
-constexpr std::array depthLimits{Tone::vermilion, Tone::orange, Tone::green, Tone::sky,
-                                 Tone::purple};
+constexpr std::array depthLimits{Tone::blue, Tone::orange, Tone::green, Tone::sky, Tone::purple};
 constexpr std::array steps{Tone::orange, Tone::green, Tone::sky, Tone::purple,
                            Tone::yellow, Tone::blue,  Tone::sky};
 

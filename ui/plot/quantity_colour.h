@@ -48,7 +48,6 @@ enum class Drawn {
     couplingDifference,
     // Limits and what stands to them.
     limit,       ///< of a value
-    limitedFeed, ///< the actual feed among its limits, of which one has its colour
     forbidden,
     everyRequirementHolds,
     holds, ///< a light; so the next two

@@ -35,7 +35,6 @@ constexpr LineRow lines[] = {
     {Drawn::coupledSections, {Qt::DashLine, 2}},
     {Drawn::couplingDifference, {Qt::DotLine, 2}},
     {Drawn::limit, {Qt::DashLine, 1.5}},
-    {Drawn::limitedFeed, {Qt::SolidLine, 1.6}},
 };
 
 constexpr std::array depthLimitLines{Line{Qt::DashLine, 1.6}, Line{Qt::DashDotLine, 1.6},

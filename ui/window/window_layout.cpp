@@ -20,6 +20,8 @@
 #include <QScreen>
 #include <QStatusBar>
 
+#include <algorithm>
+
 namespace sparkout {
 
 namespace {
@@ -27,6 +29,7 @@ namespace {
 constexpr QSize usualWindow(1366, 768);
 constexpr QSize frameAllowance(8, 40);
 constexpr int verdictWidth = 303;
+constexpr int leastVerdictWidth = 292; ///< in smaller type: frames and gaps do not shrink
 constexpr int messagesHeight = 96;
 
 /// The buttons Qt puts in by itself, which it names once and in one language, or not at all.
@@ -112,7 +115,7 @@ void WindowLayout::reset() {
 
 void WindowLayout::fitPanels() {
     m_widths->want(m_inputsDock, 0); // as narrow as it can be, in any type and language
-    m_widths->want(m_verdictDock, atFontSize(verdictWidth));
+    m_widths->want(m_verdictDock, std::max(atFontSize(verdictWidth), leastVerdictWidth));
 }
 
 void WindowLayout::restore() {

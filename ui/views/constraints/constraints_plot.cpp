@@ -240,7 +240,7 @@ void ConstraintsPlot::setLogarithmic(bool on) {
 
 QPen ConstraintsPlot::penOf(int key) const {
     if (key == actualKey) {
-        return style::line(Drawn::limitedFeed, toned(Drawn::limitedFeed));
+        return style::line(Drawn::actualFeed, toned(Drawn::actualFeed));
     }
     if (key == steplessKey) {
         return {ink(), 3, Qt::SolidLine};
