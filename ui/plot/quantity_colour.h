@@ -47,7 +47,7 @@ enum class Drawn {
     coupledSections,
     couplingDifference,
     // Limits and what stands to them.
-    limit,       ///< of a value
+    limit, ///< of a value
     forbidden,
     everyRequirementHolds,
     holds, ///< a light; so the next two

@@ -8,8 +8,8 @@ namespace sparkout {
 
 constexpr int unitColumn = metrics::unit + metrics::margin; ///< a unit and what is clear of it
 constexpr int wideField = metrics::field + metrics::gap + unitColumn; ///< a field over both
-constexpr int usualPanel = 347; ///< width of all pages at the usual size of type
-constexpr int leastPanel = 336; ///< at smaller ones: frames and gaps do not shrink
+constexpr int usualPanel = 347;  ///< width of all pages at the usual size of type
+constexpr int leastPanel = 336;  ///< at smaller ones: frames and gaps do not shrink
 constexpr double noteType = 0.9; ///< shares, heads of tables and hints, of the usual size
 
 } // namespace sparkout
