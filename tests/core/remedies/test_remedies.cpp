@@ -707,7 +707,8 @@ private slots:
         machine.limits.axial_feed_mm_min = fixed(45);
         machine.limits.plunge_feed_mm_min = fixed(machine.plunge_feed_mm_min);
         double runout_um = 0;
-        for (const SectionResult& section : evaluate(project)->result.sections) {
+        const OutcomePtr outcome = evaluate(project);
+        for (const SectionResult& section : outcome->result.sections) {
             runout_um = std::max(runout_um, section.radialRunout_mm * 1e3);
         }
         for (const auto& [share, sentence] :
