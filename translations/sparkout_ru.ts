@@ -12911,6 +12911,11 @@ mm/min</source>
             <translation>зона относительно прибора</translation>
         </message>
         <message>
+            <source>S%1</source>
+            <comment>section, in little room</comment>
+            <translation>С%1</translation>
+        </message>
+        <message>
             <source>spread in the section</source>
             <translation>непостоянство в сечении</translation>
         </message>

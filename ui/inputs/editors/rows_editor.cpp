@@ -11,15 +11,15 @@ namespace sparkout {
 namespace {
 
 QString joinedRows(const std::vector<std::vector<double>>& rows) {
-    QStringList lines;
+    QStringList texts;
     for (const std::vector<double>& row : rows) {
         QStringList numbers;
         for (const double value : row) {
             numbers += showNumber(value, QLocale());
         }
-        lines += numbers.join(u' ');
+        texts += numbers.join(u' ');
     }
-    return lines.join(QStringLiteral("; "));
+    return texts.join(QStringLiteral("; "));
 }
 
 } // namespace

@@ -216,6 +216,7 @@ BarChart OverviewCharts::diameters(const Outcome& outcome) {
     chart.number = Names::signedMicrometres;
     chart.remark = sectionsRemark(outcome);
     const Part& part = *outcome.result.project.part;
+    const bool hasZones = outcome.result.project.operation->hasZones;
     chart.band = BarBand{part.lower_deviation_um, part.upper_deviation_um, tr("tolerance field")};
     chart.sumName = tr("deviation, the sum");
     chart.series = {{tr("gauge at the end"), barColour(Drawn::gauge), hatchAt(0), {}},
@@ -227,7 +228,9 @@ BarChart OverviewCharts::diameters(const Outcome& outcome) {
                 diameterShares(outcome.result, static_cast<std::size_t>(section), end);
             const QString which =
                 end == DiameterEnd::smallest ? tr("min", "diameter") : tr("max", "diameter");
-            chart.categories << nameOfSection(outcome, section) + u'\n' + which;
+            const QString place = hasZones ? nameOfSection(outcome, section)
+                                           : tr("S%1", "section, in little room").arg(section + 1);
+            chart.categories << place + u'\n' + which;
             chart.series[0].values.push_back(shares.reading_um);
             chart.series[1].values.push_back(shares.section_um);
             chart.series[2].values.push_back(shares.form_um);
