@@ -58,15 +58,27 @@ int editOf(const Project& project) {
     return qRound((project.part->diameter_mm - 30) * 1000);
 }
 
+/// A window whose unsaved work is kept in a folder.
+struct GuardedWindow {
+    explicit GuardedWindow(const QString& state) : window(settings, english(language)) {
+        window.files().protect(state, times);
+        window.resize(1366, 768);
+        window.show();
+    }
+    static Language& english(Language& language) {
+        language.apply(QStringLiteral("en"));
+        return language;
+    }
+    Settings settings = Settings::transient();
+    Language language;
+    MainWindow window;
+};
+
 /// The window that is going to be killed. It edits without a pause, or in bursts with pauses, and
 /// tells each edit and its time.
 int editUntilKilled(QApplication& app, const QString& state, const QString& file, bool bursts) {
-    Settings settings = Settings::transient();
-    Language language;
-    language.apply(QStringLiteral("en"));
-    MainWindow window(settings, language);
-    window.files().protect(state, times);
-    window.show();
+    GuardedWindow guarded(state);
+    MainWindow& window = guarded.window;
     if (!window.files().openFile(file)) {
         return 1;
     }
@@ -88,13 +100,8 @@ int editUntilKilled(QApplication& app, const QString& state, const QString& file
 /// The window that is going to be killed while a new drawing is typed: it has its diameter and its
 /// stock, with keys, when it says so.
 int drawUntilKilled(const QString& state) {
-    Settings settings = Settings::transient();
-    Language language;
-    language.apply(QStringLiteral("en"));
-    MainWindow window(settings, language);
-    window.files().protect(state, times);
-    window.resize(1366, 768);
-    window.show();
+    GuardedWindow guarded(state);
+    MainWindow& window = guarded.window;
     window.files().startNew(Operation::traverse);
     for (const auto& [path, text] :
          {std::pair("/part/diameter_mm", "40"), std::pair("/part/stock_mm", "0.15")}) {
@@ -217,13 +224,8 @@ private slots:
         process.kill();
         QVERIFY(process.waitForFinished());
 
-        Settings settings = Settings::transient();
-        Language language;
-        language.apply(QStringLiteral("en"));
-        MainWindow window(settings, language);
-        window.files().protect(state, times);
-        window.resize(1366, 768);
-        window.show();
+        GuardedWindow guarded(state);
+        MainWindow& window = guarded.window;
         DialogAnswers answers({QStringLiteral("recover")});
         window.files().start({});
         QVERIFY2(answers.fault().isEmpty(), qPrintable(answers.fault()));
@@ -272,12 +274,8 @@ private slots:
                 }
             }
             trouble::write(store.folder() + QStringLiteral("/%1.recovery").arg(i), bad);
-            Settings settings = Settings::transient();
-            Language language;
-            language.apply(QStringLiteral("en"));
-            MainWindow window(settings, language);
-            window.files().protect(state, times);
-            window.show();
+            GuardedWindow guarded(state);
+            MainWindow& window = guarded.window;
             DialogAnswers answers({QStringLiteral("later")});
             int listed = 0;
             answers.seen = [&](QDialog& dialog) {
