@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/bars/bar_drawing.h"
 
+#include "ui/kit/font_size.h"
 #include "ui/plot/plot_style.h"
 #include "ui/text/names.h"
 
@@ -25,6 +26,7 @@ constexpr double widestCategory = 0.5; ///< of the width, names beside lying bar
 constexpr double fieldAlpha = 0.22;
 constexpr double markWidth = 3;
 constexpr double lineOfCategory = 1.45; ///< a lying bar with its name, in heights of a text
+constexpr double leastType = 0.8;       ///< of the type, names under bars that are narrow
 
 QStringList linesOf(const QString& text) {
     return text.split(u'\n');
@@ -522,9 +524,29 @@ void BarDrawing::paintSliceNumbers(QPainter& painter, const Layout& layout) {
 
 // --- axes ---------------------------------------------------------------------------------------
 
+/// As large as the names have room for, down to the least that is read.
+QFont BarDrawing::categoryFont(double room) const {
+    constexpr double shrink = 0.95; // a font's widths do not follow its size evenly
+    const auto fits = [&](const QFont& font) {
+        return std::ranges::all_of(m_drawn.categories, [&](const QString& name) {
+            return widthOf(QFontMetricsF(font), name) <= room;
+        });
+    };
+    QFont font = m_look.font;
+    for (double size = 1; !fits(font) && size * shrink >= leastType;) {
+        size *= shrink;
+        font = enlarged(m_look.font, size);
+    }
+    return font;
+}
+
 void BarDrawing::paintCategories(QPainter& painter, const Layout& layout) {
     const QRectF& area = layout.area.rect;
     const double line = layout.metrics.height(), room = layout.area.room(m_drawn);
+    const double most = std::max(room - textGap, 0.0); // under a standing bar
+    const QFont font = m_drawn.isLying ? m_look.font : categoryFont(most);
+    const QFontMetricsF metrics(font);
+    painter.setFont(font);
     double last = std::numeric_limits<double>::lowest(); // end of the one before
     for (std::size_t c = 0; c < static_cast<std::size_t>(m_drawn.categories.size()); ++c) {
         const double middle = layout.area.middle(m_drawn, c);
@@ -534,29 +556,28 @@ void BarDrawing::paintCategories(QPainter& painter, const Layout& layout) {
                 continue; // of rows too low for a name each
             }
             const QRectF box(0, middle - line / 2, area.left() - textGap, line);
-            const QString text =
-                layout.metrics.elidedText(lines.join(u' '), Qt::ElideRight, box.width());
+            const QString text = metrics.elidedText(lines.join(u' '), Qt::ElideRight, box.width());
             painter.setPen(m_look.ink());
             painter.drawText(box, Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, text);
             m_texts << text;
             last = box.bottom();
             continue;
         }
-        const double most = std::max(room - textGap, 0.0);
-        const double width = std::min(widthOf(layout.metrics, lines.join(u'\n')), most);
-        if (middle - width / 2 < last || most < layout.metrics.averageCharWidth() * 2) {
+        const double width = std::min(widthOf(metrics, lines.join(u'\n')), most);
+        if (middle - width / 2 < last || most < metrics.averageCharWidth() * 2) {
             continue;
         }
         for (qsizetype i = 0; i < lines.size(); ++i) {
             const QRectF box(middle - most / 2,
                              area.bottom() + textGap + static_cast<double>(i) * line, most, line);
-            const QString text = layout.metrics.elidedText(lines[i], Qt::ElideRight, most);
+            const QString text = metrics.elidedText(lines[i], Qt::ElideRight, most);
             painter.setPen(m_look.ink());
             painter.drawText(box, Qt::AlignHCenter | Qt::AlignTop | Qt::TextDontClip, text);
             m_texts << text;
         }
         last = middle + width / 2;
     }
+    painter.setFont(m_look.font);
 }
 
 void BarDrawing::paintAxis(QPainter& painter, const Layout& layout, bool onSecond) {

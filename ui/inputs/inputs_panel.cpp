@@ -115,8 +115,12 @@ InputsPanel::~InputsPanel() {
 
 /// As wide as the forms are laid out for, and the names of the pages need.
 QSize InputsPanel::minimumSizeHint() const {
-    const int least = std::max(atFontSize(usualPanel), leastPanel);
-    return {std::max(least, m_strip->minimumSize().width()), QWidget::minimumSizeHint().height()};
+    return {std::max(panelWidth(), m_strip->minimumSize().width()),
+            QWidget::minimumSizeHint().height()};
+}
+
+int InputsPanel::twoColumnWidth() const {
+    return std::max(2 * panelWidth(), minimumSizeHint().width());
 }
 
 void InputsPanel::showPage(int index) {

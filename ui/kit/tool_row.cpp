@@ -98,7 +98,8 @@ std::vector<int> ToolRow::widthsOf(const Line& line, int room) const {
     }
     std::vector<int> widths;
     for (const Tool* tool : line) {
-        const int mine = tool->least(), own = std::max(mine, tool->item->sizeHint().width());
+        const int mine = std::min(tool->least(), room); // a text with a line to itself may be less
+        const int own = std::max(mine, tool->item->sizeHint().width());
         widths.push_back(
             wished <= room
                 ? own + roundedShare(room - wished, tool->stretch, stretches)
@@ -177,7 +178,7 @@ QSize ToolRow::minimumSize() const {
     QSize size(0, 0);
     for (const Tool& tool : m_items) {
         if (!tool.item->isEmpty()) {
-            size = size.expandedTo({tool.least(), tool.item->minimumSize().height()});
+            size = size.expandedTo({leastOf(*tool.item), tool.item->minimumSize().height()});
         }
     }
     return size.grownBy(contentsMargins());

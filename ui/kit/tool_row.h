@@ -18,7 +18,8 @@ public:
     ~ToolRow() override;
 
     void addWidget(QWidget* widget, int stretch = 0); ///< shares what a line has to spare
-    /// A text that wraps: at least so many letters wide, that it be no column of words.
+    /// A text that wraps: with a line to itself unless it is at least so many letters wide beside
+    /// the others, that it be no column of words.
     void addText(QWidget* widget, int letters, int stretch);
     void addStretch(int stretch = 1);
 
@@ -37,7 +38,7 @@ private:
     struct Tool {
         std::unique_ptr<QLayoutItem> item;
         int stretch;
-        int letters = 0; ///< wide at least
+        int letters = 0; ///< wide at least beside others
         [[nodiscard]] int least() const;
     };
     using Line = std::vector<const Tool*>;

@@ -25,7 +25,8 @@ public:
     /// The name is the beginning of those of its parts.
     RunBar(const QString& name, QWidget* parent, Progress text = nullptr);
 
-    /// Once: what stands before the text and behind it, which is at least so many letters wide.
+    /// Once: what stands before the text and behind it, which has a line to itself unless it is at
+    /// least so many letters wide.
     void layOut(std::initializer_list<QWidget*> before, std::initializer_list<QWidget*> behind,
                 int letters = 0);
     /// A count of what is done with the time that the rest will take, once that is known.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/panel_widths.h"
 
+#include "ui/kit/font_size.h"
+
 #include <QDataStream>
 #include <QDockWidget>
 #include <QEvent>
@@ -13,6 +15,10 @@
 
 namespace sparkout {
 
+namespace {
+constexpr int wideWindow = 1900; ///< as one that fills a screen of 1920 pixels, in the usual type
+} // namespace
+
 PanelWidths::PanelWidths(QMainWindow& window, QList<QDockWidget*> panels)
     : QObject(&window), m_window(window), m_panels(std::move(panels)) {
     m_later.setSingleShot(true);
@@ -22,7 +28,8 @@ PanelWidths::PanelWidths(QMainWindow& window, QList<QDockWidget*> panels)
     m_window.centralWidget()->installEventFilter(this);
     for (QDockWidget* panel : m_panels) {
         connect(panel, &QDockWidget::dockLocationChanged, this, [this, panel] {
-            if (stands(*panel)) { // as wide as it has been made there
+            if (stands(*panel) && panel->width() != m_wantedWide.value(panel)) {
+                // as wide as it has been made there
                 m_wanted[panel] = std::max(m_wanted.value(panel), panel->width());
             }
         });
@@ -39,7 +46,7 @@ std::vector<int> PanelWidths::widths() const {
     std::vector<int> found{m_window.width(), m_window.centralWidget()->minimumSizeHint().width()};
     for (const QDockWidget* panel : m_panels) {
         found.push_back(stands(*panel) ? panel->width() : -1);
-        found.push_back(m_wanted.value(panel));
+        found.push_back(wanted(panel));
         found.push_back(panel->minimumSizeHint().width());
     }
     return found;
@@ -52,9 +59,20 @@ void PanelWidths::want(QDockWidget* panel, int width) {
     m_later.start();
 }
 
+void PanelWidths::wantInWideWindow(QDockWidget* panel, int width) {
+    m_wantedWide[panel] = width;
+    m_later.start();
+}
+
+int PanelWidths::wanted(const QDockWidget* panel) const {
+    const bool isWide = m_window.width() >= atFontSize(wideWindow);
+    return std::max(m_wanted.value(panel), isWide ? m_wantedWide.value(panel) : 0);
+}
+
 void PanelWidths::takeOver(QDockWidget* panel) {
     if (stands(*panel)) {
         m_wanted[panel] = panel->width();
+        m_wantedWide[panel] = 0;
     }
 }
 
@@ -76,7 +94,7 @@ QByteArray PanelWidths::saveState() const {
     QDataStream stream(&state, QIODevice::WriteOnly);
     stream.setVersion(QDataStream::Qt_6_0);
     for (const QDockWidget* panel : m_panels) {
-        stream << qint32(m_wanted.value(panel));
+        stream << qint32(m_wanted.value(panel)) << qint32(m_wantedWide.value(panel));
     }
     return state;
 }
@@ -84,16 +102,19 @@ QByteArray PanelWidths::saveState() const {
 bool PanelWidths::restoreState(const QByteArray& state) {
     QDataStream stream(state);
     stream.setVersion(QDataStream::Qt_6_0);
-    QHash<const QDockWidget*, int> wanted;
+    QHash<const QDockWidget*, int> wanted, wantedWide;
     for (const QDockWidget* panel : m_panels) {
-        qint32 width = 0;
-        stream >> width;
-        if (stream.status() != QDataStream::Ok || width < 0 || width > QWIDGETSIZE_MAX) {
+        qint32 width = 0, wide = 0;
+        stream >> width >> wide;
+        if (stream.status() != QDataStream::Ok || width < 0 || width > QWIDGETSIZE_MAX || wide < 0
+            || wide > QWIDGETSIZE_MAX) {
             return false;
         }
         wanted[panel] = width;
+        wantedWide[panel] = wide;
     }
     m_wanted = wanted;
+    m_wantedWide = wantedWide;
     m_later.start();
     return true;
 }
@@ -103,36 +124,36 @@ void PanelWidths::restore() {
     if (std::exchange(m_released, false)) { // by now the last move of the mouse has had its effect
         takeOverDragged();
     }
-    if (m_dragging || !m_window.isVisible() || m_tried == widths()) {
+    if (m_dragging || !m_window.isVisible() || m_tried == this->widths()) {
         return;
     }
     if (std::exchange(m_restored, false)) {
         std::ranges::for_each(m_panels, [this](QDockWidget* panel) { takeOver(panel); });
     }
-    m_tried = widths(); // what cannot be had now is not tried again and again
+    m_tried = this->widths(); // what cannot be had now is not tried again and again
     const QWidget& middle = *m_window.centralWidget();
     int room = middle.width() - middle.minimumSizeHint().width(); // none is taken from each other
     QList<QDockWidget*> changed;
-    QList<int> wanted;
+    QList<int> widths;
     const auto change = [&](QDockWidget* panel, int width) {
         changed << panel;
-        wanted << width;
+        widths << width;
         room -= width - panel->width();
     };
     for (QDockWidget* panel : m_panels) {
-        const int most = std::max(m_wanted.value(panel), panel->minimumSizeHint().width());
+        const int most = std::max(wanted(panel), panel->minimumSizeHint().width());
         if (stands(*panel) && panel->width() > most) {
             change(panel, most);
         }
     }
     for (QDockWidget* panel : m_panels) {
-        const int missing = stands(*panel) ? m_wanted.value(panel) - panel->width() : 0;
+        const int missing = stands(*panel) ? wanted(panel) - panel->width() : 0;
         if (missing > 0 && room > 0) {
             change(panel, panel->width() + std::min(missing, room));
         }
     }
     if (!changed.isEmpty()) {
-        m_window.resizeDocks(changed, wanted, Qt::Horizontal);
+        m_window.resizeDocks(changed, widths, Qt::Horizontal);
     }
 }
 

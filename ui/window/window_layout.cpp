@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/window_layout.h"
 
+#include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/keyboard.h"
@@ -58,6 +59,7 @@ WindowLayout::WindowLayout(QMainWindow& window, const Panels& panels, ViewTabs& 
     , m_tabs(tabs)
     , m_playback(playback)
     , m_settings(settings)
+    , m_inputs(*panels.inputs)
     , m_inputsDock(addDock(panels.inputs, QStringLiteral("inputs"), Qt::LeftDockWidgetArea))
     , m_verdictDock(addDock(panels.verdict, QStringLiteral("verdict"), Qt::RightDockWidgetArea))
     , m_messagesDock(addDock(panels.messages, QStringLiteral("messages"), Qt::BottomDockWidgetArea))
@@ -115,6 +117,7 @@ void WindowLayout::reset() {
 
 void WindowLayout::fitPanels() {
     m_widths->want(m_inputsDock, 0); // as narrow as it can be, in any type and language
+    m_widths->wantInWideWindow(m_inputsDock, m_inputs.twoColumnWidth());
     m_widths->want(m_verdictDock, std::max(atFontSize(verdictWidth), leastVerdictWidth));
 }
 

@@ -11,6 +11,7 @@ class QWidget;
 namespace sparkout {
 
 class MessagesDock;
+class InputsPanel;
 class MessagesPanel;
 class PanelWidths;
 class PlaybackBar;
@@ -24,7 +25,8 @@ class WindowLayout : public QObject {
 public:
     /// What stands in the panels beside the views.
     struct Panels {
-        QWidget *inputs, *verdict;
+        InputsPanel* inputs;
+        QWidget* verdict;
         MessagesPanel* messages;
         QWidget* sheet;
     };
@@ -48,6 +50,7 @@ private:
     ViewTabs& m_tabs;
     PlaybackBar& m_playback;
     Settings& m_settings;
+    InputsPanel& m_inputs;
     QDockWidget* m_inputsDock;
     QDockWidget* m_verdictDock;
     QDockWidget* m_messagesDock;

@@ -3,6 +3,7 @@
 #include "core/study/operation.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
+#include "ui/inputs/inputs_panel.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/sealed_state.h"
 #include "ui/plot/view.h"
@@ -430,6 +431,41 @@ private slots:
         bench.settle();
         QTest::qWait(60);
         QCOMPARE(verdict->width(), wanted);
+    }
+
+    // A wide window gives its inputs two columns, until one drags them to another width.
+    void aWideWindowHasRoomForTwoColumnsOfInputs() {
+        Bench bench(QStringLiteral("ru"));
+        QVERIFY(bench.open(examplePaths().front()));
+        MainWindow& window = *bench.window;
+        auto* inputs = window.findChild<InputsPanel*>();
+        const int one = inputs->width();
+        window.resize(1920, 1080);
+        QTRY_VERIFY(inputs->width() >= inputs->twoColumnWidth());
+        QVERIFY(window.findChild<ViewTabs*>()->width() > 900);
+        window.resize(1366, 1080);
+        QTRY_COMPARE(inputs->width(), one);
+        window.resize(1920, 1080);
+        QTRY_VERIFY(inputs->width() >= inputs->twoColumnWidth());
+        QTest::qWait(60);
+        const QPoint edge(inputs->mapTo(&window, QPoint(inputs->width() + 2, 300)));
+        QTest::mousePress(&window, Qt::LeftButton, {}, edge);
+        QTest::mouseMove(&window, edge - QPoint(200, 0));
+        bench.settle();
+        QTest::mouseRelease(&window, Qt::LeftButton, {}, edge - QPoint(200, 0));
+        QTRY_VERIFY(inputs->width() < inputs->twoColumnWidth() - 150);
+        QTest::qWait(100);
+        const int dragged = inputs->width();
+        window.resize(1366, 1080);
+        QTest::qWait(100);
+        window.resize(1920, 1080);
+        QTest::qWait(100);
+        QCOMPARE(inputs->width(), dragged);
+        QVERIFY(window.close());
+        MainWindow again(bench.settings, bench.language);
+        again.resize(1920, 1080);
+        again.show();
+        QTRY_COMPARE(again.findChild<InputsPanel*>()->width(), dragged);
     }
 
     void aThemeSwitchLeavesTheLayoutAsItIs() {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
+
+#include <algorithm>
 
 /// What the rows of all pages of the inputs share beyond the window's own scale.
 namespace sparkout {
@@ -11,5 +14,10 @@ constexpr int wideField = metrics::field + metrics::gap + unitColumn; ///< a fie
 constexpr int usualPanel = 347;  ///< width of all pages at the usual size of type
 constexpr int leastPanel = 336;  ///< at smaller ones: frames and gaps do not shrink
 constexpr double noteType = 0.9; ///< shares, heads of tables and hints, of the usual size
+
+/// The width that a page of one column is laid out for.
+inline int panelWidth() {
+    return std::max(atFontSize(usualPanel), leastPanel);
+}
 
 } // namespace sparkout

@@ -7,6 +7,7 @@
 #include "ui/fields/value_slider.h"
 #include "ui/inputs/editors/form_metrics.h"
 #include "ui/inputs/editors/hint_strip.h"
+#include "ui/inputs/forms/page_columns.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
 #include "ui/session/document.h"
@@ -17,7 +18,6 @@
 #include <QCheckBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QVBoxLayout>
 
 #include <algorithm>
 

@@ -7,12 +7,11 @@
 #include "ui/fields/reason_label.h"
 #include "ui/inputs/editors/hint_strip.h"
 #include "ui/inputs/editors/number_lines.h"
+#include "ui/inputs/forms/page_columns.h"
 #include "ui/session/document.h"
 #include "ui/tables/pasted_cells.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/texts.h"
-
-#include <QVBoxLayout>
 
 #include <algorithm>
 

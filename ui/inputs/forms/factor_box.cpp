@@ -10,6 +10,7 @@
 #include "ui/inputs/editors/form_metrics.h"
 #include "ui/inputs/editors/hint_strip.h"
 #include "ui/inputs/editors/number_lines.h"
+#include "ui/inputs/forms/page_columns.h"
 #include "ui/kit/font_size.h"
 #include "ui/session/document.h"
 #include "ui/text/file_error_text.h"

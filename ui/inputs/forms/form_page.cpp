@@ -12,6 +12,7 @@
 #include "ui/inputs/forms/correlation_box.h"
 #include "ui/inputs/forms/factor_box.h"
 #include "ui/inputs/forms/form_row.h"
+#include "ui/inputs/forms/page_columns.h"
 #include "ui/inputs/forms/row_helper.h"
 #include "ui/inputs/forms/section_box.h"
 #include "ui/inputs/forms/stage_table.h"
@@ -35,6 +36,7 @@ namespace {
 constexpr const char* batchPath = "/batch";
 constexpr const char* searchPath = "/optimisation";
 
+/// For one row of the page, its fields below those of the others.
 QGridLayout* newGrid(QVBoxLayout& into, int depth) {
     auto* grid = new QGridLayout;
     grid->setColumnStretch(0, 1);
@@ -52,7 +54,7 @@ FormPage::FormPage(Page page, Document& document, QWidget* parent, Settings* set
     : QScrollArea(parent), m_page(page), m_document(document) {
     setHelpTopic(*this, fieldPageId(page));
     auto* body = new QWidget(this);
-    auto* layout = new QVBoxLayout(body);
+    auto* layout = new PageColumns(body);
     const int side = metrics::margin - SectionBox::inset(0);
     layout->setContentsMargins(side, metrics::margin, side, metrics::margin);
     setWidget(body);
@@ -62,7 +64,6 @@ FormPage::FormPage(Page page, Document& document, QWidget* parent, Settings* set
     addCatalogue(settings, {*layout, 0});
     addStruct(tableOf<Project>(), {}, {*layout, 0});
     addProjectTexts({*layout, 0});
-    layout->addStretch(1);
     connect(&document, &Document::replaced, this, [this] { m_replaced = true; });
     connect(&document, &Document::changed, this, [this] {
         showProject(m_replaced);
@@ -111,7 +112,6 @@ void FormPage::addHelper(const std::string& path, Place into) {
     helper->setContentsMargins(inset, 0, inset, 0);
     into.rows.addWidget(helper);
     m_helpers.push_back(helper);
-    m_grid = nullptr;
 }
 
 void FormPage::addStruct(const StructInfo& table, const std::string& path, Place into) {
@@ -155,10 +155,7 @@ void FormPage::addRow(const Field& field, const std::string& path, Place into) {
     if (!editor) {
         return;
     }
-    if (!m_grid) {
-        m_grid = newGrid(into.rows, into.depth);
-    }
-    auto* row = new FormRow(std::move(editor), *m_grid, parent);
+    auto* row = new FormRow(std::move(editor), *newGrid(into.rows, into.depth), parent);
     row->setParent(this);
     connectRow(*row);
     addHelper(path, into);
@@ -168,7 +165,6 @@ void FormPage::addInputBox(InputBox* box, Place into) {
     into.rows.addWidget(box);
     connect(box, &InputBox::refusalsChanged, this, &FormPage::refusalsChanged);
     m_inputBoxes.push_back(box);
-    m_grid = nullptr;
 }
 
 void FormPage::addList(const Field& field, const std::string& path, Place into) {
@@ -182,10 +178,13 @@ void FormPage::addList(const Field& field, const std::string& path, Place into) 
     }
     const int inset = SectionBox::inset(into.depth);
     table->setContentsMargins(inset, 0, inset, 0);
-    into.rows.addWidget(table);
+    if (table == m_stages) {
+        into.rows.addWide(table);
+    } else {
+        into.rows.addWidget(table);
+    }
     connect(table, &ListTable::refusalsChanged, this, &FormPage::refusalsChanged);
     m_lists.push_back(table);
-    m_grid = nullptr;
 }
 
 void FormPage::connectRow(FormRow& row) {
@@ -199,9 +198,7 @@ void FormPage::addBox(const Field& field, const std::string& path, Place into) {
     into.rows.addWidget(box);
     auto* reason = new ReasonLabel(box);
     box->rows().addWidget(reason);
-    m_grid = nullptr;
     addStruct(*field.nested, path, {box->rows(), into.depth + 1});
-    m_grid = nullptr;
     m_boxes.push_back({path, &field, box, reason});
     if (field.kind == Kind::optionalObject) {
         box->setCheckable(true);
@@ -211,7 +208,6 @@ void FormPage::addBox(const Field& field, const std::string& path, Place into) {
 }
 
 void FormPage::addProjectTexts(Place into) {
-    m_grid = nullptr;
     for (const Field& field : tableOf<Project>().fields) {
         if (field.page != m_page || field.kind != Kind::text) {
             continue;

@@ -12,7 +12,6 @@
 #include <vector>
 
 class QGridLayout;
-class QVBoxLayout;
 
 namespace sparkout {
 
@@ -21,6 +20,7 @@ class Document;
 class FormRow;
 class InputBox;
 class ListTable;
+class PageColumns;
 class ReasonLabel;
 class RowHelper;
 class SectionBox;
@@ -61,7 +61,7 @@ private:
 
     /// Where rows go: a layout, and how many boxes deep in the page it is.
     struct Place {
-        QVBoxLayout& rows;
+        PageColumns& rows;
         int depth;
     };
 
@@ -83,7 +83,6 @@ private:
 
     Page m_page;
     Document& m_document;
-    QGridLayout* m_grid = nullptr; ///< where the next plain row goes
     std::vector<FormRow*> m_rows;
     std::vector<Box> m_boxes;
     CatalogueBar* m_catalogue = nullptr; ///< on pages that have one

@@ -184,7 +184,9 @@ SizeHelper::SizeHelper(Document& document, QWidget* parent)
     row->setSpacing(metrics::gap);
     row->addWidget(m_label, 1);
     row->addWidget(m_size);
-    row->addSpacing(unitColumn + metrics::gap);
+    auto* noUnit = new QWidget(this); // below the units of the other rows
+    setTextWidth(*noUnit, unitColumn);
+    row->addWidget(noUnit);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, metrics::row, 0, metrics::row);
     layout->setSpacing(metrics::row);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/forms/section_box.h"
 
+#include "ui/inputs/forms/page_columns.h"
 #include "ui/kit/metrics.h"
 
 #include <QStyleOptionGroupBox>
 #include <QStylePainter>
-#include <QVBoxLayout>
 
 namespace sparkout {
 
@@ -30,7 +30,7 @@ int SectionBox::inset(int depth) {
 }
 
 SectionBox::SectionBox(int depth, QWidget* parent)
-    : QGroupBox(parent), m_depth(depth), m_rows(new QVBoxLayout(this)) {
+    : QGroupBox(parent), m_depth(depth), m_rows(new PageColumns(this)) {
     m_rows->setContentsMargins(0, metrics::row, 0, metrics::tight);
     m_rows->setSpacing(metrics::gap);
 }

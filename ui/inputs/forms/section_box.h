@@ -3,9 +3,9 @@
 
 #include <QGroupBox>
 
-class QVBoxLayout;
-
 namespace sparkout {
+
+class PageColumns;
 
 /// A group of inputs under a bold title, without a frame, so that the fields of all groups of a
 /// page stand below each other.
@@ -17,7 +17,7 @@ public:
     explicit SectionBox(int depth, QWidget* parent = nullptr);
 
     [[nodiscard]] int depth() const { return m_depth; }
-    [[nodiscard]] QVBoxLayout& rows() const { return *m_rows; }
+    [[nodiscard]] PageColumns& rows() const { return *m_rows; }
     /// What rows at a depth keep clear left and right to line up with those of the deepest boxes.
     [[nodiscard]] static int inset(int depth);
 
@@ -26,7 +26,7 @@ protected:
 
 private:
     int m_depth;
-    QVBoxLayout* m_rows;
+    PageColumns* m_rows;
 };
 
 } // namespace sparkout

@@ -36,7 +36,7 @@ namespace sparkout {
 namespace {
 
 constexpr int histogramShare = 200, figuresShare = 220; ///< of the height at first
-constexpr int stateLetters = 36;                        ///< wide, the text on the run at least
+constexpr int stateLetters = 60; ///< wide, the text on the run beside the buttons
 constexpr int mostStretched = 4; ///< columns of figures that have room beside each other
 constexpr int indexPoints = 256; ///< a power of two, as the Sobol sequence wants it
 

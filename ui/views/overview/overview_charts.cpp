@@ -205,6 +205,12 @@ BarChart OverviewCharts::stock(const Outcome& outcome) {
 
 // --- diameters and requirements -----------------------------------------------------------------
 
+QString OverviewCharts::briefPlace(const Outcome& outcome, int section) {
+    return outcome.result.project.operation->hasZones
+               ? nameOfSection(outcome, section)
+               : tr("S%1", "section, in little room").arg(section + 1);
+}
+
 BarChart OverviewCharts::diameters(const Outcome& outcome) {
     BarChart chart;
     if (outcome.result.sections.empty()) {
@@ -216,7 +222,6 @@ BarChart OverviewCharts::diameters(const Outcome& outcome) {
     chart.number = Names::signedMicrometres;
     chart.remark = sectionsRemark(outcome);
     const Part& part = *outcome.result.project.part;
-    const bool hasZones = outcome.result.project.operation->hasZones;
     chart.band = BarBand{part.lower_deviation_um, part.upper_deviation_um, tr("tolerance field")};
     chart.sumName = tr("deviation, the sum");
     chart.series = {{tr("gauge at the end"), barColour(Drawn::gauge), hatchAt(0), {}},
@@ -228,9 +233,7 @@ BarChart OverviewCharts::diameters(const Outcome& outcome) {
                 diameterShares(outcome.result, static_cast<std::size_t>(section), end);
             const QString which =
                 end == DiameterEnd::smallest ? tr("min", "diameter") : tr("max", "diameter");
-            const QString place = hasZones ? nameOfSection(outcome, section)
-                                           : tr("S%1", "section, in little room").arg(section + 1);
-            chart.categories << place + u'\n' + which;
+            chart.categories << briefPlace(outcome, section) + u'\n' + which;
             chart.series[0].values.push_back(shares.reading_um);
             chart.series[1].values.push_back(shares.section_um);
             chart.series[2].values.push_back(shares.form_um);
@@ -285,8 +288,10 @@ BarChart OverviewCharts::requirements(const Outcome& outcome) {
         }
     }
     for (const ConstraintResult& of : shown) {
+        const int section = of.at ? of.at->section : of.section;
         chart.categories << QStringLiteral("%1, %2").arg(Names::constraintBrief(of.kind),
-                                                         Names::where(of));
+                                                         section >= 0 ? briefPlace(outcome, section)
+                                                                      : Names::where(of));
     }
     const auto settings = static_cast<int>(worstByKind(outcome.constraints).size() - shown.size());
     chart.remark = settings > 0

@@ -60,6 +60,8 @@ private:
     static std::vector<BarSeries> stepSeries(const Outcome& outcome);
     static QString stepName(StrokeStep step);
     static QString sectionsRemark(const Outcome& outcome);
+    /// A zone by its name, a section by its number.
+    static QString briefPlace(const Outcome& outcome, int section);
 };
 
 } // namespace sparkout

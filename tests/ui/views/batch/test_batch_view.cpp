@@ -415,7 +415,7 @@ private slots:
         QTRY_VERIFY(state.height() >= state.heightForWidth(state.width()));
         QVERIFY(!state.geometry().intersects(worst.geometry()));
         QVERIFY(state.parentWidget()->rect().contains(state.geometry()));
-        bench.view.resize(900, 640); // beside the buttons again
+        bench.view.resize(1400, 640); // beside the buttons again
         QTRY_VERIFY(state.geometry().left() > worst.geometry().right());
         QVERIFY(state.geometry().top() <= worst.geometry().bottom());
     }
