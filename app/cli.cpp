@@ -5,6 +5,7 @@
 #include "app/cli_options.h"
 #include "app/cli_remedies.h"
 #include "app/cli_report.h"
+#include "app/cli_surfaces.h"
 #include "app/cli_sweep.h"
 #include "app/examples.h"
 #include "core/files/safe_file.h"
@@ -12,6 +13,7 @@
 #include "core/printable.h"
 #include "core/quality/remarks.h"
 #include "core/quality/result_json.h"
+#include "core/setup/setup_json.h"
 #include "core/simulation/simulate.h"
 #include "core/version.h"
 
@@ -30,9 +32,9 @@ namespace {
 constexpr const char* helpText =
     R"(sparkout-cli: cylindrical grinding cycles, computed pass by pass
 
-  sparkout-cli simulate FILE [--json] [--check] [--trace OUT.csv]
-  sparkout-cli remedies FILE [--json]
-  sparkout-cli optimize FILE [--robust] [--refine] [--method search|full|dp|labels]
+  sparkout-cli simulate FILE [--surface NAME|N|all] [--json] [--check] [--trace OUT.csv]
+  sparkout-cli remedies FILE [--surface NAME|N|all] [--json]
+  sparkout-cli optimize FILE [--surface NAME|N|all] [--robust] [--refine] [--method search|full|dp|labels]
                         [--stages N,…] [--time-limit S] [--threads N] [--json]
                         [-o OUT.sparkout]
   sparkout-cli validate FILE
@@ -96,6 +98,10 @@ examples   writes the example projects into a folder, which is made if need be;
            where one of them was edited there, nothing is written
   --force    replaces those that were edited
 
+A file may hold several surfaces of a part that are ground in one set-up. simulate, remedies,
+optimize, batch and sweep take each in its order, or the one that --surface names, by its name or
+its number from 1; the wheel comes to it as the surfaces before have left it.
+
 Sections of a plunge and parts of a batch are counted from 0, as in the file; in the window and
 its reports from 1.
 
@@ -106,42 +112,80 @@ sweep or search for remedies ended by Ctrl+C or SIGTERM.
 A batch on a cluster, here with Slurm: batch.sbatch in resources/help.
 )";
 
+/// The trace of a cycle: a second run, now that its size is known.
+int writeTrace(const SimulationResult& result, const std::string& name, const Options& options) {
+    if (result.visits > maxRecordedVisits) {
+        print(stderr, printable(name) + ": the trace would have " + std::to_string(result.visits)
+                          + " rows; allowed: at most " + std::to_string(maxRecordedVisits) + '\n');
+        return refused;
+    }
+    Trajectory trajectory;
+    const SimulationResult again = simulate(result.project, &trajectory);
+    return save(options.trace, traceCsv(again, trajectory));
+}
+
+int statusOf(const SurfaceRun& run, const std::string& name, const Options& options) {
+    if (!run.isCompleted()) {
+        print(stderr, printable(name) + ": " + statusSentence(run.result) + '\n');
+        return cannotReachSize;
+    }
+    return options.check && !run.holds() ? requirementFails : done;
+}
+
+int simulateOne(const Project& project, const std::string& name, const Options& options) {
+    const SurfaceRun run = runSurface({}, project, {});
+    if (!options.trace.empty() && run.result.visits > maxRecordedVisits) {
+        return writeTrace(run.result, name, options);
+    }
+    printIssues(name, remarksOn(run.result));
+    print(stdout, options.json ? resultJson(run.result, run.constraints)
+                               : resultText(run.result, run.constraints));
+    if (!options.trace.empty()) {
+        if (const int failed = writeTrace(run.result, name, options)) {
+            return failed;
+        }
+    }
+    return statusOf(run, name, options);
+}
+
+/// Every surface, each with the wheel as those before have left it, and the times of the part.
+int simulateWhole(const Surfaces& surfaces, const Options& options) {
+    const SetupRun run = runSetup(surfaces.setup());
+    printIssues(options.operand, run.issues);
+    int status = run.issues.empty() ? done : refused;
+    for (std::size_t i = 0; i < run.surfaces.size(); ++i) {
+        const SurfaceRun& surface = run.surfaces[i];
+        const std::string name = surfaces.nameOf(i);
+        printIssues(name, remarksOn(surface.result));
+        if (!options.json) {
+            print(stdout, surfaces.heading(i) + resultText(surface.result, surface.constraints));
+        }
+        const int one = statusOf(surface, name, options);
+        status = status == done ? one : status;
+    }
+    print(stdout,
+          options.json ? setupJson(surfaces.setup(), run) : setupText(surfaces.setup(), run));
+    return status;
+}
+
 int runSimulate(const Options& options) {
     if (!options.trace.empty() && replacesProject(options.trace, options.operand)) {
         return usageError("--trace would replace a project: " + options.trace);
     }
-    const auto project = load(options.operand);
-    if (!project) {
-        return refused;
+    const Surfaces surfaces(options.operand, options.surface);
+    if (surfaces.status() != done) {
+        return surfaces.status();
     }
-    SimulationResult result = simulate(*project);
-    Trajectory trajectory;
-    if (!options.trace.empty()) { // a second run: now the trace's size is known
-        if (result.visits > maxRecordedVisits) {
-            print(stderr, printable(options.operand) + ": the trace would have "
-                              + std::to_string(result.visits) + " rows; allowed: at most "
-                              + std::to_string(maxRecordedVisits) + '\n');
-            return refused;
-        }
-        result = simulate(*project, &trajectory);
+    if (const int failed = options.trace.empty() ? done : surfaces.oneFor("--trace")) {
+        return failed;
     }
-    printIssues(options.operand, remarksOn(result));
-    const auto constraints = evaluateConstraints(result);
-    print(stdout, options.json ? resultJson(result, constraints) : resultText(result, constraints));
-    if (!options.trace.empty()) {
-        if (const int failed = save(options.trace, traceCsv(result, trajectory))) {
-            return failed;
-        }
-    }
-    if (result.status != RunStatus::completed) {
-        print(stderr, printable(options.operand) + ": " + statusSentence(result) + '\n');
-        return cannotReachSize;
-    }
-    bool holds = true;
-    for (const ConstraintResult& constraint : constraints) {
-        holds = holds && constraint.holds;
-    }
-    return options.check && !holds ? requirementFails : done;
+    return surfaces.isWhole()
+               ? simulateWhole(surfaces, options)
+               : surfaces.run(
+                   [&options](const Project& project, std::size_t, const std::string& name) {
+                       return simulateOne(project, name, options);
+                   },
+                   options.json);
 }
 
 /// What stands where an example belongs.
@@ -226,7 +270,7 @@ int run(const std::vector<std::string>& arguments) {
         return runSweepCommand(options);
     }
     if (command == "validate") {
-        return load(options.operand) ? done : refused;
+        return loadSetup(options.operand) ? done : refused;
     }
     return runExamples(options.operand, options.force);
 }

@@ -4,6 +4,7 @@
 #include "app/batch_watch.h"
 #include "app/cli_batch.h"
 #include "app/cli_io.h"
+#include "app/cli_surfaces.h"
 #include "app/stop_signals.h"
 #include "core/batch/batch_check.h"
 #include "core/batch/batch_state_reader.h"
@@ -73,22 +74,18 @@ bool putOptions(const Options& options, Project& project) {
     return options.measured.empty() || putMeasuredFile(options.measured, batch);
 }
 
-std::optional<Project> loadBatch(const Options& options) {
-    auto project = load(options.operand);
-    if (!project || !putOptions(options, *project)) {
-        return std::nullopt;
-    }
-    const Issues issues = checkBatch(*project);
-    printIssues(options.operand, issues);
+/// Whether the project has a batch that can be run; says what is wrong with it.
+bool isReady(const Project& project, const std::string& name, const Options& options) {
+    const Issues issues = checkBatch(project);
+    printIssues(name, issues);
     if (!issues.empty()) {
-        return std::nullopt;
+        return false;
     }
-    if (options.sensitivity && (project->batch->correlation || givenFactors(*project).empty())) {
-        print(stderr, printable(options.operand)
-                          + ": Sobol indices need factors that are not correlated\n");
-        return std::nullopt;
+    if (options.sensitivity && (project.batch->correlation || givenFactors(project).empty())) {
+        print(stderr, printable(name) + ": Sobol indices need factors that are not correlated\n");
+        return false;
     }
-    return project;
+    return true;
 }
 
 /// Parts of the batch and of the sensitivity, which the progress is told of.
@@ -107,19 +104,11 @@ bool failed(const PartRowsFile& rows) {
     return rows.error().has_value();
 }
 
-} // namespace
-
-int runBatchCommand(const Options& options) {
-    if (!options.rows.empty()
-        && (replacesProject(options.rows, options.operand)
-            || (!options.measured.empty() && isSameFile(options.rows, options.measured)))) {
-        return usageError("--rows would replace what is read: " + options.rows);
-    }
-    const auto project = loadBatch(options);
-    if (!project) {
+int runBatchOf(Project project, const std::string& name, const Options& options) {
+    if (!putOptions(options, project) || !isReady(project, name, options)) {
         return refused;
     }
-    const ScenarioSource source(*project);
+    const ScenarioSource source(project);
     const auto [shard, shards] = options.shard.value_or(std::pair(1, 1));
     BatchResult result;
     std::optional<SobolIndices> indices;
@@ -144,9 +133,9 @@ int runBatchCommand(const Options& options) {
         if (rows) {
             run.sink = rows->begin(source, run.stop);
         }
-        result = runBatch(*project, run);
+        result = runBatch(project, run);
         if (options.sensitivity && !run.stop.stop_requested()) {
-            indices = sobolIndices(*project, *options.sensitivity, run);
+            indices = sobolIndices(project, *options.sensitivity, run);
         }
     }
     if (rows && (failed(*rows) || (caughtSignal() == 0 && !rows->finish() && failed(*rows)))) {
@@ -164,6 +153,33 @@ int runBatchCommand(const Options& options) {
     print(stderr, "sparkout-cli: ended after " + std::to_string(result.statistics.parts) + " of "
                       + std::to_string(source.parts()) + " parts\n");
     return interrupted + caughtSignal();
+}
+
+} // namespace
+
+int runBatchCommand(const Options& options) {
+    if (!options.rows.empty()
+        && (replacesProject(options.rows, options.operand)
+            || (!options.measured.empty() && isSameFile(options.rows, options.measured)))) {
+        return usageError("--rows would replace what is read: " + options.rows);
+    }
+    const Surfaces surfaces(options.operand, options.surface);
+    if (surfaces.status() != done) {
+        return surfaces.status();
+    }
+    for (const auto& [isGiven, option] :
+         {std::pair(!options.rows.empty(), "--rows"),
+          std::pair(options.shard.has_value(), "--shard"), std::pair(options.csv, "--csv"),
+          std::pair(!options.measured.empty(), "--measured")}) {
+        if (const int failed = isGiven ? surfaces.oneFor(option) : done) {
+            return failed;
+        }
+    }
+    return surfaces.run(
+        [&options](Project project, std::size_t, const std::string& name) {
+            return runBatchOf(std::move(project), name, options);
+        },
+        options.json);
 }
 
 int runBatchMerge(const Options& options) {

@@ -5,6 +5,7 @@
 #include "core/files/file_step_text.h"
 #include "core/format/project_file.h"
 #include "core/printable.h"
+#include "core/setup/setup_file.h"
 
 #include <cerrno>
 #include <cstring>
@@ -14,7 +15,25 @@
 
 namespace sparkout::cli {
 
+namespace {
+
+CapturedOutput* captured = nullptr;
+
+} // namespace
+
+CapturedOutput::CapturedOutput() {
+    captured = this;
+}
+
+CapturedOutput::~CapturedOutput() {
+    captured = nullptr;
+}
+
 void print(std::FILE* stream, const std::string& text) {
+    if (stream == stdout && captured) {
+        captured->m_text += text;
+        return;
+    }
     std::fwrite(text.data(), 1, text.size(), stream);
 }
 
@@ -58,17 +77,17 @@ std::optional<std::string> readOrSay(const std::string& file, std::size_t most) 
     return std::get<std::string>(std::move(content));
 }
 
-std::optional<Project> load(const std::string& file) {
+std::optional<Setup> loadSetup(const std::string& file) {
     const auto content = readOrSay(file, limits::fileBytes);
     if (!content) {
         return std::nullopt;
     }
-    ReadResult read = readProject(*content);
+    ReadSetup read = readSetup(*content);
     printIssues(file, read.issues);
     if (read.issues.size() == limits::issues) {
         print(stderr, printable(file) + ": no further faults are listed\n");
     }
-    return std::move(read.project);
+    return std::move(read.setup);
 }
 
 int save(const std::string& file, const std::string& content) {

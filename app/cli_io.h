@@ -4,7 +4,7 @@
 #include "app/exit_status.h"
 #include "core/files/safe_file.h"
 #include "core/issue.h"
-#include "core/project/project.h"
+#include "core/setup/setup.h"
 
 #include <cstdio>
 #include <optional>
@@ -13,6 +13,21 @@
 namespace sparkout::cli {
 
 void print(std::FILE* stream, const std::string& text);
+
+/// As long as it lives, what is printed to the standard output is kept instead.
+class CapturedOutput {
+public:
+    CapturedOutput();
+    ~CapturedOutput();
+    CapturedOutput(const CapturedOutput&) = delete;
+    CapturedOutput& operator=(const CapturedOutput&) = delete;
+
+    [[nodiscard]] const std::string& text() const { return m_text; }
+
+private:
+    friend void print(std::FILE* stream, const std::string& text);
+    std::string m_text;
+};
 
 /// Whether everything printed so far has reached the standard output; says so if not.
 [[nodiscard]] bool outputTaken();
@@ -28,8 +43,8 @@ void printIssues(const std::string& file, const Issues& issues);
 /// The bytes of a file; nothing when it cannot be read, which is said.
 [[nodiscard]] std::optional<std::string> readOrSay(const std::string& file, std::size_t most);
 
-/// Reads and checks a project; prints every fault, one a line.
-[[nodiscard]] std::optional<Project> load(const std::string& file);
+/// Reads and checks a set-up, of one surface or several; prints every fault, one a line.
+[[nodiscard]] std::optional<Setup> loadSetup(const std::string& file);
 
 /// Writes a file; returns the exit status.
 [[nodiscard]] int save(const std::string& file, const std::string& content);

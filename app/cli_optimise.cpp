@@ -4,11 +4,12 @@
 #include "app/cli_io.h"
 #include "app/cli_optimise_report.h"
 #include "app/cli_report.h"
+#include "app/cli_surfaces.h"
 #include "app/search_watch.h"
-#include "core/format/project_file.h"
 #include "core/optimisation/search_names.h"
 #include "core/printable.h"
 #include "core/project/optimisation.h"
+#include "core/setup/setup_file.h"
 #include "words/search_words.h"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ namespace sparkout::cli {
 namespace {
 
 struct OptimiseOptions {
-    std::string file, output;
+    std::string file, output, surface;
     bool json = false, robust = false, refine = false;
     SearchMethod method = SearchMethod::pruned;
     std::vector<double> stages; ///< empty: the file's
@@ -69,6 +70,9 @@ const char* valueOf(const std::string& option) {
     if (option == "--threads") {
         return "a number from 1 to 1024";
     }
+    if (option == "--surface") {
+        return "a name, a number from 1 or all";
+    }
     return option == "-o" ? "a file name" : nullptr;
 }
 
@@ -91,7 +95,7 @@ bool readValue(const std::string& option, const std::string& value, OptimiseOpti
         options.threads = static_cast<unsigned>(threads.value_or(0));
         return threads && *threads >= 1 && *threads <= 1024;
     }
-    options.output = value;
+    (option == "--surface" ? options.surface : options.output) = value;
     return !value.empty();
 }
 
@@ -135,27 +139,17 @@ GridSearchReport search(const Project& project, const OptimiseOptions& options) 
                   .stop = watch.token()});
 }
 
-} // namespace
-
-int runOptimise(const std::vector<std::string>& arguments) {
-    OptimiseOptions options;
-    if (const int failed = parseOptimise(arguments, options)) {
-        return failed;
+/// Searches for the cycle of one surface, and puts it into the set-up.
+int optimise(Project project, std::size_t surface, const std::string& name,
+             const OptimiseOptions& options, Setup& answers) {
+    if (project.optimisation && !options.stages.empty()) {
+        project.optimisation->stages = options.stages;
     }
-    std::optional<Project> project = load(options.file);
-    if (!project) {
-        return refused;
-    }
-    if (project->optimisation && !options.stages.empty()) {
-        project->optimisation->stages = options.stages;
-    }
-    const GridSearchReport report = search(*project, options);
+    const GridSearchReport report = search(project, options);
     if (!report.ran()) {
-        for (const Issue& issue : report.issues) {
-            print(stderr, issueLine(options.file, issue) + '\n');
-        }
+        printIssues(name, report.issues);
         if (const std::string reason = searchRefusal(report); !reason.empty()) {
-            print(stderr, printable(options.file) + ": " + reason + '\n');
+            print(stderr, printable(name) + ": " + reason + '\n');
         }
         return refused;
     }
@@ -165,13 +159,37 @@ int runOptimise(const std::vector<std::string>& arguments) {
         print(stdout, optimiseText(report));
     }
     if (!hasAnswer(report)) {
-        print(stderr, printable(options.file) + ": " + noAnswerSentence(report) + '\n');
+        print(stderr, printable(name) + ": " + noAnswerSentence(report) + '\n');
         return nothingFeasible;
     }
-    if (!options.output.empty()) {
-        return save(options.output, writeProject(withAnswer(report)));
+    const Project answer = withAnswer(report);
+    answers.surfaces[surface].project.cycle = answer.cycle;
+    answers.surfaces[surface].project.machine = answer.machine;
+    if (!options.stages.empty()) {
+        answers.surfaces[surface].project.optimisation = answer.optimisation;
     }
     return done;
+}
+
+} // namespace
+
+int runOptimise(const std::vector<std::string>& arguments) {
+    OptimiseOptions options;
+    if (const int failed = parseOptimise(arguments, options)) {
+        return failed;
+    }
+    const Surfaces surfaces(options.file, options.surface);
+    if (surfaces.status() != done) {
+        return surfaces.status();
+    }
+    Setup answers = surfaces.setup();
+    const int status = surfaces.run(
+        [&](Project project, std::size_t surface, const std::string& name) {
+            return optimise(std::move(project), surface, name, options, answers);
+        },
+        options.json);
+    return status == done && !options.output.empty() ? save(options.output, writeSetup(answers))
+                                                     : status;
 }
 
 } // namespace sparkout::cli

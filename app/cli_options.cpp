@@ -109,7 +109,21 @@ const ValueOption valueOptions[] = {
      [](const std::string& text, Options& options) { return put(options.rows, fileName(text)); }},
 };
 
+const ValueOption surfaceOption{nullptr, "--surface", "a name, a number from 1 or all",
+                                [](const std::string& text, Options& options) {
+                                    options.surface = text;
+                                    return !text.empty();
+                                }};
+
+bool takesSurface(const std::string& command) {
+    return command == "simulate" || command == "batch" || command == "sweep"
+           || command == "remedies";
+}
+
 const ValueOption* valueOption(const std::string& command, const std::string& name) {
+    if (takesSurface(command) && name == surfaceOption.name) {
+        return &surfaceOption;
+    }
     for (const ValueOption& option : valueOptions) {
         if (command == option.command && name == option.name) {
             return &option;

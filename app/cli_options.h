@@ -14,6 +14,7 @@ namespace sparkout::cli {
 struct Options {
     std::string command, operand;
     std::vector<std::string> operands; ///< after the first, of batch-merge
+    std::string surface;               ///< a name, a number from 1 or "all"; empty: all
     std::string trace, measured, rows;
     bool json = false, csv = false, check = false, progress = false, force = false;
     std::optional<int> parts, seed, threads, sensitivity;

@@ -3,6 +3,7 @@
 
 #include "app/batch_watch.h"
 #include "app/cli_io.h"
+#include "app/cli_surfaces.h"
 #include "app/stop_signals.h"
 #include "core/format/project_file.h"
 #include "core/quality/light.h"
@@ -138,20 +139,14 @@ std::string remediesText(const Project& project, const RemedyResult& found) {
            + std::to_string(found.found) + (found.found == 1 ? " helps\n" : " help\n");
 }
 
-} // namespace
-
-int runRemediesCommand(const Options& options) {
-    const auto project = load(options.operand);
-    if (!project) {
-        return refused;
-    }
+int findRemediesOf(const Project& project, const Options& options) {
     SimulationResult result;
     RemedyResult found;
     std::vector<ConstraintResult> constraints;
     {
-        BatchWatch watch(static_cast<std::int64_t>(remedySettings(*project).size()), false,
+        BatchWatch watch(static_cast<std::int64_t>(remedySettings(project).size()), false,
                          "settings");
-        result = simulate(*project, nullptr, watch.stop());
+        result = simulate(project, nullptr, watch.stop());
         constraints = evaluateConstraints(result);
         RemedyOptions run;
         run.stop = watch.stop();
@@ -164,9 +159,21 @@ int runRemediesCommand(const Options& options) {
         return interrupted + caughtSignal();
     }
     print(stdout, options.json
-                      ? remediesJson(*project, found)
-                      : stateText(result, found, constraints) + remediesText(*project, found));
+                      ? remediesJson(project, found)
+                      : stateText(result, found, constraints) + remediesText(project, found));
     return caughtSignal() == 0 ? done : interrupted + caughtSignal();
+}
+
+} // namespace
+
+int runRemediesCommand(const Options& options) {
+    const Surfaces surfaces(options.operand, options.surface);
+    if (surfaces.status() != done) {
+        return surfaces.status();
+    }
+    return surfaces.run([&options](const Project& project, std::size_t,
+                                   const std::string&) { return findRemediesOf(project, options); },
+                        options.json);
 }
 
 } // namespace sparkout::cli

@@ -103,6 +103,31 @@ std::string issueLine(const std::string& file, const Issue& issue) {
     return printable(line); // one line a fault, whatever a key or a file name may hold
 }
 
+std::string setupText(const Setup& setup, const SetupRun& run) {
+    std::string text = "\npart   ";
+    if (!run.isCompleted(setup)) {
+        return text + "not every surface is completed\n";
+    }
+    text += run.holds(setup) ? "every surface holds its drawing\n" : "not every surface holds\n";
+    const std::pair<const char*, double> times[] = {
+        {"main time To", run.time.main_min},
+        {"auxiliary time Ta", run.time.auxiliary_min},
+        {"piece time T1", run.time.piece_min},
+        {"preparation time Tp", run.time.preparation_min},
+        {"with its share of the batch", run.time.calculation_min},
+    };
+    for (const auto& [name, minutes] : times) {
+        const std::string number = fixed(minutes, 3);
+        const std::string label = std::string("  ") + name;
+        text += label
+                + std::string(std::max<std::size_t>(40, label.size() + number.size() + 1)
+                                  - label.size() - number.size(),
+                              ' ')
+                + number + " min\n";
+    }
+    return text;
+}
+
 std::string statusSentence(const SimulationResult& result) {
     const std::string reached = "the gauge reads " + fixed(result.gaugeReading_mm, 5) + " mm, "
                                 + fixed(result.remainingStock_mm * units::umPerMm, 3)

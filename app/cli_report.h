@@ -3,6 +3,7 @@
 
 #include "core/issue.h"
 #include "core/quality/constraints.h"
+#include "core/setup/setup_run.h"
 #include "core/simulation/result.h"
 #include "core/simulation/trajectory.h"
 
@@ -19,6 +20,9 @@ namespace sparkout::cli {
 /// A result for people; resultJson() is the same for programs.
 [[nodiscard]] std::string resultText(const SimulationResult& result,
                                      const std::vector<ConstraintResult>& constraints);
+
+/// The times of the part after the cycles of its surfaces, and whether all of them hold.
+[[nodiscard]] std::string setupText(const Setup& setup, const SetupRun& run);
 
 /// Why a run that is not completed ended, with the size reached.
 [[nodiscard]] std::string statusSentence(const SimulationResult& result);

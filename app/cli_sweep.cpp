@@ -4,6 +4,7 @@
 #include "app/batch_watch.h"
 #include "app/cli_io.h"
 #include "app/cli_report.h"
+#include "app/cli_surfaces.h"
 #include "app/stop_signals.h"
 #include "core/printable.h"
 #include "core/project/validate.h"
@@ -137,15 +138,9 @@ std::string sweepText(const SweepResult& sweep) {
     return text;
 }
 
-} // namespace
-
-int runSweepCommand(const Options& options) {
-    const auto project = load(options.operand);
-    if (!project) {
-        return refused;
-    }
-    const Issues issues = checkSweep(*project);
-    printIssues(options.operand, issues);
+int runSweepOf(const Project& project, const std::string& name, const Options& options) {
+    const Issues issues = checkSweep(project);
+    printIssues(name, issues);
     if (!issues.empty()) {
         return refused;
     }
@@ -153,15 +148,32 @@ int runSweepCommand(const Options& options) {
     {
         SweepOptions run;
         run.threads = options.threads.value_or(0);
-        BatchWatch watch(pointsOf(*project), options.progress, "points");
+        BatchWatch watch(pointsOf(project), options.progress, "points");
         run.stop = watch.stop();
         run.done = watch.done();
-        sweep = runSweep(*project, run);
+        sweep = runSweep(project, run);
     }
     print(stdout, options.json  ? sweepJson(sweep)
                   : options.csv ? sweepCsv(sweep)
                                 : sweepText(sweep));
     return caughtSignal() == 0 ? done : interrupted + caughtSignal();
+}
+
+} // namespace
+
+int runSweepCommand(const Options& options) {
+    const Surfaces surfaces(options.operand, options.surface);
+    if (surfaces.status() != done) {
+        return surfaces.status();
+    }
+    if (const int failed = options.csv ? surfaces.oneFor("--csv") : done) {
+        return failed;
+    }
+    return surfaces.run(
+        [&options](const Project& project, std::size_t, const std::string& name) {
+            return runSweepOf(project, name, options);
+        },
+        options.json);
 }
 
 } // namespace sparkout::cli

@@ -24,6 +24,7 @@ enum class IssueCode {
     stringTooLong,
     wrongFormat,
     newerVersion,
+    severalSurfaces,
     duplicateKey,
     unknownKey,
     missingKey,
@@ -53,6 +54,8 @@ enum class IssueCode {
     stageIdle,
     dwellRounded,
     noSuchNumber,
+    sameName,
+    sharedKey,
     variedTwice,
     sourceMissing, ///< in catalogues
 };

@@ -2,7 +2,8 @@
 #pragma once
 
 // The public face of the core: a project read and checked, its cycle simulated, held against the
-// drawing and evaluated, what would help, its batch, its sweep, its search.
+// drawing and evaluated, what would help, its batch, its sweep, its search; and the surfaces of a
+// part that are ground in one set-up.
 
 #include "core/batch/batch_check.h"
 #include "core/batch/batch_run.h"
@@ -23,6 +24,10 @@
 #include "core/quality/result_json.h"
 #include "core/quality/shop_numbers.h"
 #include "core/remedies/remedies.h"
+#include "core/setup/setup_file.h"
+#include "core/setup/setup_json.h"
+#include "core/setup/setup_run.h"
+#include "core/setup/worn_project.h"
 #include "core/simulation/simulate.h"
 #include "core/study/evaluate.h"
 #include "core/study/grid_search.h"

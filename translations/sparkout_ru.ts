@@ -3401,6 +3401,130 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Share of the parts that may fail before the cycle is unfit; when more of them are expected to be out of tolerance, it is conditionally fit.</source>
             <translation>Доля негодных деталей, при превышении которой цикл не годен; если больше этой доли ожидаемая доля вне допуска, цикл условно годен.</translation>
         </message>
+        <message>
+            <source>Approach</source>
+            <translation>Подвод</translation>
+        </message>
+        <message>
+            <source>Of the wheel to a surface, for each of them.</source>
+            <translation>Круга к поверхности, для каждой из них.</translation>
+        </message>
+        <message>
+            <source>Retreat</source>
+            <translation>Отвод</translation>
+        </message>
+        <message>
+            <source>Of the wheel from a surface, for each of them.</source>
+            <translation>Круга от поверхности, для каждой из них.</translation>
+        </message>
+        <message>
+            <source>Gauging</source>
+            <translation>Измерение</translation>
+        </message>
+        <message>
+            <source>Of a surface after its cycle, for each of them.</source>
+            <translation>Поверхности после её цикла, для каждой из них.</translation>
+        </message>
+        <message>
+            <source>Table positioning</source>
+            <translation>Перемещение стола</translation>
+        </message>
+        <message>
+            <source>Of the table from one surface to the next.</source>
+            <translation>Стола от одной поверхности к следующей.</translation>
+        </message>
+        <message>
+            <source>Clamping a part and taking it off.</source>
+            <translation>Установка и снятие детали.</translation>
+        </message>
+        <message>
+            <source>Main time</source>
+            <translation>Основное время</translation>
+        </message>
+        <message>
+            <source>the sum of the cycles</source>
+            <translation>сумма циклов</translation>
+        </message>
+        <message>
+            <source>The time that stock is removed in.</source>
+            <translation>Время, за которое снимается припуск.</translation>
+        </message>
+        <message>
+            <source>Auxiliary time</source>
+            <translation>Вспомогательное время</translation>
+        </message>
+        <message>
+            <source>the sum of the times above</source>
+            <translation>сумма времён выше</translation>
+        </message>
+        <message>
+            <source>What is done for every part beside the cycles.</source>
+            <translation>Что делается для каждой детали помимо циклов.</translation>
+        </message>
+        <message>
+            <source>Service and rest</source>
+            <translation>Обслуживание и отдых</translation>
+        </message>
+        <message>
+            <source>Serving the machine, and rest, as a share of main and auxiliary time.</source>
+            <translation>Обслуживание рабочего места и отдых, доля основного и вспомогательного времени.</translation>
+        </message>
+        <message>
+            <source>Preparation time</source>
+            <translation>Подготовительно-заключительное время</translation>
+        </message>
+        <message>
+            <source>Preparing the machine for a batch and clearing it afterwards.</source>
+            <translation>Подготовка станка к партии и работы после неё.</translation>
+        </message>
+        <message>
+            <source>Batch size</source>
+            <translation>Размер партии</translation>
+        </message>
+        <message>
+            <source>Parts that share the preparation time.</source>
+            <translation>Детали, на которые делится подготовительно-заключительное время.</translation>
+        </message>
+        <message>
+            <source>Piece time</source>
+            <translation>Штучное время</translation>
+        </message>
+        <message>
+            <source>from the times above</source>
+            <translation>из времён выше</translation>
+        </message>
+        <message>
+            <source>The time that a part takes, without its share of the preparation.</source>
+            <translation>Время на деталь без её доли подготовительно-заключительного.</translation>
+        </message>
+        <message>
+            <source>Dulling</source>
+            <translation>Затупление</translation>
+        </message>
+        <message>
+            <source>the wheel stays as sharp</source>
+            <translation>острота круга не меняется</translation>
+        </message>
+        <message>
+            <source>By how much the dullness grows for each mm³ that a millimetre of the wheel's width has removed.</source>
+            <translation>На сколько растёт степень затупления с каждым мм³, снятым одним миллиметром высоты круга.</translation>
+        </message>
+        <message>
+            <source>Grinding ratio</source>
+            <translation>Коэффициент шлифования</translation>
+        </message>
+        <message>
+            <source>the wheel keeps its diameter</source>
+            <translation>диаметр круга не меняется</translation>
+        </message>
+        <message>
+            <source>Volume removed from the parts for each volume of the wheel that wears off.</source>
+            <translation>Объём, снятый с деталей, на единицу объёма изношенного круга.</translation>
+        </message>
+        <message>
+            <source>Loading and unloading</source>
+            <translation>Установка и снятие детали</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>
@@ -3563,6 +3687,18 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>a dwell of {value} is made as {limit}, in whole revolutions</source>
             <translation>задержка {value} выполняется как {limit}, целыми оборотами</translation>
+        </message>
+        <message>
+            <source>a file of version {value} holds several surfaces of a part; sparkout-cli takes it</source>
+            <translation>файл версии {value} содержит несколько поверхностей детали; его принимает sparkout-cli</translation>
+        </message>
+        <message>
+            <source>{value} is the name of surface {limit} already</source>
+            <translation>{value} — уже имя поверхности {limit}</translation>
+        </message>
+        <message>
+            <source>{value} is the same for all surfaces and stands outside them</source>
+            <translation>{value} — общее для всех поверхностей и стоит вне их</translation>
         </message>
     </context>
     <context>
@@ -5999,6 +6135,14 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Cost of a part</source>
             <translation>Стоимость детали</translation>
+        </message>
+        <message>
+            <source>Standard times</source>
+            <translation>Нормы времени</translation>
+        </message>
+        <message>
+            <source>Wheel wear</source>
+            <translation>Износ круга</translation>
         </message>
     </context>
     <context>

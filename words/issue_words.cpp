@@ -66,6 +66,10 @@ IssueWords wordsOf(IssueCode code) {
         return {"newer_version",
                 SPARKOUT_NOOP("Issue", "version {value} was written by a newer Sparkout; this one "
                                        "reads versions {limit}")};
+    case IssueCode::severalSurfaces:
+        return {"several_surfaces",
+                SPARKOUT_NOOP("Issue", "a file of version {value} holds several surfaces of a part; "
+                                       "sparkout-cli takes it")};
     case IssueCode::duplicateKey:
         return {"duplicate_key", SPARKOUT_NOOP("Issue", "this key stands here twice")};
     case IssueCode::unknownKey:
@@ -166,6 +170,13 @@ IssueWords wordsOf(IssueCode code) {
         return {"no_such_number",
                 SPARKOUT_NOOP("Issue", "{value} is no number that this project reads; needed: "
                                        "{limit}")};
+    case IssueCode::sameName:
+        return {"same_name",
+                SPARKOUT_NOOP("Issue", "{value} is the name of surface {limit} already")};
+    case IssueCode::sharedKey:
+        return {"shared_key",
+                SPARKOUT_NOOP("Issue", "{value} is the same for all surfaces and stands outside "
+                                       "them")};
     case IssueCode::variedTwice:
         return {"varied_twice", SPARKOUT_NOOP("Issue", "{value} is varied twice; needed: {limit}")};
     case IssueCode::sourceMissing:

@@ -12,7 +12,8 @@
 /// The project file: one UTF-8 JSON text, read and written by the tables alone.
 namespace sparkout {
 
-inline constexpr int projectVersion = 1;
+inline constexpr int projectVersion = 1; ///< of one surface
+inline constexpr int newestVersion = 2;  ///< of several, see core/setup/setup_file.h
 
 /// Limits of the reader; each is refused one beyond.
 namespace limits {

@@ -150,6 +150,13 @@ Issues checkRanges(const Project& project) {
     return std::move(check.issues);
 }
 
+Issues checkRanges(const StructInfo& table, const void* owner, const std::string& path) {
+    const Project none;
+    RangeCheck check(none);
+    check.checkObject(table, owner, path);
+    return std::move(check.issues);
+}
+
 std::string numberText(double value) {
     char buffer[64];
     const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);

@@ -4,9 +4,15 @@
 #include "core/issue.h"
 #include "core/project/project.h"
 
+#include <string>
+
 namespace sparkout {
 
 /// Holds every member against the hard and soft range of its row.
 [[nodiscard]] Issues checkRanges(const Project& project);
+
+/// The same of a struct whose rows have no conditions, at a path of its file.
+[[nodiscard]] Issues checkRanges(const StructInfo& table, const void* owner,
+                                 const std::string& path);
 
 } // namespace sparkout

@@ -9,6 +9,8 @@
 #include "core/project/part.h"
 #include "core/project/project.h"
 #include "core/project/validate.h"
+#include "core/setup/setup.h"
+#include "core/setup/shared_members.h"
 #include "core/text.h"
 
 #include <array>
@@ -39,6 +41,25 @@ written with the shortest digits that read back to the same value.
 * Sources are the keys of `core/SOURCES.md`; MODEL-n is section n of the process model.
 
 `project.schema.json`, beside this page, says the same to editors and programs.
+)";
+
+constexpr const char* severalSurfaces =
+    R"(
+# Several surfaces in one set-up
+
+`"version": 2` holds a part of 1 to 20 surfaces that are ground in one set-up, in this order. What
+they share stands once, at the path it has above:
+
+)";
+
+constexpr const char* surfacesInOrder =
+    R"(
+Every other key above stands in its place in each object of `"surfaces"`, which also has a `"name"` of
+its own; `part.shaft.ground_from_mm` is where the surface stands on the shaft, from which its
+compliance follows. A key in the wrong of both places is an error that names it. A set-up of one
+surface without name, times and wear is written as version 1, and a file of version 1 is read as such
+a set-up. `sparkout-cli` takes files of both versions, the window those of version 1;
+`project.schema.json` describes version 1.
 )";
 
 // --- conditions in words ------------------------------------------------------------------------
@@ -302,6 +323,13 @@ std::string conditionText(Condition condition, const StructInfo& table) {
 std::string referencePage() {
     PageText page;
     page.addStruct(tableOf<Project>(), {});
+    page.text += severalSurfaces;
+    for (const std::string_view member : sharedMembers()) {
+        page.text += "* `" + std::string(member) + "`\n";
+    }
+    page.text += surfacesInOrder;
+    page.addStruct(tableOf<SetupTimes>(), "/times");
+    page.addStruct(tableOf<WheelWear>(), "/wear");
     return std::move(page.text);
 }
 

@@ -157,7 +157,8 @@ private:
         row("string too long in a list", IssueCode::stringTooLong, "/cycle/stages/1", plunge,
             {{"/cycle/stages/1", std::string(limits::stringBytes + 1, 'x')}});
         row("wrong format", IssueCode::wrongFormat, "/format", plunge, {{"/format", "openrocket"}});
-        row("newer version", IssueCode::newerVersion, "/version", plunge, {{"/version", 2}});
+        row("several surfaces", IssueCode::severalSurfaces, "/version", plunge, {{"/version", 2}});
+        row("newer version", IssueCode::newerVersion, "/version", plunge, {{"/version", 3}});
         row("much newer version", IssueCode::newerVersion, "/version", plunge,
             {{"/version", 18446744073709551615U}});
         row("version 0", IssueCode::outOfRange, "/version", plunge, {{"/version", 0}});

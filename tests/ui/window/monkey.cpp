@@ -267,7 +267,7 @@ QWidget* Monkey::place() {
     return usable(*window) ? window : nullptr;
 }
 
-/// Three times of four one that was not used before, where there is one.
+/// Seven times of eight one that was not used before, where there is one.
 QWidget* Monkey::pick(QWidget& from) {
     QList<QWidget*> candidates;
     QList<QWidget*> fresh;
@@ -281,7 +281,7 @@ QWidget* Monkey::pick(QWidget& from) {
             }
         }
     }
-    if (!fresh.isEmpty() && random(4) != 0) {
+    if (!fresh.isEmpty() && random(8) != 0) {
         return fresh[random(int(fresh.size()))];
     }
     return candidates.isEmpty() ? &from : candidates[random(int(candidates.size()))];

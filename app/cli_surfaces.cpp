@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli_surfaces.h"
+
+#include "app/cli_io.h"
+#include "app/cli_report.h"
+#include "core/format/strict_json.h"
+#include "core/printable.h"
+#include "core/setup/worn_project.h"
+
+#include <numeric>
+#include <utility>
+
+namespace sparkout::cli {
+
+Surfaces::Surfaces(const std::string& file, const std::string& surface) : m_file(file) {
+    auto setup = loadSetup(file);
+    m_status = setup ? done : refused;
+    if (!setup) {
+        return;
+    }
+    m_setup = std::move(*setup);
+    m_chosen.resize(m_setup.surfaces.size());
+    std::iota(m_chosen.begin(), m_chosen.end(), std::size_t{0});
+    if (surface.empty() || surface == "all") {
+        return;
+    }
+    if (const auto found = m_setup.find(surface)) {
+        m_chosen = {*found};
+        return;
+    }
+    std::string names;
+    for (std::size_t i = 0; i < m_setup.surfaces.size(); ++i) {
+        const std::string& name = m_setup.surfaces[i].name;
+        names += (i > 0 ? ", " : "") + std::to_string(i + 1) + (name.empty() ? "" : " " + name);
+    }
+    m_status = usageError(file + " has no surface " + surface + "; it has: " + names);
+}
+
+bool Surfaces::isWhole() const {
+    return m_chosen.size() > 1;
+}
+
+int Surfaces::oneFor(const std::string& option) const {
+    return isWhole() ? usageError(option + " is of one surface: say which by --surface") : done;
+}
+
+std::string Surfaces::nameOf(std::size_t surface) const {
+    const std::string& name = m_setup.surfaces[surface].name;
+    return m_setup.surfaces.size() == 1
+               ? m_file
+               : m_file + ": surface " + std::to_string(surface + 1) + ' ' + name;
+}
+
+std::string Surfaces::heading(std::size_t surface) const {
+    return (surface > 0 ? "\n" : "") + std::string("surface ") + std::to_string(surface + 1) + "  "
+           + printable(m_setup.surfaces[surface].name) + "\n\n";
+}
+
+int Surfaces::runOne(const Command& command, std::size_t surface) const {
+    WornProject worn = wornProject(m_setup, surface);
+    if (!worn.issues.empty()) {
+        printIssues(nameOf(surface), worn.issues);
+        return refused;
+    }
+    return command(std::move(worn.project), surface, nameOf(surface));
+}
+
+int Surfaces::run(const Command& command, bool json) const {
+    if (!isWhole()) {
+        return runOne(command, m_chosen.front());
+    }
+    int status = done;
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const std::size_t surface : m_chosen) {
+        const std::string& name = m_setup.surfaces[surface].name;
+        int one = done;
+        if (json) {
+            const CapturedOutput output;
+            one = runOne(command, surface);
+            const auto object = nlohmann::ordered_json::parse(output.text(), nullptr, false);
+            nlohmann::ordered_json entry = {{"name", name}};
+            entry.update(object.is_object() ? object : nlohmann::ordered_json::object());
+            entry["exit_status"] = one;
+            all.push_back(std::move(entry));
+        } else {
+            print(stdout, heading(surface));
+            one = runOne(command, surface);
+        }
+        status = status == done ? one : status;
+        if (one > interrupted) {
+            status = one;
+            break;
+        }
+    }
+    if (json) {
+        print(stdout, printJson({{"surfaces", std::move(all)}}));
+    }
+    return status;
+}
+
+} // namespace sparkout::cli

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/setup/setup.h"
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sparkout::cli {
+
+/// What a command is to take of a file: `--surface NAME|N|all`.
+class Surfaces {
+public:
+    /// Reads the file; what is wrong with it, or that it has no such surface, is said.
+    Surfaces(const std::string& file, const std::string& surface);
+
+    [[nodiscard]] int status() const { return m_status; } ///< `done`: something was chosen
+    [[nodiscard]] const Setup& setup() const { return m_setup; }
+    [[nodiscard]] bool isWhole() const; ///< all of several
+    [[nodiscard]] const std::vector<std::size_t>& chosen() const { return m_chosen; }
+    /// Of what writes one file: `done`, or that one surface has to be named, which is said.
+    [[nodiscard]] int oneFor(const std::string& option) const;
+
+    [[nodiscard]] std::string nameOf(std::size_t surface) const; ///< for messages
+    [[nodiscard]] std::string heading(std::size_t surface) const;
+
+    /// A command on one project: the name for messages is that of the file, with the surface where
+    /// there are several.
+    using Command =
+        std::function<int(Project project, std::size_t surface, const std::string& name)>;
+    /// Runs it on each, with a heading above each text or all in one JSON object. The exit status
+    /// is the first that is not `done`; a command that was interrupted is the last.
+    [[nodiscard]] int run(const Command& command, bool json) const;
+
+private:
+    int runOne(const Command& command, std::size_t surface) const;
+
+    std::string m_file;
+    Setup m_setup;
+    std::vector<std::size_t> m_chosen;
+    int m_status;
+};
+
+} // namespace sparkout::cli

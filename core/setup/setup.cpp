@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/setup.h"
+
+#include "core/project/range_check.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace sparkout {
+
+std::optional<std::size_t> Setup::find(std::string_view nameOrNumber) const {
+    const auto named = std::ranges::find(surfaces, nameOrNumber, &GroundSurface::name);
+    if (named != surfaces.end()) {
+        return static_cast<std::size_t>(named - surfaces.begin());
+    }
+    std::size_t number = 0;
+    const char* const last = nameOrNumber.data() + nameOrNumber.size();
+    const auto [end, error] = std::from_chars(nameOrNumber.data(), last, number);
+    const bool isNumber = error == std::errc() && end == last;
+    return isNumber && number >= 1 && number <= surfaces.size() ? std::optional(number - 1)
+                                                                : std::nullopt;
+}
+
+Issues checkSetup(const Setup& setup) {
+    Issues issues = checkRanges(tableOf<SetupTimes>(), &setup.times, "/times");
+    const Issues wear = checkRanges(tableOf<WheelWear>(), &setup.wear, "/wear");
+    issues.insert(issues.end(), wear.begin(), wear.end());
+    if (setup.surfaces.size() < 2) {
+        return issues; // its name is not asked for
+    }
+    for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
+        const std::string& name = setup.surfaces[i].name;
+        const std::string path = "/surfaces/" + std::to_string(i) + "/name";
+        const auto first = std::ranges::find(setup.surfaces, name, &GroundSurface::name);
+        const auto at = static_cast<std::size_t>(first - setup.surfaces.begin());
+        if (name.empty()) {
+            issues.push_back({IssueCode::missingKey, Severity::error, path, {}, Phrase::text});
+        } else if (at < i) {
+            issues.push_back({IssueCode::sameName, Severity::error, path, Quoted{'"' + name + '"'},
+                              countOf(at + 1)});
+        }
+    }
+    return issues;
+}
+
+} // namespace sparkout

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/setup_file.h"
+
+#include "core/format/project_json.h"
+#include "core/format/strict_json.h"
+#include "core/format/table_reader.h"
+#include "core/format/table_writer.h"
+#include "core/setup/shared_members.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr const char* surfacesKey = "surfaces";
+constexpr const char* nameKey = "name";
+constexpr const char* timesKey = "times";
+constexpr const char* wearKey = "wear";
+
+/// Reads the parts of a file of version 2, and says where each fault stands in it.
+class SetupReader {
+public:
+    SetupReader(const json& root, Issues found, const std::stop_token& stop)
+        : m_root(root), m_stop(stop) {
+        m_read.issues = std::move(found);
+    }
+
+    ReadSetup read() {
+        m_shared = m_root;
+        for (const char* key : {"format", "version", surfacesKey, timesKey, wearKey}) {
+            m_shared.erase(key);
+        }
+        keepShared(m_shared, {});
+        Setup setup;
+        readStruct(timesKey, tableOf<SetupTimes>(), &setup.times);
+        readStruct(wearKey, tableOf<WheelWear>(), &setup.wear);
+        readSurfaces(setup);
+        if (m_stop.stop_requested()) {
+            return {};
+        }
+        for (Issue& issue : checkSetup(setup)) {
+            if (std::ranges::find(m_read.issues, issue.path, &Issue::path) == m_read.issues.end()) {
+                add(std::move(issue));
+            }
+        }
+        if (!hasErrors(m_read.issues)) {
+            m_read.setup = std::move(setup);
+        }
+        return std::move(m_read);
+    }
+
+private:
+    void add(Issue issue) {
+        const bool isKnown = std::ranges::find(m_read.issues, issue) != m_read.issues.end();
+        if (!isKnown && m_read.issues.size() < limits::issues) {
+            m_read.issues.push_back(std::move(issue));
+        }
+    }
+
+    /// Strikes out, and reports, what belongs to the surfaces or is no key at all.
+    void keepShared(json& object, const std::string& path) {
+        std::vector<std::string> strange;
+        for (auto& [key, value] : object.items()) {
+            const std::string at = path + '/' + key;
+            if (holdsShared(at) && value.is_object()) {
+                keepShared(value, at);
+            } else if (!isShared(at)) {
+                strange.push_back(key);
+            }
+        }
+        for (const std::string& key : strange) {
+            refuseKey(path, key, keysBelow(path));
+            object.erase(key);
+        }
+    }
+
+    void refuseKey(const std::string& path, const std::string& key, Detail allowed) {
+        add({IssueCode::unknownKey, Severity::error, path + '/' + pathStep(key), quoted(json(key)),
+             std::move(allowed)});
+    }
+
+    /// The keys that may stand at the top of the file, or in one of its objects.
+    static Keys keysBelow(const std::string& path) {
+        Keys keys;
+        for (const std::string_view member : sharedMembers()) {
+            if (!member.starts_with(path + '/')) {
+                continue;
+            }
+            const std::string_view rest = member.substr(path.size() + 1);
+            std::string key(rest.substr(0, rest.find('/')));
+            if (std::ranges::find(keys.keys, key) == keys.keys.end()) {
+                keys.keys.push_back(std::move(key));
+            }
+        }
+        if (path.empty()) {
+            keys.keys.insert(keys.keys.end(), {timesKey, wearKey, surfacesKey});
+        }
+        return keys;
+    }
+
+    void readStruct(const char* key, const StructInfo& table, void* owner) {
+        if (const auto found = m_root.find(key); found != m_root.end()) {
+            std::vector<MissingKey> missing; // none of them is required
+            readByTable(*found, table, owner, std::string("/") + key, m_read.issues, missing);
+        }
+    }
+
+    void readSurfaces(Setup& setup) {
+        const auto found = m_root.find(surfacesKey);
+        const std::string path = std::string("/") + surfacesKey;
+        if (found == m_root.end()) {
+            add({IssueCode::missingKey, Severity::error, path, {}, Phrase::listOfObjects});
+            return;
+        }
+        if (!found->is_array()
+            || !std::ranges::all_of(*found, [](const json& each) { return each.is_object(); })) {
+            add({IssueCode::wrongType, Severity::error, path, quoted(*found),
+                 Phrase::listOfObjects});
+            return;
+        }
+        if (found->empty() || found->size() > limits::surfaces) {
+            add({IssueCode::wrongCount, Severity::error, path, countOf(found->size()),
+                 Bounds{{1, static_cast<double>(limits::surfaces)}}});
+            return;
+        }
+        for (std::size_t i = 0; i < found->size() && !m_stop.stop_requested(); ++i) {
+            setup.surfaces.push_back(readSurface((*found)[i], path + '/' + std::to_string(i)));
+        }
+    }
+
+    GroundSurface readSurface(json own, const std::string& path) {
+        GroundSurface surface;
+        if (const auto name = own.find(nameKey); name != own.end()) {
+            if (name->is_string()) {
+                surface.name = name->get<std::string>();
+            } else {
+                add({IssueCode::wrongType, Severity::error, path + '/' + nameKey, quoted(*name),
+                     Phrase::text});
+            }
+            own.erase(nameKey);
+        }
+        strikeShared(own, {}, path);
+        ReadResult read = readProjectJson(joinProject(m_shared, own), {}, m_stop);
+        for (Issue& issue : read.issues) {
+            if (!isShared(issue.path)) {
+                issue.path = path + issue.path;
+            }
+            add(std::move(issue));
+        }
+        if (read.project) {
+            surface.project = std::move(*read.project);
+        }
+        return surface;
+    }
+
+    /// Strikes out, and reports, what a surface has for all of them.
+    void strikeShared(json& object, const std::string& path, const std::string& surface) {
+        std::vector<std::string> strange;
+        for (auto& [key, value] : object.items()) {
+            const std::string at = path + '/' + key;
+            if (isShared(at)) {
+                strange.push_back(key);
+            } else if (holdsShared(at) && value.is_object()) {
+                strikeShared(value, at, surface);
+            }
+        }
+        for (const std::string& key : strange) {
+            add({IssueCode::sharedKey,
+                 Severity::error,
+                 surface + path + '/' + key,
+                 quoted(json(key)),
+                 {}});
+            object.erase(key);
+        }
+    }
+
+    const json& m_root;
+    std::stop_token m_stop;
+    json m_shared;
+    ReadSetup m_read;
+};
+
+ReadSetup asSetup(ReadResult read) {
+    ReadSetup result{std::nullopt, std::move(read.issues)};
+    if (read.project) {
+        result.setup.emplace();
+        result.setup->surfaces.push_back({{}, std::move(*read.project)});
+    }
+    return result;
+}
+
+} // namespace
+
+ReadSetup readSetup(std::string_view text, const std::stop_token& stop) {
+    Issues issues;
+    const auto root = parseStrictly(text, issues, stop);
+    if (stop.stop_requested()) {
+        return {};
+    }
+    if (!root) {
+        return {std::nullopt, std::move(issues)};
+    }
+    if (const Issues header = checkHeader(*root, newestVersion); !header.empty()) {
+        issues.insert(issues.end(), header.begin(), header.end());
+        return {std::nullopt, std::move(issues)};
+    }
+    return root->at("version") == newestVersion
+               ? SetupReader(*root, std::move(issues), stop).read()
+               : asSetup(readProjectJson(*root, std::move(issues), stop));
+}
+
+std::string writeSetup(const Setup& setup) {
+    const ordered_json times = writeByTable(tableOf<SetupTimes>(), &setup.times);
+    const ordered_json wear = writeByTable(tableOf<WheelWear>(), &setup.wear);
+    const Setup plain;
+    const bool hasExtras = times != writeByTable(tableOf<SetupTimes>(), &plain.times)
+                           || wear != writeByTable(tableOf<WheelWear>(), &plain.wear);
+    if (setup.surfaces.size() == 1 && setup.surfaces.front().name.empty() && !hasExtras) {
+        return writeProject(setup.surfaces.front().project);
+    }
+    ordered_json root = {{"format", projectFormat}, {"version", newestVersion}};
+    ordered_json surfaces = ordered_json::array();
+    for (const GroundSurface& surface : setup.surfaces) {
+        SplitProject parts = splitProject(projectJson(surface.project));
+        if (surfaces.empty()) {
+            root.update(parts.shared);
+        }
+        ordered_json own = ordered_json::object();
+        if (!surface.name.empty()) {
+            own[nameKey] = surface.name;
+        }
+        own.update(parts.own);
+        surfaces.push_back(std::move(own));
+    }
+    root[timesKey] = times;
+    root[wearKey] = wear;
+    root[surfacesKey] = std::move(surfaces);
+    return printJson(root);
+}
+
+} // namespace sparkout

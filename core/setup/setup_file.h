@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/issue.h"
+#include "core/setup/setup.h"
+
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+
+/// The file of a set-up: version 1 for a single surface, as project_file.h has it; version 2 for
+/// several.
+namespace sparkout {
+
+struct ReadSetup {
+    std::optional<Setup> setup; ///< given when there is no error
+    Issues issues;              ///< errors, or warnings beside a set-up
+};
+
+/// Reads and validates a file of either version. All faults at once; of what is shared each once.
+[[nodiscard]] ReadSetup readSetup(std::string_view text, const std::stop_token& stop = {});
+
+/// The text of a set-up: the same set-up, the same bytes; of a single surface without name, times
+/// and wear that of its project.
+[[nodiscard]] std::string writeSetup(const Setup& setup);
+
+} // namespace sparkout

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/setup_run.h"
+
+#include "core/setup/worn_project.h"
+#include "core/units.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace sparkout {
+
+bool SetupRun::isCompleted(const Setup& setup) const {
+    return surfaces.size() == setup.surfaces.size()
+           && std::ranges::all_of(surfaces, &SurfaceRun::isCompleted);
+}
+
+bool SetupRun::holds(const Setup& setup) const {
+    return isCompleted(setup) && std::ranges::all_of(surfaces, &SurfaceRun::holds);
+}
+
+SetupRun runSetup(const Setup& setup, const std::stop_token& stop) {
+    SetupRun run;
+    double removed_mm3 = 0, cycles_min = 0;
+    for (std::size_t i = 0; i < setup.surfaces.size() && !stop.stop_requested(); ++i) {
+        WornProject made = wornProject(setup, i, removed_mm3);
+        for (Issue& issue : made.issues) {
+            issue.path.insert(0, "/surfaces/" + std::to_string(i));
+            run.issues.push_back(std::move(issue));
+        }
+        if (!run.issues.empty()) {
+            break;
+        }
+        run.surfaces.push_back(runSurface(setup.surfaces[i].name, made.project, stop));
+        removed_mm3 += run.surfaces.back().removed_mm3;
+        cycles_min += run.surfaces.back().result.time_s / units::secondsPerMinute;
+    }
+    if (run.isCompleted(setup)) {
+        run.time = pieceTime(setup.times, setup.surfaces.size(), cycles_min);
+    }
+    return run;
+}
+
+} // namespace sparkout

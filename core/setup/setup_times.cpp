@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/setup_times.h"
+
+#include "core/text.h"
+
+#include <array>
+
+namespace sparkout {
+
+template <>
+const StructInfo& tableOf<SetupTimes>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(SetupTimes, approach_s, .label = SPARKOUT_NOOP("Input", "Approach"),
+                       .unit = "s", .hard = {0, 3600},
+                       .hint = SPARKOUT_NOOP("Input", "Of the wheel to a surface, for each of "
+                                                      "them.")),
+        SPARKOUT_FIELD(SetupTimes, retreat_s, .label = SPARKOUT_NOOP("Input", "Retreat"),
+                       .unit = "s", .hard = {0, 3600},
+                       .hint = SPARKOUT_NOOP("Input", "Of the wheel from a surface, for each of "
+                                                      "them.")),
+        SPARKOUT_FIELD(SetupTimes, gauging_s, .label = SPARKOUT_NOOP("Input", "Gauging"),
+                       .unit = "s", .hard = {0, 3600},
+                       .hint = SPARKOUT_NOOP("Input", "Of a surface after its cycle, for each of "
+                                                      "them.")),
+        SPARKOUT_FIELD(SetupTimes, positioning_s,
+                       .label = SPARKOUT_NOOP("Input", "Table positioning"), .unit = "s",
+                       .hard = {0, 3600},
+                       .hint = SPARKOUT_NOOP("Input", "Of the table from one surface to the "
+                                                      "next.")),
+        SPARKOUT_FIELD(SetupTimes, handling_s,
+                       .label = SPARKOUT_NOOP("Input", "Loading and unloading"), .unit = "s",
+                       .hard = {0, 36000},
+                       .hint = SPARKOUT_NOOP("Input", "Clamping a part and taking it off.")),
+        SPARKOUT_FIELD(SetupTimes, main_min, .label = SPARKOUT_NOOP("Input", "Main time"),
+                       .symbol = "T_o", .unit = "min", .hard = {0, 100000},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "the sum of the cycles"),
+                       .hint = SPARKOUT_NOOP("Input", "The time that stock is removed in.")),
+        SPARKOUT_FIELD(
+            SetupTimes, auxiliary_min, .label = SPARKOUT_NOOP("Input", "Auxiliary time"),
+            .symbol = "T_a", .unit = "min", .hard = {0, 100000},
+            .nullMeaning = SPARKOUT_NOOP("Input", "the sum of the times above"),
+            .hint = SPARKOUT_NOOP("Input", "What is done for every part beside the cycles."),
+            .formula = "n·(approach + retreat + gauging) + (n − 1)·positioning + handling"),
+        SPARKOUT_FIELD(SetupTimes, service_percent,
+                       .label = SPARKOUT_NOOP("Input", "Service and rest"), .unit = "%",
+                       .hard = {0, 100}, .soft = {0, 30},
+                       .hint = SPARKOUT_NOOP("Input", "Serving the machine, and rest, as a share "
+                                                      "of main and auxiliary time.")),
+        SPARKOUT_FIELD(SetupTimes, preparation_min,
+                       .label = SPARKOUT_NOOP("Input", "Preparation time"), .symbol = "T_p",
+                       .unit = "min", .hard = {0, 100000},
+                       .hint = SPARKOUT_NOOP("Input", "Preparing the machine for a batch and "
+                                                      "clearing it afterwards.")),
+        SPARKOUT_FIELD(SetupTimes, batch_size, .label = SPARKOUT_NOOP("Input", "Batch size"),
+                       .symbol = "N", .hard = {1, 10000000},
+                       .hint = SPARKOUT_NOOP("Input", "Parts that share the preparation time.")),
+        SPARKOUT_FIELD(SetupTimes, piece_min, .label = SPARKOUT_NOOP("Input", "Piece time"),
+                       .symbol = "T_1", .unit = "min", .hard = {0, 100000},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "from the times above"),
+                       .hint = SPARKOUT_NOOP("Input", "The time that a part takes, without its "
+                                                      "share of the preparation."),
+                       .formula = "(T_o + T_a)·(1 + service/100)"),
+    };
+    static const StructInfo info =
+        makeTable<SetupTimes>(SPARKOUT_NOOP("Struct", "Standard times"), rows);
+    return info;
+}
+
+} // namespace sparkout

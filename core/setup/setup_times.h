@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/field.h"
+
+#include <optional>
+
+namespace sparkout {
+
+/// What the standard times of a set-up are made of. A time that is given as a whole takes the place
+/// of its sum (piece_time.h).
+struct SetupTimes {
+    double approach_s = 0;               ///< of the wheel to a surface [s]
+    double retreat_s = 0;                ///< of the wheel from it [s]
+    double gauging_s = 0;                ///< of a surface after its cycle [s]
+    double positioning_s = 0;            ///< of the table, from one surface to the next [s]
+    double handling_s = 0;               ///< clamping and taking off a part [s]
+    std::optional<double> main_min;      ///< To; not given: the cycles' times [min]
+    std::optional<double> auxiliary_min; ///< Tв; not given: the sum of the times above [min]
+    double service_percent = 0;          ///< of To + Tв, serving the machine and rest [%]
+    double preparation_min = 0;          ///< Tпз, for the batch [min]
+    int batch_size = 1;                  ///< parts that share it
+    std::optional<double> piece_min;     ///< Tшт; not given: (To + Tв)·(1 + service/100) [min]
+};
+
+template <>
+const StructInfo& tableOf<SetupTimes>();
+
+} // namespace sparkout

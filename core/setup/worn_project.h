@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/issue.h"
+#include "core/project/project.h"
+#include "core/setup/setup.h"
+
+#include <cstddef>
+#include <stop_token>
+
+namespace sparkout {
+
+/// The project of a surface with the wheel as the surfaces before have left it, and the errors that
+/// it has with that wheel, by their paths in the project.
+struct WornProject {
+    Project project;
+    Issues issues;
+};
+
+/// After so much was removed before.
+[[nodiscard]] WornProject wornProject(const Setup& setup, std::size_t surface, double removed_mm3);
+
+/// The same; the surfaces before are run, if the wheel wears.
+[[nodiscard]] WornProject wornProject(const Setup& setup, std::size_t surface,
+                                      const std::stop_token& stop = {});
+
+} // namespace sparkout

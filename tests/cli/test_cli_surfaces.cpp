@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Commands on a file of several surfaces: all of them, or the one that --surface names.
+#include "core/setup/setup_file.h"
+#include "core/setup/worn_project.h"
+#include "tests/cli/cli_bench.h"
+#include "tests/core/setup/setup_samples.h"
+#include "tests/registry.h"
+
+namespace test_cli_surfaces {
+
+using namespace sparkout;
+using namespace cli;
+using nlohmann::json;
+
+class TestCliSurfaces : public FolderTest {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        begin();
+        m_one = samples::sample("complete");
+        json other = m_one;
+        other["machine"]["work_speed_rpm"] = 150;
+        other["sweep"]["inputs"] = {
+            {{"input", "/part/stock_mm"}, {"from", 0.14}, {"to", 0.16}, {"points", 3}}};
+        json file = setup_samples::setupOf({m_one, other});
+        file["times"] = {{"handling_s", 30}, {"approach_s", 3}};
+        m_file = save("two.sparkout", file.dump());
+        m_first = save("first.sparkout", m_one.dump());
+        m_second = save("second.sparkout", other.dump());
+    }
+
+    void oneSurfaceIsWhatItsOwnFileGives_data() {
+        QTest::addColumn<QStringList>("command");
+        QTest::addRow("simulate") << QStringList{"simulate"};
+        QTest::addRow("simulate json") << QStringList{"simulate", "--json"};
+        QTest::addRow("remedies") << QStringList{"remedies", "--json"};
+        QTest::addRow("batch") << QStringList{"batch", "--parts", "20", "--json"};
+        QTest::addRow("sweep") << QStringList{"sweep", "--json"};
+        QTest::addRow("optimize") << QStringList{"optimize", "--json"};
+    }
+    void oneSurfaceIsWhatItsOwnFileGives() {
+        QFETCH(QStringList, command);
+        const auto on = [&command](const QString& file, const QStringList& more) {
+            QStringList arguments = command;
+            arguments.insert(1, file);
+            return run(arguments + more);
+        };
+        const Outcome own = on(m_second, {});
+        for (const char* name : {"2", "surface B"}) {
+            const Outcome one = on(m_file, {"--surface", QString::fromUtf8(name)});
+            QCOMPARE(one.status, own.status);
+            QCOMPARE(withoutTimes(one.out), withoutTimes(own.out));
+        }
+    }
+
+    void allSurfacesInOneAnswer() {
+        const Outcome all = run({"simulate", m_file, "--json"});
+        QCOMPARE(all.status, 0);
+        const json answer = json::parse(all.out);
+        QCOMPARE(answer.at("surfaces").size(), 2u);
+        double sum_min = 0;
+        for (std::size_t i = 0; i < 2; ++i) {
+            json one = answer.at("surfaces").at(i);
+            sum_min += one.at("cycle_time_min").get<double>();
+            QVERIFY(one.at("name") == (i == 0 ? "surface A" : "surface B"));
+            one.erase("name");
+            const Outcome own = run({"simulate", i == 0 ? m_first : m_second, "--json"});
+            QVERIFY(one == json::parse(own.out));
+        }
+        const json part = answer.at("part");
+        QVERIFY(std::abs(part.at("main_time_min").get<double>() - sum_min) < 1e-12 * sum_min);
+        QVERIFY(std::abs(part.at("auxiliary_time_min").get<double>() - 0.6) < 1e-12);
+        QVERIFY(part.at("completed") == true);
+    }
+
+    void textsOfAllHaveHeadings() {
+        const Outcome all = run({"simulate", m_file});
+        const auto first = all.out.find("surface 1  surface A"),
+                   second = all.out.find("surface 2  surface B");
+        QVERIFY(first != std::string::npos && second != std::string::npos && first < second);
+        QVERIFY(all.out.find("auxiliary time Ta") > second);
+        QVERIFY(all.out.find(run({"simulate", m_first}).out) != std::string::npos);
+    }
+
+    void everySurfaceIsOptimisedIntoOneFile() {
+        const QString out = m_folder.filePath("best.sparkout");
+        const Outcome all = run({"optimize", m_file, "--json", "-o", out});
+        QCOMPARE(all.status, 0);
+        const json answers = json::parse(all.out).at("surfaces");
+        const ReadSetup best = readSetup(samples::readText(out.toStdString()));
+        QVERIFY(best.setup && best.setup->surfaces.size() == 2);
+        for (std::size_t i = 0; i < 2; ++i) {
+            const Outcome again =
+                run({"simulate", out, "--surface", QString::number(i + 1), "--json", "--check"});
+            QCOMPARE(again.status, 0);
+            QVERIFY(json::parse(again.out).at("cycle_time_min")
+                    == answers.at(i).at("cycle_time_min"));
+        }
+        QCOMPARE(best.setup->times.handling_s, 30.0);
+    }
+
+    void aSurfaceThatFailsDecidesTheStatus() {
+        json strict = m_one;
+        strict["part"]["tolerance"]["radial_runout_um"] = 1e-6;
+        const QString file =
+            save("strict.sparkout", setup_samples::setupOf({m_one, strict, m_one}).dump());
+        QCOMPARE(run({"simulate", file}).status, 0);
+        const Outcome checked = run({"simulate", file, "--check", "--json"});
+        QCOMPARE(checked.status, 4);
+        QVERIFY(json::parse(checked.out).at("part").at("holds") == false);
+    }
+
+    void whatCannotBeOfSeveralSaysSo() {
+        const QString csv = m_folder.filePath("out.csv");
+        for (const QStringList& arguments :
+             {QStringList{"simulate", m_file, "--trace", csv},
+              QStringList{"batch", m_file, "--rows", csv}, QStringList{"batch", m_file, "--csv"},
+              QStringList{"sweep", m_file, "--csv"}}) {
+            const Outcome outcome = run(arguments);
+            QCOMPARE(outcome.status, 2);
+            QVERIFY2(outcome.err.find("--surface") != std::string::npos, outcome.err.c_str());
+        }
+        QVERIFY(!QFile::exists(csv));
+        const Outcome strange = run({"simulate", m_file, "--surface", "seat"});
+        QCOMPARE(strange.status, 2);
+        QVERIFY2(strange.err.find("1 surface A, 2 surface B") != std::string::npos,
+                 strange.err.c_str());
+        QCOMPARE(run({"simulate", m_first, "--surface", "1"}).status, 0);
+        QCOMPARE(run({"simulate", m_first, "--surface", "2"}).status, 2);
+        QCOMPARE(run({"validate", m_file}).status, 0);
+    }
+
+private:
+    /// The text of an answer without how long the computer took.
+    static std::string withoutTimes(const std::string& text) {
+        json answer = json::parse(text, nullptr, false);
+        if (!answer.is_object()) {
+            return text;
+        }
+        for (const char* key : {"seconds", "elapsed_s"}) {
+            answer.erase(key);
+        }
+        return answer.dump();
+    }
+
+    json m_one;
+    QString m_file, m_first, m_second;
+};
+
+} // namespace test_cli_surfaces
+
+SPARKOUT_TEST(test_cli_surfaces, TestCliSurfaces)
+#include "test_cli_surfaces.moc"

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files of one surface and of several.
+#include "core/format/project_file.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
+#include "tests/check_line.h"
+#include "tests/core/setup/setup_samples.h"
+#include "tests/core/support/project_samples.h"
+#include "tests/registry.h"
+
+#include <algorithm>
+
+namespace test_setup_file {
+
+using namespace sparkout;
+using namespace setup_samples;
+using nlohmann::json;
+
+namespace {
+
+json twoSurfaces() {
+    return setupOf({samples::sample("complete"), samples::sample("complete")});
+}
+
+/// Whether the only fault of a file is this one.
+bool isRefused(const json& file, IssueCode code, const std::string& path) {
+    const ReadSetup read = readSetup(file.dump());
+    const auto errors = std::ranges::count(read.issues, Severity::error, &Issue::severity);
+    return !read.setup && errors == 1 && std::ranges::any_of(read.issues, [&](const Issue& issue) {
+        return issue.code == code && issue.path == path;
+    });
+}
+
+} // namespace
+
+class TestSetupFile : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aFileOfVersionOneIsOneSurface() {
+        for (const std::string& name : samples::names()) {
+            const std::string text = samples::text(name);
+            const ReadResult project = readProject(text);
+            const ReadSetup setup = readSetup(text);
+            QVERIFY(setup.setup && setup.setup->surfaces.size() == 1);
+            QVERIFY(setup.setup->surfaces.front().name.empty());
+            QVERIFY(sameProject(setup.setup->surfaces.front().project, *project.project));
+            QVERIFY(setup.issues == project.issues);
+            QCOMPARE(writeSetup(*setup.setup), writeProject(*project.project));
+        }
+    }
+
+    void whatIsSharedStandsOnce() {
+        const json file = json::parse(writeSetup(*readSetup(twoSurfaces().dump()).setup));
+        QCOMPARE(file.at("version").get<int>(), 2);
+        for (const char* place : sharedPlaces) {
+            const json::json_pointer pointer(place);
+            for (const json& surface : file.at("surfaces")) {
+                QVERIFY2(!surface.contains(pointer), place);
+            }
+        }
+        QVERIFY(file.contains("wheel") && file.at("machine").contains("wheel_speed_m_s"));
+        QVERIFY(!file.at("machine").contains("work_speed_rpm") && !file.contains("cycle"));
+    }
+
+    /// Every project of a set-up is that of its own file with what is shared of the first.
+    void surfacesAreReadAsTheirOwnFilesWouldBe() {
+        const json one = samples::sample("complete");
+        json other = one;
+        other["machine"]["work_speed_rpm"] = 111;
+        other["part"]["stock_mm"] = 0.2;
+        other["part"]["shaft"]["ground_from_mm"] = 3.5;
+        other["cycle"]["stages"][0]["stock_mm"] =
+            0.2 - other["cycle"]["stages"][1]["stock_mm"].get<double>();
+        json otherWheel = other;
+        otherWheel["wheel"]["diameter_mm"] = 333; // of a surface after the first it is not read
+        const ReadSetup read = readSetup(setupOf({one, otherWheel}).dump());
+        QVERIFY2(read.setup, samples::listed(read.issues).c_str());
+        QVERIFY(sameProject(read.setup->surfaces[0].project, *readProject(one.dump()).project));
+        QVERIFY(sameProject(read.setup->surfaces[1].project, *readProject(other.dump()).project));
+        QCOMPARE(read.setup->surfaces[1].project.machine->work_speed_rpm, 111.0);
+    }
+
+    void randomSetupsAreWrittenAndReadAsTheSame() {
+        int several = 0;
+        for (std::uint64_t seed = 0; seed < std::uint64_t(samples::sized(300, 1000, 100)); ++seed) {
+            auto setup = randomSetup(seed);
+            if (!setup) {
+                continue;
+            }
+            setup->times.handling_s = static_cast<double>(seed % 7);
+            setup->wear.grinding_ratio = 1.0 + static_cast<double>(seed);
+            several += setup->surfaces.size() > 1;
+            const std::string text = writeSetup(*setup);
+            const ReadSetup again = readSetup(text);
+            QVERIFY2(again.setup, samples::listed(again.issues).c_str());
+            QCOMPARE(writeSetup(*again.setup), text);
+            QCOMPARE(again.setup->surfaces.size(), setup->surfaces.size());
+            for (std::size_t i = 0; i < setup->surfaces.size(); ++i) {
+                QVERIFY(sameProject(again.setup->surfaces[i].project, setup->surfaces[i].project));
+            }
+        }
+        QVERIFY2(several > 20, qPrintable(QString::number(several)));
+    }
+
+    void faultsAreNamedWhereTheyStand() {
+        json file = twoSurfaces();
+        file["wheel"]["diameter_mm"] = -1; // of both surfaces, reported once
+        QVERIFY(isRefused(file, IssueCode::outOfRange, "/wheel/diameter_mm"));
+        file = twoSurfaces();
+        file["surfaces"][1]["machine"]["work_speed_rpm"] = -1;
+        QVERIFY(isRefused(file, IssueCode::outOfRange, "/surfaces/1/machine/work_speed_rpm"));
+        file = twoSurfaces();
+        file["surfaces"][1]["wheel"] = file["wheel"];
+        QVERIFY(isRefused(file, IssueCode::sharedKey, "/surfaces/1/wheel"));
+        file = twoSurfaces();
+        file["surfaces"][0]["machine"]["wheel_speed_m_s"] = 30;
+        QVERIFY(isRefused(file, IssueCode::sharedKey, "/surfaces/0/machine/wheel_speed_m_s"));
+        file = twoSurfaces();
+        file["machine"]["work_speed_rpm"] = 100;
+        QVERIFY(isRefused(file, IssueCode::unknownKey, "/machine/work_speed_rpm"));
+        file = twoSurfaces();
+        file["wheels"] = 1;
+        QVERIFY(isRefused(file, IssueCode::unknownKey, "/wheels"));
+        file = twoSurfaces();
+        file["surfaces"][1]["speed"] = 1;
+        QVERIFY(isRefused(file, IssueCode::unknownKey, "/surfaces/1/speed"));
+        file = twoSurfaces();
+        file["surfaces"][1]["name"] = file["surfaces"][0]["name"];
+        QVERIFY(isRefused(file, IssueCode::sameName, "/surfaces/1/name"));
+        file["surfaces"][1].erase("name");
+        QVERIFY(isRefused(file, IssueCode::missingKey, "/surfaces/1/name"));
+        file = twoSurfaces();
+        file["surfaces"][1]["name"] = 7;
+        QVERIFY(isRefused(file, IssueCode::wrongType, "/surfaces/1/name"));
+        file = twoSurfaces();
+        file["surfaces"] = json::array();
+        QVERIFY(isRefused(file, IssueCode::wrongCount, "/surfaces"));
+        file["surfaces"] = std::vector<json>(21, twoSurfaces()["surfaces"][0]);
+        QVERIFY(isRefused(file, IssueCode::wrongCount, "/surfaces"));
+        file["surfaces"] = 1;
+        QVERIFY(isRefused(file, IssueCode::wrongType, "/surfaces"));
+        file.erase("surfaces");
+        QVERIFY(isRefused(file, IssueCode::missingKey, "/surfaces"));
+        file = twoSurfaces();
+        file["times"]["batch_size"] = 0;
+        QVERIFY(isRefused(file, IssueCode::outOfRange, "/times/batch_size"));
+        file = twoSurfaces();
+        file["wear"]["grinding_ratio"] = 0;
+        QVERIFY(isRefused(file, IssueCode::outOfRange, "/wear/grinding_ratio"));
+        file = twoSurfaces();
+        file["version"] = 3;
+        QVERIFY(isRefused(file, IssueCode::newerVersion, "/version"));
+    }
+
+    /// Who reads single surfaces alone says so, and does not call the file newer.
+    void aReaderOfOneSurfaceNamesSeveral() {
+        const ReadResult read = readProject(twoSurfaces().dump());
+        QVERIFY(!read.project && read.issues.size() == 1);
+        QVERIFY(read.issues.front().code == IssueCode::severalSurfaces);
+    }
+
+    void surfacesAreFoundByNameElseByNumber() {
+        Setup setup;
+        setup.surfaces = {{"journal", {}}, {"1", {}}, {"seat", {}}};
+        QVERIFY(setup.find("seat") == std::size_t{2});
+        QVERIFY(setup.find("1") == std::size_t{1}); // its name
+        QVERIFY(setup.find("3") == std::size_t{2});
+        QVERIFY(!setup.find("4") && !setup.find("0") && !setup.find("") && !setup.find("2x"));
+    }
+};
+
+} // namespace test_setup_file
+
+SPARKOUT_TEST(test_setup_file, TestSetupFile)
+#include "test_setup_file.moc"
