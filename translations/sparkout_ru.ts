@@ -214,6 +214,18 @@
             <translation>у передней бабки</translation>
         </message>
         <message>
+            <source>at the entry</source>
+            <translation>у входа</translation>
+        </message>
+        <message>
+            <source>at the exit</source>
+            <translation>у выхода</translation>
+        </message>
+        <message>
+            <source>half at each</source>
+            <translation>пополам</translation>
+        </message>
+        <message>
             <source>tailstock</source>
             <translation>у задней бабки</translation>
         </message>
@@ -2294,6 +2306,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>С какого конца детали круг входит в работу.</translation>
         </message>
         <message>
+            <source>Infeed at the reversals</source>
+            <translation>Подача на врезание</translation>
+        </message>
+        <message>
+            <source>Where the radial feed of a double stroke is fed: at the entry reversal, at the exit reversal, or half of it at each.</source>
+            <translation>Где подаётся радиальная подача двойного хода: у входа, у выхода или пополам.</translation>
+        </message>
+        <message>
             <source>Wheel contact</source>
             <translation>Контакт круга</translation>
         </message>
@@ -3891,6 +3911,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>exit dwell</source>
             <translation>задержка на выходе</translation>
+        </message>
+        <message>
+            <source>plunge-in at the exit</source>
+            <translation>врезание на выходе</translation>
         </message>
         <message>
             <source>return stroke</source>
@@ -8680,6 +8704,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>E1…E5 number the steps in which a zone is ground during one double stroke, so the same number is another step in another zone. They are shown when a few double strokes are shown.</source>
             <translation>Э1…Э5 — номера этапов, на которых зона шлифуется за один двойной ход, поэтому в разных зонах один номер означает разное. Этапы показаны, когда на графике немного двойных ходов.</translation>
+        </message>
+        <message>
+            <source>Fed at the exit, RZ2 is ground in E4 between its E1 and E2.</source>
+            <translation>При подаче у выхода этап Э4 зоны РЗ2 стоит между её этапами Э1 и Э2.</translation>
         </message>
         <message>
             <source>A zone is shown as ground during the whole stroke, as the model has it: where the wheel stands within a stroke is not distinguished.</source>

@@ -23,6 +23,14 @@ std::span<const Choice> choicesOf<EntrySide>() {
 }
 
 template <>
+std::span<const Choice> choicesOf<ReversalInfeed>() {
+    static const std::array choices{Choice{"entry", SPARKOUT_NOOP("Choice", "at the entry")},
+                                    Choice{"exit", SPARKOUT_NOOP("Choice", "at the exit")},
+                                    Choice{"both", SPARKOUT_NOOP("Choice", "half at each")}};
+    return choices;
+}
+
+template <>
 const StructInfo& tableOf<Stiffness>() {
     static const std::array rows{
         SPARKOUT_FIELD(Stiffness, headstock, .label = SPARKOUT_NOOP("Input", "Headstock stiffness"),
@@ -189,6 +197,13 @@ const StructInfo& tableOf<Machine>() {
                        .relevant = conditions::travels, .page = Page::machine,
                        .hint = SPARKOUT_NOOP("Input", "Which end of the part the wheel enters at."),
                        .source = "MODEL-6"),
+        SPARKOUT_FIELD(Machine, reversal_infeed,
+                       .label = SPARKOUT_NOOP("Input", "Infeed at the reversals"),
+                       .relevant = conditions::travels, .sparse = true, .page = Page::machine,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Where the radial feed of a double stroke is fed: at the entry "
+                                    "reversal, at the exit reversal, or half of it at each."),
+                       .formula = "S_1 + S_2 = S_t", .source = "MODEL-5"),
         SPARKOUT_FIELD(
             Machine, wheel_contact, .label = SPARKOUT_NOOP("Input", "Wheel contact"),
             .nullMeaning = SPARKOUT_NOOP("Input", "rigid contact"), .page = Page::machine,

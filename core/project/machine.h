@@ -10,6 +10,8 @@
 namespace sparkout {
 
 enum class EntrySide { headstock, tailstock };
+/// Where a double stroke is fed by S_t: the half at each end of `both` is S_t/2.
+enum class ReversalInfeed { entry, exit, both };
 
 /// Stiffness of the machine's units [N/µm].
 struct Stiffness {
@@ -47,12 +49,15 @@ struct Machine {
     std::optional<double> wheel_drive_kw; ///< [kW]; not given: not limited
     std::optional<double> work_drive_kw;  ///< [kW]; not given: not limited
     EntrySide entry_side = EntrySide::headstock;
+    ReversalInfeed reversal_infeed = ReversalInfeed::entry;
     std::optional<WheelContact> wheel_contact;
     MachineLimits limits;
 };
 
 template <>
 std::span<const Choice> choicesOf<EntrySide>();
+template <>
+std::span<const Choice> choicesOf<ReversalInfeed>();
 template <>
 const StructInfo& tableOf<Stiffness>();
 template <>

@@ -23,6 +23,20 @@ int dwellRevolutions(double dwell_s, double workSpeed_rpm) {
     return std::max(1, static_cast<int>(std::floor(x + 0.5 + 1e-9)));
 }
 
+ReversalFeeds reversalFeeds(ReversalInfeed at, double infeed_mm) {
+    switch (at) {
+    case ReversalInfeed::entry: break;
+    case ReversalInfeed::exit: return {0, infeed_mm};
+    case ReversalInfeed::both: return {infeed_mm / 2, infeed_mm / 2};
+    }
+    return {infeed_mm, 0};
+}
+
+int plungeInRevolutions(const Machine& machine, double infeed_mm) {
+    return static_cast<int>(
+        std::ceil(machine.work_speed_rpm * infeed_mm / machine.plunge_feed_mm_min - 1e-9));
+}
+
 namespace {
 
 /// Double strokes, step by step in the order of the table in MODEL-5.
@@ -58,7 +72,6 @@ public:
         ++m_steps;
         const bool done = doubleStroke(m_run.fed_mm, feed.infeed_mm,
                                        [&](const Pass& pass) { return cut(pass, feed.infeed_mm); });
-        m_run.fed_mm += feed.infeed_mm;
         return done && !m_run.mustEnd();
     }
 
@@ -102,18 +115,17 @@ public:
             ++radii.passes;
             return true;
         });
-        radii.fed_mm += feed.infeed_mm;
     }
 
     void strokesAlone(FollowedRadii& radii, const FollowedFeed& feed) const override {
-        constexpr int strokes = 2; // of a double stroke
-        radii.fed_mm += feed.infeed_mm;
-        for (FollowedRadius& radius : radii.radii) {
-            for (int i = 0; i < strokes; ++i) {
+        const ReversalFeeds reversals = reversalsOf(feed.infeed_mm);
+        for (const double infeed_mm : {reversals.entry_mm, reversals.exit_mm}) {
+            radii.fed_mm += infeed_mm;
+            for (FollowedRadius& radius : radii.radii) {
                 cutAlone(radius, feed.strokes[radius.zone], radii.fed_mm);
             }
+            ++radii.passes;
         }
-        radii.passes += strokes;
     }
 
 private:
@@ -136,6 +148,9 @@ private:
         return std::min(axialFeed / rpm(), m_project.wheel->width_mm);
     }
 
+    ReversalFeeds reversalsOf(double infeed_mm) const {
+        return reversalFeeds(m_project.machine->reversal_infeed, infeed_mm);
+    }
     double rpm() const { return m_project.machine->work_speed_rpm; }
     double revolution_s() const { return units::secondsPerMinute / rpm(); }
 
@@ -157,41 +172,45 @@ private:
         PassFeed feed;
     };
 
-    /// The passes of a double stroke in order, until one is refused: false.
+    /// The passes of a double stroke in order, until one is refused: false. `fed` is t_П, which
+    /// grows as it goes.
     template <class Do>
-    bool doubleStroke(double fed, double infeed, const Do& pass) const {
+    bool doubleStroke(double& fed, double infeed, const Do& pass) const {
         const auto dwell = [&](Zone zone, Step step, int revolutions) {
             for (int m = 1; m <= revolutions; ++m) {
-                if (!pass(Pass{zone, false, {step}, m, {.base = fed + infeed}})) {
+                if (!pass(Pass{zone, false, {step}, m, {.base = fed}})) {
                     return false;
                 }
             }
             return true;
         };
         const auto stroke = [&](const std::array<Step, zoneCount>& steps) {
-            return pass(Pass{Zone::rz1, true, steps, 1, {.base = fed + infeed}});
+            return pass(Pass{Zone::rz1, true, steps, 1, {.base = fed}});
         };
-        return plungeIn(fed, infeed, pass) && dwell(Zone::rz1, Step::e2, m_entryDwell)
-               && stroke({Step::e3, Step::e1, Step::e1}) && dwell(Zone::rz2, Step::e2, m_exitDwell)
-               && stroke({Step::e4, Step::e2, Step::e3})
+        const ReversalFeeds reversals = reversalsOf(infeed);
+        return plungeIn(Zone::rz1, Step::e1, fed, reversals.entry_mm, pass)
+               && dwell(Zone::rz1, Step::e2, m_entryDwell) && stroke({Step::e3, Step::e1, Step::e1})
+               && plungeIn(Zone::rz2, Step::e4, fed, reversals.exit_mm, pass)
+               && dwell(Zone::rz2, Step::e2, m_exitDwell) && stroke({Step::e4, Step::e2, Step::e3})
                && dwell(Zone::rz1, Step::e5, m_entryDwell);
     }
 
-    /// E1 of РЗ1: t_П + min(S_t, (S_rad/n)·(m − 1 + (k+1)/K)) in N_E1 = ⌈n·S_t/S_rad⌉ revolutions.
+    /// E1 of РЗ1 with S = S_1, E4 of РЗ2 with S = S_2, in ⌈n·S/S_rad⌉ revolutions:
+    /// t_П + min(S, (S_rad/n)·(m − 1 + (k+1)/K)).
     template <class Do>
-    bool plungeIn(double fed, double infeed, const Do& pass) const {
-        const double feed = m_project.machine->plunge_feed_mm_min;
-        const int revolutions = static_cast<int>(std::ceil(rpm() * infeed / feed - 1e-9));
-        const double perRevolution = feed / rpm();
+    bool plungeIn(Zone zone, Step step, double& fed, double infeed, const Do& pass) const {
+        const int revolutions = plungeInRevolutions(*m_project.machine, infeed);
+        const double perRevolution = m_project.machine->plunge_feed_mm_min / rpm();
         for (int m = 1; m <= revolutions; ++m) {
-            if (!pass(Pass{Zone::rz1,
+            if (!pass(Pass{zone,
                            false,
-                           {Step::e1},
+                           {step},
                            m,
                            {fed, perRevolution * (m - 1), perRevolution, infeed}})) {
                 return false;
             }
         }
+        fed += infeed;
         return true;
     }
 

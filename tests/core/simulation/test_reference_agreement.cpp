@@ -179,6 +179,10 @@ std::set<std::string> features(const json& p) {
                      : gauge.contains("section")           ? "gauge in a section"
                                                            : "gauge in the middle");
     }
+    if (operation == "traverse") {
+        const json& machine = p["machine"];
+        found.insert("reversal infeed, " + machine.value("reversal_infeed", "entry"));
+    }
     const json& stages = p["cycle"]["stages"];
     found.insert(std::to_string(stages.size()) + " stages");
     double stock = 0;
@@ -239,6 +243,9 @@ private slots:
                                        "blank with runout",
                                        "machine runout",
                                        "no machine runout",
+                                       "reversal infeed, entry",
+                                       "reversal infeed, exit",
+                                       "reversal infeed, both",
                                        "free gauge, own compliance",
                                        "free gauge, interpolated",
                                        "gauge in a section",

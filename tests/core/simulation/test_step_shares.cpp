@@ -161,7 +161,7 @@ private slots:
                     ++ground;
                 }
             }
-            QCOMPARE(ground, zone == Zone::rz1 ? 5 : zone == Zone::nz ? 2 : 3);
+            QCOMPARE(ground, zone == Zone::rz1 ? 5 : zone == Zone::nz ? 2 : 4);
         }
         QCOMPARE(stepOf(Zone::section, StrokeStep::workingStroke), Step::none);
         QCOMPARE(stepOf(Zone::rz1, StrokeStep::none), Step::none);

@@ -433,6 +433,9 @@ json randomProject(std::uint64_t seed) {
     if (!gauge.empty() || random.chance(0.5)) {
         project["gauge"] = gauge;
     }
+    if (plan.traverse && random.chance(0.5)) {
+        project["machine"]["reversal_infeed"] = random.oneOf({"entry", "exit", "both"});
+    }
     if (!plan.traverse && (plan.J != 4 || random.chance(0.5))) {
         project["sections"] = plan.J;
     }

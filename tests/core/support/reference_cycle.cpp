@@ -126,6 +126,8 @@ void readMachine(Cycle& c, const json& project) {
         c.o2 = number(machine, "overrun_exit_mm");
         c.N1 = dwellRevolutions(number(machine, "dwell_entry_s"), c.n);
         c.N2 = dwellRevolutions(number(machine, "dwell_exit_s"), c.n);
+        const std::string infeed = text(machine, "reversal_infeed", "entry");
+        c.entry_share = infeed == "entry" ? 1 : infeed == "exit" ? 0 : 0.5L;
     }
 }
 

@@ -55,6 +55,7 @@ struct Cycle {
     Real k_s = 0, k_r = 0;                  // normal force [N/mm², N/mm^1.5]
     Real z_s = 0, z_r = 0;                  // tangential force, the same way
     long long N1 = 0, N2 = 0;               // dwells [rev]
+    Real entry_share = 1;                   // of S_t that is fed at the entry, the rest at the exit
     bool position_control = false;
     std::string rule;
     Real geometric_runout_um = 0;

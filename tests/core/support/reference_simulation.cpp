@@ -84,10 +84,22 @@ long long plungeInRevolutions(const Cycle& c, Real S_t) {
     return static_cast<long long>(std::ceil(c.n * S_t / c.S_rad - 1e-9L));
 }
 
+void plungeIn(Cycle& c, Body& body, Real b, Real S) {
+    const long long revolutions = plungeInRevolutions(c, S);
+    for (long long m = 1; m <= revolutions; ++m) {
+        for (int k = 0; k < c.K; ++k) {
+            const Real fed = c.S_rad / c.n * (m - 1 + Real(k + 1) / c.K);
+            visit(c, body, k, b, c.t_P + std::min(S, fed));
+        }
+    }
+    c.t_P += S;
+}
+
 void doubleStroke(Cycle& c) {
     const Stage& stage = c.stages[c.z];
     const Real S_t = infeedOfThisPass(c);
-    const long long N_E1 = plungeInRevolutions(c, S_t);
+    const Real S_1 = S_t * c.entry_share;
+    const Real S_2 = S_t - S_1;
     const Real b1 = c.B - c.o1;                           // plunge passes in РЗ1
     const Real b2 = c.B - c.o2;                           // plunge passes in РЗ2
     const Real b = std::min(stage.axial_feed / c.n, c.B); // traverse passes
@@ -95,20 +107,16 @@ void doubleStroke(Cycle& c) {
     Body& nz = c.bodies[1];
     Body& rz2 = c.bodies[2];
 
-    // plunge-in
-    for (long long m = 1; m <= N_E1; ++m) {
-        for (int k = 0; k < c.K; ++k) {
-            const Real fed = c.S_rad / c.n * (m - 1 + Real(k + 1) / c.K);
-            visit(c, rz1, k, b1, c.t_P + std::min(S_t, fed));
-        }
-    }
-    c.t_P += S_t;
+    // plunge-in at the entry
+    plungeIn(c, rz1, b1, S_1);
     // entry dwell
     passes(c, rz1, b1, c.N1);
     // working stroke
     passes(c, rz1, b, 1);
     passes(c, nz, b, 1);
     passes(c, rz2, b, 1);
+    // plunge-in at the exit
+    plungeIn(c, rz2, b2, S_2);
     // exit dwell
     passes(c, rz2, b2, c.N2);
     // return stroke
@@ -119,7 +127,8 @@ void doubleStroke(Cycle& c) {
     passes(c, rz1, b1, c.N1);
 
     const Real travel = c.length - c.B + c.o1 + c.o2;
-    c.time += (N_E1 + 2 * c.N1 + c.N2) / c.n + 2 * travel / stage.axial_feed;
+    const long long plunges = plungeInRevolutions(c, S_1) + plungeInRevolutions(c, S_2);
+    c.time += (plunges + 2 * c.N1 + c.N2) / c.n + 2 * travel / stage.axial_feed;
 }
 
 void revolution(Cycle& c) {
@@ -137,7 +146,10 @@ long long visitsOfNextPass(const Cycle& c) {
     if (!c.traverse) {
         return static_cast<long long>(c.bodies.size()) * c.K;
     }
-    return (plungeInRevolutions(c, infeedOfThisPass(c)) + 2 * c.N1 + c.N2 + 6) * c.K;
+    const Real S_t = infeedOfThisPass(c);
+    const long long plunges = plungeInRevolutions(c, S_t * c.entry_share)
+                              + plungeInRevolutions(c, S_t * (1 - c.entry_share));
+    return (plunges + 2 * c.N1 + c.N2 + 6) * c.K;
 }
 
 // ---------------------------------------------------------------- control

@@ -67,6 +67,9 @@ Facts OperationSetup::settings(const Outcome& outcome) {
               "/machine/dwell_exit_s", "/machine/plunge_feed_mm_min"}) {
             facts.facts.push_back(inputFact(project, path));
         }
+        if (project.machine->reversal_infeed != ReversalInfeed::entry) {
+            facts.facts.push_back(inputFact(project, "/machine/reversal_infeed"));
+        }
     }
     QString control = tr("by the position of the wheel head");
     if (project.gauge->control == Control::gauge) {
