@@ -928,6 +928,10 @@ med, µm</source>
             <translation>Подача осевая, мм/мин</translation>
         </message>
         <message>
+            <source>Continuous infeed, mm/min</source>
+            <translation>Подача непрерывная, мм/мин</translation>
+        </message>
+        <message>
             <source>Stock per side, mm</source>
             <translation>Припуск на сторону, мм</translation>
         </message>
@@ -984,6 +988,10 @@ med, µm</source>
         <message>
             <source>Remove a stage</source>
             <translation>Удаление ступени</translation>
+        </message>
+        <message>
+            <source>Continuous infeed</source>
+            <translation>Непрерывная радиальная подача</translation>
         </message>
         <message>
             <source>Move a stage</source>
@@ -2334,8 +2342,20 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>не используется</translation>
         </message>
         <message>
-            <source>Programmed infeed at the entry reversal of each double stroke.</source>
-            <translation>Программная врезная подача на реверсе у входа в каждом двойном ходе.</translation>
+            <source>Programmed infeed at the reversals of each double stroke.</source>
+            <translation>Программная врезная подача на реверсах каждого двойного хода.</translation>
+        </message>
+        <message>
+            <source>Continuous radial infeed</source>
+            <translation>Непрерывная радиальная подача</translation>
+        </message>
+        <message>
+            <source>Continuous infeed</source>
+            <translation>Непрерывная подача</translation>
+        </message>
+        <message>
+            <source>Radial infeed that goes on all the time while the table travels and dwells, beside the radial feed at the reversals, which may then be 0.</source>
+            <translation>Радиальная подача, которая идёт всё время, пока стол движется и стоит на задержках, кроме подачи на реверсах, которая тогда может быть равна 0.</translation>
         </message>
         <message>
             <source>Axial feed</source>
@@ -11611,6 +11631,14 @@ target, µm</source>
     </context>
     <context>
         <name>sparkout::StageTable</name>
+        <message>
+            <source>Continuous infeed</source>
+            <translation>Непрерывная радиальная подача</translation>
+        </message>
+        <message>
+            <source>The wheel is fed all the time while the table travels; each stage has a column for it.</source>
+            <translation>Круг подаётся всё время движения стола; у каждой ступени для этого есть столбец.</translation>
+        </message>
         <message>
             <source>Fit the stocks</source>
             <translation>Согласовать припуски</translation>

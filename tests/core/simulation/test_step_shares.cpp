@@ -61,6 +61,8 @@ std::vector<Project> samplesOfAll() {
     Project tailstock = fixtures::traverse();
     tailstock.machine->entry_side = EntrySide::tailstock;
     all.push_back(tailstock);
+    tailstock.machine->reversal_infeed = ReversalInfeed::both;
+    all.push_back(tailstock);
     return all;
 }
 

@@ -143,6 +143,7 @@ void readStages(Cycle& c, const json& project) {
             stage.radial_feed =
                 number(stageJson, c.traverse ? "radial_feed_mm" : "radial_feed_mm_min");
             stage.stock = number(stageJson, "stock_mm");
+            stage.continuous = c.traverse ? number(stageJson, "continuous_feed_mm_min", 0) : 0;
         }
         if (c.traverse) {
             stage.axial_feed = number(stageJson, "axial_feed_mm_min");

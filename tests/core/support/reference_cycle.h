@@ -21,6 +21,7 @@ enum class StageEnd { Threshold, Count, Size }; // Count and Size are spark-out 
 struct Stage {
     Real radial_feed = 0; // traverse: mm per double stroke; plunge: mm/min; spark-out: 0
     Real axial_feed = 0;  // mm/min, traverse only
+    Real continuous = 0;  // S_c [mm/min], traverse only
     Real stock = 0;       // Π_z [mm]
     StageEnd end = StageEnd::Threshold;
     int count = 0; // length of a spark-out by count

@@ -7,6 +7,7 @@
 #include "tests/ui/inputs/stage_table_bench.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QMenu>
@@ -14,6 +15,7 @@
 #include <QToolButton>
 
 #include <cmath>
+#include <optional>
 
 namespace test_stage_table_stages {
 
@@ -41,6 +43,39 @@ private slots:
         bench.document.undo();
         QCOMPARE(bench.stages().size(), 2u);
         QVERIFY(!bench.document.canUndo());
+    }
+
+    // The usual table has no column for it.
+    void theBoxBelowTheTableAddsAContinuousInfeed() {
+        Bench bench;
+        auto* const box = bench.table.findChild<QCheckBox*>(QStringLiteral("continuousInfeed"));
+        auto* const model = bench.table.view().model();
+        const int usual = model->columnCount();
+        QVERIFY(box->isVisible() && !box->isChecked());
+        QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
+        QVERIFY(box->isChecked());
+        QCOMPARE(model->columnCount(), usual + 1);
+        QCOMPARE(bench.stages()[0].continuous_feed_mm_min, std::optional(0.0));
+        QVERIFY(!hasErrors(validate(bench.document.project())));
+        int column = 0;
+        while (column < usual
+               && !model->headerData(column, Qt::Horizontal)
+                       .toString()
+                       .contains(QLatin1String("Continuous"))) {
+            ++column;
+        }
+        bench.select(1, column);
+        QTest::keyClicks(bench.openEditor(), QStringLiteral("0.02"));
+        QTest::keyClick(bench.openEditor(), Qt::Key_Return);
+        QCOMPARE(bench.stages()[1].continuous_feed_mm_min, std::optional(0.02));
+        QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
+        QCOMPARE(model->columnCount(), usual);
+        QVERIFY(!bench.stages()[1].continuous_feed_mm_min);
+        bench.document.undo();
+        QVERIFY(box->isChecked());
+        QCOMPARE(bench.stages()[1].continuous_feed_mm_min, std::optional(0.02));
+        bench.document.startUntitled(newProject(Operation::plunge));
+        QVERIFY(!box->isVisible());
     }
 
     void theLastStageThatIsLeftCannotBeRemoved() {
