@@ -2350,8 +2350,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Непрерывная радиальная подача</translation>
         </message>
         <message>
-            <source>Continuous infeed</source>
-            <translation>Непрерывная подача</translation>
+            <source>Cont. infeed</source>
+            <translation>Непр. подача</translation>
         </message>
         <message>
             <source>Radial infeed that goes on all the time while the table travels and dwells, beside the radial feed at the reversals, which may then be 0.</source>

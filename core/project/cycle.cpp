@@ -89,7 +89,7 @@ const StructInfo& tableOf<Stage>() {
                                     "travels and dwells, beside the radial feed at the reversals, "
                                     "which may then be 0."),
                        .formula = "t_П ← t_П + S_c·Δt",
-                       .column = SPARKOUT_NOOP("Input", "Continuous infeed"), .source = "MODEL-5"),
+                       .column = SPARKOUT_NOOP("Input", "Cont. infeed"), .source = "MODEL-5"),
         SPARKOUT_FIELD(Stage, stock_mm, .label = SPARKOUT_NOOP("Input", "Stage stock per side"),
                        .symbol = "Π_z", .unit = "mm", .hard = {0, 5}, .soft = {0, 0.6},
                        .required = feeds, .slider = true, .page = Page::cycle,

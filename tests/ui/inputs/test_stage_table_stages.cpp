@@ -5,11 +5,13 @@
 #include "core/project/validate.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
+#include "ui/text/language.h"
 
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QContextMenuEvent>
+#include <QHeaderView>
 #include <QMenu>
 #include <QPushButton>
 #include <QToolButton>
@@ -61,7 +63,7 @@ private slots:
         while (column < usual
                && !model->headerData(column, Qt::Horizontal)
                        .toString()
-                       .contains(QLatin1String("Continuous"))) {
+                       .contains(QLatin1String("Cont."))) {
             ++column;
         }
         bench.select(1, column);
@@ -76,6 +78,23 @@ private slots:
         QCOMPARE(bench.stages()[1].continuous_feed_mm_min, std::optional(0.02));
         bench.document.startUntitled(newProject(Operation::plunge));
         QVERIFY(!box->isVisible());
+    }
+
+    void theTableHasRoomForAContinuousInfeedInBothLanguages() {
+        Language language;
+        for (const char* code : {"en", "ru"}) {
+            language.apply(QString::fromLatin1(code));
+            Bench bench;
+            auto* const box = bench.table.findChild<QCheckBox*>(QStringLiteral("continuousInfeed"));
+            QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
+            const QTableView& view = bench.table.view();
+            QVERIFY2(view.horizontalHeader()->length() <= view.viewport()->width(),
+                     qPrintable(QStringLiteral("%1 of %2")
+                                    .arg(view.horizontalHeader()->length())
+                                    .arg(view.viewport()->width())));
+        }
+        language.apply(QStringLiteral("en"));
+        QLocale::setDefault(QLocale::c());
     }
 
     void theLastStageThatIsLeftCannotBeRemoved() {
