@@ -2222,8 +2222,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Подача врезания на реверсе</translation>
         </message>
         <message>
-            <source>Speed of the infeed at the entry reversal: N_E1 = ⌈n·S_t/S_rad⌉ revolutions.</source>
-            <translation>Скорость врезания на реверсе у входа: N_E1 = ⌈n·S_t/S_rad⌉ оборотов.</translation>
+            <source>Speed of the infeed at a reversal: an infeed S takes ⌈n·S/S_rad⌉ revolutions.</source>
+            <translation>Скорость врезания на реверсе: подача S занимает ⌈n·S/S_rad⌉ оборотов.</translation>
         </message>
         <message>
             <source>Overrun at the entry</source>

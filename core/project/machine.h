@@ -36,9 +36,10 @@ struct MachineLimits {
 /// The grinder: speeds, table travel, dwells, compliance, drives.
 struct Machine {
     std::string name;
-    double wheel_speed_m_s = 30;         ///< V_k [m/s]
-    double work_speed_rpm = 180;         ///< n [rev/min]
-    double plunge_feed_mm_min = 0.5;     ///< S_rad, plunge-in at the reversal [mm/min]
+    double wheel_speed_m_s = 30;     ///< V_k [m/s]
+    double work_speed_rpm = 180;     ///< n [rev/min]
+    double plunge_feed_mm_min = 0.5; ///< S_rad, plunge-in at a reversal [mm/min]
+    ReversalInfeed reversal_infeed = ReversalInfeed::entry;
     double overrun_entry_mm = 12;        ///< o1 [mm]
     double overrun_exit_mm = 12;         ///< o2 [mm]
     double dwell_entry_s = 0;            ///< spark-out at the entry reversal [s]
@@ -49,7 +50,6 @@ struct Machine {
     std::optional<double> wheel_drive_kw; ///< [kW]; not given: not limited
     std::optional<double> work_drive_kw;  ///< [kW]; not given: not limited
     EntrySide entry_side = EntrySide::headstock;
-    ReversalInfeed reversal_infeed = ReversalInfeed::entry;
     std::optional<WheelContact> wheel_contact;
     MachineLimits limits;
 };

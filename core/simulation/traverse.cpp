@@ -73,7 +73,8 @@ public:
         m_stage = feed.stage;
         ++m_steps;
         const StrokeFeed stroke = strokeFeed(feed);
-        const double all_mm = programmed_mm(stroke);
+        const double left_mm = std::max(stroke.most_mm - m_run.fed_mm, stroke.infeed_mm);
+        const double all_mm = std::min(programmed_mm(stroke), left_mm);
         const bool done =
             doubleStroke(m_run.fed_mm, stroke, [&](const Pass& pass) { return cut(pass, all_mm); });
         return done && !m_run.mustEnd();

@@ -7,6 +7,7 @@
 #include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
+#include "core/quality/ranges.h"
 #include "core/simulation/feed_series.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/step_shares.h"
@@ -318,6 +319,8 @@ private slots:
             }
             QVERIFY(within(most, end, 1e-15));
             QVERIFY(within(run.result.time_s, 2 * 23, 1e-12));
+            QVERIFY(within(run.trajectory.passes.front().radialFeed_mm, 46 * um, 1e-15));
+            QVERIFY(within(run.trajectory.passes.back().radialFeed_mm, left_um * um, 1e-15));
             const Pass& dwell = run.trajectory.passes.back();
             QVERIFY(within(run.visit(dwell, 0).programmed_mm, end, 1e-15) || left_um > 44);
         }
@@ -343,6 +346,8 @@ private slots:
         QVERIFY(std::ranges::none_of(issues, [](const Issue& issue) {
             return issue.path.find("feed") != std::string::npos;
         }));
+        p.machine->limits.radial_feed_mm = std::vector<double>{0.001, 0.02, 0.0005};
+        QVERIFY(checkMachineRanges(p).empty()); // what is not set is not out of range
         p.cycle->stages[0].continuous_feed_mm_min = 0;
         QVERIFY(hasErrors(validate(p)));
     }
