@@ -460,7 +460,7 @@ json randomProject(std::uint64_t seed) {
     if (plan.traverse && random.chance(0.5)) {
         project["machine"]["reversal_infeed"] = random.oneOf({"entry", "exit", "both"});
     }
-    if (plan.traverse && random.chance(0.4)) {
+    if (plan.traverse && random.chance(0.25)) {
         feedContinuously(random, plan, project);
     }
     if (!plan.traverse && (plan.J != 4 || random.chance(0.5))) {
