@@ -127,6 +127,7 @@ struct Row {
     bool slider = false;          ///< one of the numbers one plays with
     Range read = {};              ///< narrower than hard: refused outside where it is relevant
     Condition exempt = nullptr;   ///< only hard counts when it holds; null: never
+    bool sparse = false;          ///< left out of files where it has its default
     Page page = Page::none;       ///< the form page that shows it
     const char* hint = "";
     const char* formula = ""; ///< where the member enters the model, in the model page's letters

@@ -214,6 +214,18 @@
             <translation>у передней бабки</translation>
         </message>
         <message>
+            <source>at the entry</source>
+            <translation>у входа</translation>
+        </message>
+        <message>
+            <source>at the exit</source>
+            <translation>у выхода</translation>
+        </message>
+        <message>
+            <source>half at each</source>
+            <translation>пополам</translation>
+        </message>
+        <message>
             <source>tailstock</source>
             <translation>у задней бабки</translation>
         </message>
@@ -916,6 +928,10 @@ med, µm</source>
             <translation>Подача осевая, мм/мин</translation>
         </message>
         <message>
+            <source>Continuous infeed, mm/min</source>
+            <translation>Подача непрерывная, мм/мин</translation>
+        </message>
+        <message>
             <source>Stock per side, mm</source>
             <translation>Припуск на сторону, мм</translation>
         </message>
@@ -972,6 +988,10 @@ med, µm</source>
         <message>
             <source>Remove a stage</source>
             <translation>Удаление ступени</translation>
+        </message>
+        <message>
+            <source>Continuous infeed</source>
+            <translation>Непрерывная радиальная подача</translation>
         </message>
         <message>
             <source>Move a stage</source>
@@ -2202,8 +2222,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Подача врезания на реверсе</translation>
         </message>
         <message>
-            <source>Speed of the infeed at the entry reversal: N_E1 = ⌈n·S_t/S_rad⌉ revolutions.</source>
-            <translation>Скорость врезания на реверсе у входа: N_E1 = ⌈n·S_t/S_rad⌉ оборотов.</translation>
+            <source>Speed of the infeed at a reversal: an infeed S takes ⌈n·S/S_rad⌉ revolutions.</source>
+            <translation>Скорость врезания на реверсе: подача S занимает ⌈n·S/S_rad⌉ оборотов.</translation>
         </message>
         <message>
             <source>Overrun at the entry</source>
@@ -2294,6 +2314,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>С какого конца детали круг входит в работу.</translation>
         </message>
         <message>
+            <source>Infeed at the reversals</source>
+            <translation>Подача на врезание</translation>
+        </message>
+        <message>
+            <source>Where the radial feed of a double stroke is fed: at the entry reversal, at the exit reversal, or half of it at each.</source>
+            <translation>Где подаётся радиальная подача двойного хода: у входа, у выхода или пополам.</translation>
+        </message>
+        <message>
             <source>Wheel contact</source>
             <translation>Контакт круга</translation>
         </message>
@@ -2314,8 +2342,20 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>не используется</translation>
         </message>
         <message>
-            <source>Programmed infeed at the entry reversal of each double stroke.</source>
-            <translation>Программная врезная подача на реверсе у входа в каждом двойном ходе.</translation>
+            <source>Programmed infeed at the reversals of each double stroke.</source>
+            <translation>Программная врезная подача на реверсах каждого двойного хода.</translation>
+        </message>
+        <message>
+            <source>Continuous radial infeed</source>
+            <translation>Непрерывная радиальная подача</translation>
+        </message>
+        <message>
+            <source>Cont. infeed</source>
+            <translation>Непр. подача</translation>
+        </message>
+        <message>
+            <source>Radial infeed that goes on all the time while the table travels and dwells, beside the radial feed at the reversals, which may then be 0.</source>
+            <translation>Радиальная подача, которая идёт всё время, пока стол движется и стоит на задержках, кроме подачи на реверсах, которая тогда может быть равна 0.</translation>
         </message>
         <message>
             <source>Axial feed</source>
@@ -4027,6 +4067,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>exit dwell</source>
             <translation>задержка на выходе</translation>
+        </message>
+        <message>
+            <source>plunge-in at the exit</source>
+            <translation>врезание на выходе</translation>
         </message>
         <message>
             <source>return stroke</source>
@@ -8826,6 +8870,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Э1…Э5 — номера этапов, на которых зона шлифуется за один двойной ход, поэтому в разных зонах один номер означает разное. Этапы показаны, когда на графике немного двойных ходов.</translation>
         </message>
         <message>
+            <source>Fed at the exit, RZ2 is ground in E4 between its E1 and E2.</source>
+            <translation>При подаче у выхода этап Э4 зоны РЗ2 стоит между её этапами Э1 и Э2.</translation>
+        </message>
+        <message>
             <source>A zone is shown as ground during the whole stroke, as the model has it: where the wheel stands within a stroke is not distinguished.</source>
             <translation>Зона показана шлифуемой в течение всего хода, как принято в модели: положение круга внутри хода не различается.</translation>
         </message>
@@ -11727,6 +11775,14 @@ target, µm</source>
     </context>
     <context>
         <name>sparkout::StageTable</name>
+        <message>
+            <source>Continuous infeed</source>
+            <translation>Непрерывная радиальная подача</translation>
+        </message>
+        <message>
+            <source>The wheel is fed all the time while the table travels; each stage has a column for it.</source>
+            <translation>Круг подаётся всё время движения стола; у каждой ступени для этого есть столбец.</translation>
+        </message>
         <message>
             <source>Fit the stocks</source>
             <translation>Согласовать припуски</translation>

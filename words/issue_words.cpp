@@ -68,8 +68,9 @@ IssueWords wordsOf(IssueCode code) {
                                        "reads versions {limit}")};
     case IssueCode::severalSurfaces:
         return {"several_surfaces",
-                SPARKOUT_NOOP("Issue", "a file of version {value} holds several surfaces of a part; "
-                                       "sparkout-cli takes it")};
+                SPARKOUT_NOOP("Issue",
+                              "a file of version {value} holds several surfaces of a part; "
+                              "sparkout-cli takes it")};
     case IssueCode::duplicateKey:
         return {"duplicate_key", SPARKOUT_NOOP("Issue", "this key stands here twice")};
     case IssueCode::unknownKey:

@@ -85,7 +85,10 @@ ordered_json writeByTable(const StructInfo& table, const void* owner,
                           const std::vector<std::string>& skip) {
     ordered_json object = ordered_json::object();
     for (const Field& field : table.fields) {
-        if (std::find(skip.begin(), skip.end(), field.key) != skip.end()) {
+        // The table's defaults are written in full: reference page and schema read them.
+        const bool isDefault =
+            field.sparse && owner != table.defaults && field.same(owner, table.defaults);
+        if (isDefault || std::find(skip.begin(), skip.end(), field.key) != skip.end()) {
             continue;
         }
         ordered_json value = fieldJson(field, owner);

@@ -127,12 +127,14 @@ double leftByField_mm(const Part& part) {
 double limitOf(const Project& project, bool sparksOut, const std::stop_token& stop) {
     const Blank blank = makeBlank(*project.part);
     const StepTimes times(project);
-    if (times.infeed_mm <= 0) {
+    if (times.infeed_mm <= 0 && !feedsContinuously(project)) {
         return 0;
     }
     const double left = sparksOut ? leftByField_mm(*project.part) : 0;
     const double all = blank.totalInfeed_mm - left - 2 * stageSlack_mm;
-    const double steps = std::max(std::ceil(all / times.infeed_mm - 1e-9), 1.0);
+    const double steps = feedsContinuously(project)
+                             ? 1 // what a step feeds grows with the time it takes
+                             : std::max(std::ceil(all / times.infeed_mm - 1e-9), 1.0);
     // a last step cut short still takes its dwells and strokes
     double limit_s = (steps + (sparksOut ? 1 : 0)) * times.least_s();
     if (project.gauge->control == Control::gauge && !project.gauge->position_mm) {

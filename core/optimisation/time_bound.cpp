@@ -41,9 +41,12 @@ TimeBound::TimeBound(const Project& project, const Grid& grid, double totalInfee
             const double plunge_s_mm = units::secondsPerMinute / machine.plunge_feed_mm_min;
             rate.fixed_s = dwells * revolution_s
                            + 2 * travel / setting.axialFeed_mm_min * units::secondsPerMinute;
-            rate.step_s =
-                rate.fixed_s
-                + revolution_s * std::ceil(rate.infeed_mm * plunge_s_mm / revolution_s - 1e-6);
+            const ReversalFeeds reversals = reversalFeeds(machine.reversal_infeed, rate.infeed_mm);
+            rate.step_s = rate.fixed_s;
+            for (const double infeed_mm : {reversals.entry_mm, reversals.exit_mm}) {
+                rate.step_s +=
+                    revolution_s * std::ceil(infeed_mm * plunge_s_mm / revolution_s - 1e-6);
+            }
             rate.s_per_mm = rate.fixed_s / rate.infeed_mm + plunge_s_mm * (1 - boundRounding);
         } else {
             rate.fixed_s = rate.step_s = revolution_s;

@@ -24,6 +24,7 @@ namespace {
 
 enum class Root { multiplied, divided };
 enum class LastCuts { none, kept };
+enum class Drift { none, some }; ///< of the infeed: few cycles have one, which is not free
 
 /// u where the lane was cut, else what was before, by a mask: a choice would become a masked store,
 /// which takes thrice as long.
@@ -34,7 +35,7 @@ enum class LastCuts { none, kept };
 
 // The loop is written once; each wrapper compiles it for its vector unit. Every operation is an
 // IEEE one, contraction is off, so the units differ in speed alone.
-template <Root form, LastCuts cuts>
+template <Root form, LastCuts cuts, Drift drifts>
 [[gnu::always_inline]] inline double cutLanesBy(Lanes& lanes, const LaneCoefficients& coefficients,
                                                 const PassFeed& feed, const PassRange& range) {
     double* __restrict depth = lanes.depth_mm.data() + range.first;
@@ -49,13 +50,19 @@ template <Root form, LastCuts cuts>
     const double* __restrict A4 = coefficients.A4.data() + range.first;
     const double* __restrict inverse2A = coefficients.inverse2A.data() + range.first;
     const double begin = feed.base + feed.offset, rate = feed.rate, most = feed.base + feed.cap;
+    const double drift = feed.drift, end = feed.most;
     const double bks = range.bks, bkr = range.bkr;
     const std::size_t count = range.count;
     double largest = 0, least = std::numeric_limits<double>::max();
 #pragma omp simd reduction(max : largest) reduction(min : least)
     for (std::size_t i = 0; i < count; ++i) {
         const double ramp = begin + rate * share[i];
-        const double lag = (ramp < most ? ramp : most) - depth[i];
+        double fed = ramp < most ? ramp : most;
+        if constexpr (drifts == Drift::some) {
+            const double further = fed + drift * share[i];
+            fed = further < end ? further : end;
+        }
+        const double lag = fed - depth[i];
         const double h = lag > 0 ? lag : 0;
         const double q = std::sqrt(C2[i] + A4[i] * h);
         const double u =
@@ -76,6 +83,13 @@ template <Root form, LastCuts cuts>
         lanes.leastRoot = least;
     }
     return largest;
+}
+
+template <Root form, LastCuts cuts>
+[[gnu::always_inline]] inline double cutLanesBy(Lanes& lanes, const LaneCoefficients& coefficients,
+                                                const PassFeed& feed, const PassRange& range) {
+    return feed.drift != 0 ? cutLanesBy<form, cuts, Drift::some>(lanes, coefficients, feed, range)
+                           : cutLanesBy<form, cuts, Drift::none>(lanes, coefficients, feed, range);
 }
 
 template <LastCuts cuts>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 /// One pass under the wheel for many independent lanes (a lane is one radius of one zone, section
@@ -48,14 +49,18 @@ struct LaneCoefficients {
     std::vector<double> C, C2, A4, inverse2A;
 };
 
-/// The programmed infeed of one pass: t_П = base + min(offset + rate·share, cap) [mm], rounded as
-/// min((base + offset) + rate·share, base + cap).
+/// The programmed infeed of one pass: t_П = min(base + min(offset + rate·share, cap) + drift·share,
+/// most) [mm], rounded as min(min((base + offset) + rate·share, base + cap) + drift·share, most).
 struct PassFeed {
     double base = 0, offset = 0, rate = 0, cap = 0;
+    double drift = 0; ///< ≥ 0: of a continuous infeed, in the whole pass
+    double most = std::numeric_limits<double>::infinity(); ///< where that stops, ≥ base
 
     [[nodiscard]] double at(double share) const {
-        return std::min(base + offset + rate * share, base + cap);
+        return std::min(std::min(base + offset + rate * share, base + cap) + drift * share, most);
     }
+    /// No share has more.
+    [[nodiscard]] double greatest() const { return std::min(base + cap + drift, most); }
 };
 
 /// The balance's coefficients of one lane at one width of cut.

@@ -5,6 +5,8 @@
 #include "core/project/gauge.h"
 #include "core/text.h"
 
+#include <algorithm>
+
 namespace sparkout {
 
 namespace {
@@ -19,8 +21,22 @@ bool feedsWith(const Project& p, const void* stage) {
 bool retracts(const Project& p, const void* stage) {
     return mayRetract(p, *static_cast<const Stage*>(stage));
 }
+bool feedsWhileTravelling(const Project& p, const void* stage) {
+    return p.operation->travels && feeds(p, stage);
+}
+/// It may then do without a feed at the reversals.
+bool feedsAllTheTime(const Project& p, const void* stage) {
+    return p.operation->travels && static_cast<const Stage*>(stage)->continuousFeed_mm_min() > 0;
+}
 
 } // namespace
+
+bool feedsContinuously(const Project& project) {
+    return project.operation->travels
+           && std::ranges::any_of(project.cycle->stages, [](const Stage& stage) {
+                  return stage.continuousFeed_mm_min() > 0;
+              });
+}
 
 bool mayRetract(const Project& project, const Stage& stage) {
     const auto& stages = project.cycle->stages;
@@ -37,8 +53,8 @@ const StructInfo& tableOf<Stage>() {
             .nullMeaning = SPARKOUT_NOOP("Input", "not used"),
             .required = feedsWith<&Stage::radial_feed_mm>,
             .relevant = feedsWith<&Stage::radial_feed_mm>, .slider = true, .read = {1e-6, 1},
-            .page = Page::cycle,
-            .hint = SPARKOUT_NOOP("Input", "Programmed infeed at the entry reversal of each double "
+            .exempt = feedsAllTheTime, .page = Page::cycle,
+            .hint = SPARKOUT_NOOP("Input", "Programmed infeed at the reversals of each double "
                                            "stroke."),
             .formula = "t_П ← t_П + S_t", .column = SPARKOUT_NOOP("Input", "Radial feed"),
             .source = "MODEL-5"),
@@ -63,6 +79,17 @@ const StructInfo& tableOf<Stage>() {
                                     "Beyond the sources: a stage between others may retract "
                                     "(negative feed) until its stock is off or nothing is cut."),
                        .formula = "t_П ← t_П + S_p/n", .source = "MODEL-6"),
+        SPARKOUT_FIELD(Stage, continuous_feed_mm_min,
+                       .label = SPARKOUT_NOOP("Input", "Continuous radial infeed"), .symbol = "S_c",
+                       .unit = "mm/min", .hard = {0, 10}, .soft = {0, 1},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "none"),
+                       .relevant = feedsWhileTravelling, .page = Page::cycle,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Radial infeed that goes on all the time while the table "
+                                    "travels and dwells, beside the radial feed at the reversals, "
+                                    "which may then be 0."),
+                       .formula = "t_П ← t_П + S_c·Δt",
+                       .column = SPARKOUT_NOOP("Input", "Cont. infeed"), .source = "MODEL-5"),
         SPARKOUT_FIELD(Stage, stock_mm, .label = SPARKOUT_NOOP("Input", "Stage stock per side"),
                        .symbol = "Π_z", .unit = "mm", .hard = {0, 5}, .soft = {0, 0.6},
                        .required = feeds, .slider = true, .page = Page::cycle,

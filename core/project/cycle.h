@@ -15,11 +15,17 @@ struct Stage {
     std::optional<double> radial_feed_mm;     ///< S_t, per double stroke [mm]
     std::optional<double> axial_feed_mm_min;  ///< S_ax [mm/min]
     std::optional<double> radial_feed_mm_min; ///< S_p [mm/min]
-    double stock_mm = 0;                      ///< Π_z, per side [mm]
-    SparkOut spark_out;                       ///< last stage only: feed nothing
+    /// S_c, traverse: fed all the time beside S_t [mm/min].
+    std::optional<double> continuous_feed_mm_min;
+    double stock_mm = 0; ///< Π_z, per side [mm]
+    SparkOut spark_out;  ///< last stage only: feed nothing
 
     /// Whether it is fed radially; else it sparks out.
     [[nodiscard]] bool feeds() const { return spark_out.mode == SparkOut::Mode::none; }
+    /// S_c of a stage that feeds continuously [mm/min]; else 0.
+    [[nodiscard]] double continuousFeed_mm_min() const {
+        return feeds() ? continuous_feed_mm_min.value_or(0) : 0;
+    }
     /// A spark-out until size, which may wait for ever.
     [[nodiscard]] bool waitsForSize() const { return spark_out.mode == SparkOut::Mode::untilSize; }
     /// Of a spark-out that has a number of them: double strokes or revolutions.
@@ -37,6 +43,9 @@ struct Stage {
 struct Cycle {
     std::vector<Stage> stages;
 };
+
+/// Whether a stage feeds while the table travels.
+[[nodiscard]] bool feedsContinuously(const Project& project);
 
 /// The wheel head may be drawn back between stages that feed, where the gauge ends stages. The
 /// stage is one of the project's.

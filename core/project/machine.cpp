@@ -23,6 +23,14 @@ std::span<const Choice> choicesOf<EntrySide>() {
 }
 
 template <>
+std::span<const Choice> choicesOf<ReversalInfeed>() {
+    static const std::array choices{Choice{"entry", SPARKOUT_NOOP("Choice", "at the entry")},
+                                    Choice{"exit", SPARKOUT_NOOP("Choice", "at the exit")},
+                                    Choice{"both", SPARKOUT_NOOP("Choice", "half at each")}};
+    return choices;
+}
+
+template <>
 const StructInfo& tableOf<Stiffness>() {
     static const std::array rows{
         SPARKOUT_FIELD(Stiffness, headstock, .label = SPARKOUT_NOOP("Input", "Headstock stiffness"),
@@ -114,14 +122,23 @@ const StructInfo& tableOf<Machine>() {
                        .required = conditions::always, .slider = true, .page = Page::machine,
                        .hint = SPARKOUT_NOOP("Input", "Revolutions of the part; V_d = π·d·n."),
                        .source = "MODEL-1"),
-        SPARKOUT_FIELD(Machine, plunge_feed_mm_min,
-                       .label = SPARKOUT_NOOP("Input", "Plunge-in feed at reversal"),
-                       .symbol = "S_rad", .unit = "mm/min", .hard = {1e-4, 1000},
-                       .soft = {0.05, 10}, .required = conditions::travels,
-                       .relevant = conditions::travels, .slider = true, .page = Page::machine,
-                       .hint = SPARKOUT_NOOP("Input", "Speed of the infeed at the entry reversal: "
-                                                      "N_E1 = ⌈n·S_t/S_rad⌉ revolutions."),
-                       .source = "MODEL-5"),
+        SPARKOUT_FIELD(
+            Machine, plunge_feed_mm_min,
+            .label = SPARKOUT_NOOP("Input", "Plunge-in feed at reversal"), .symbol = "S_rad",
+            .unit = "mm/min", .hard = {1e-4, 1000}, .soft = {0.05, 10},
+            .required = conditions::travels, .relevant = conditions::travels, .slider = true,
+            .page = Page::machine,
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "Speed of the infeed at a reversal: an infeed S takes ⌈n·S/S_rad⌉ revolutions."),
+            .source = "MODEL-5"),
+        SPARKOUT_FIELD(Machine, reversal_infeed,
+                       .label = SPARKOUT_NOOP("Input", "Infeed at the reversals"),
+                       .relevant = conditions::travels, .sparse = true, .page = Page::machine,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Where the radial feed of a double stroke is fed: at the entry "
+                                    "reversal, at the exit reversal, or half of it at each."),
+                       .formula = "S_1 + S_2 = S_t", .source = "MODEL-5"),
         SPARKOUT_FIELD(
             Machine, overrun_entry_mm, .label = SPARKOUT_NOOP("Input", "Overrun at the entry"),
             .symbol = "o_1", .unit = "mm", .hard = {0, 1000}, .soft = {0, 100},

@@ -10,6 +10,8 @@
 namespace sparkout {
 
 enum class EntrySide { headstock, tailstock };
+/// Where a double stroke is fed by S_t: the half at each end of `both` is S_t/2.
+enum class ReversalInfeed { entry, exit, both };
 
 /// Stiffness of the machine's units [N/µm].
 struct Stiffness {
@@ -34,9 +36,10 @@ struct MachineLimits {
 /// The grinder: speeds, table travel, dwells, compliance, drives.
 struct Machine {
     std::string name;
-    double wheel_speed_m_s = 30;         ///< V_k [m/s]
-    double work_speed_rpm = 180;         ///< n [rev/min]
-    double plunge_feed_mm_min = 0.5;     ///< S_rad, plunge-in at the reversal [mm/min]
+    double wheel_speed_m_s = 30;     ///< V_k [m/s]
+    double work_speed_rpm = 180;     ///< n [rev/min]
+    double plunge_feed_mm_min = 0.5; ///< S_rad, plunge-in at a reversal [mm/min]
+    ReversalInfeed reversal_infeed = ReversalInfeed::entry;
     double overrun_entry_mm = 12;        ///< o1 [mm]
     double overrun_exit_mm = 12;         ///< o2 [mm]
     double dwell_entry_s = 0;            ///< spark-out at the entry reversal [s]
@@ -53,6 +56,8 @@ struct Machine {
 
 template <>
 std::span<const Choice> choicesOf<EntrySide>();
+template <>
+std::span<const Choice> choicesOf<ReversalInfeed>();
 template <>
 const StructInfo& tableOf<Stiffness>();
 template <>

@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 namespace sparkout {
 
@@ -16,7 +17,8 @@ public:
 
     void checkObject(const StructInfo& table, const void* owner, const std::string& path) {
         for (const Field& field : table.fields) {
-            const bool relevant = !field.relevant || field.relevant(m_project, owner);
+            const bool relevant =
+                (!field.relevant || field.relevant(m_project, owner)) && !isLeftOut(field, owner);
             checkField(field, owner, path + "/" + field.key, relevant);
         }
     }
@@ -24,6 +26,12 @@ public:
     Issues issues;
 
 private:
+    /// A feed of 0 where another one makes up for it is no unusual one.
+    [[nodiscard]] bool isLeftOut(const Field& field, const void* owner) const {
+        return field.kind == Kind::optionalNumber && field.exempt
+               && field.as<std::optional<double>>(owner) == 0.0 && field.exempt(m_project, owner);
+    }
+
     void checkNumber(const Field& field, double value, const std::string& path, bool relevant) {
         if (!std::isfinite(value) || !field.hard.contains(value)) {
             add(IssueCode::outOfRange, Severity::error, path, Amount{value, field.unit},

@@ -381,8 +381,8 @@ private:
         }
         if (!sparks && !feed) {
             add(IssueCode::missingKey, feedPath, {}, Bounds{row.read, row.unit});
-        } else if (!sparks && *feed < row.read.low
-                   && !(*feed < 0 && mayRetract(project(), stage))) {
+        } else if (!sparks && *feed < row.read.low && !(*feed < 0 && mayRetract(project(), stage))
+                   && !row.allowed(project(), &stage).contains(*feed)) {
             add(IssueCode::feedMissing, feedPath, Amount{*feed, row.unit},
                 Bounds{row.read, row.unit});
         }

@@ -38,7 +38,7 @@ bool wheelStands(const Place& place) {
     switch (place.zone) {
     case Zone::rz1:
         return place.step == Step::e1 || place.step == Step::e2 || place.step == Step::e5;
-    case Zone::rz2: return place.step == Step::e2;
+    case Zone::rz2: return place.step == Step::e2 || place.step == Step::e4;
     case Zone::nz:
     case Zone::section: break;
     }

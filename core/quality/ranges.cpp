@@ -64,11 +64,12 @@ ConstraintKind kindOf(const StageFeed& feed) {
     return row->kind;
 }
 
-/// A retraction is set as fast as a feed is. A spark-out has an axial feed only.
+/// A retraction is set as fast as a feed is. A spark-out has an axial feed only, and a feed of 0,
+/// where another one makes up for it, is not set.
 std::optional<double> magnitude(const Project& project, const StageFeed& feed, const Stage& stage) {
     const std::optional<double>& value = stage.*feed.value;
     const bool set = stage.feeds() || &feed == project.operation->axial();
-    return set && value ? std::optional(std::abs(*value)) : std::nullopt;
+    return set && value && *value != 0 ? std::optional(std::abs(*value)) : std::nullopt;
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "core/simulation/radius_follower.h"
 #include "core/simulation/run.h"
 
+#include <limits>
 #include <memory>
 #include <stop_token>
 #include <utility>
@@ -16,6 +17,9 @@ struct StepFeed {
     double infeed_mm = 0;
     std::size_t stage = 0;       ///< that it belongs to, from 0
     double axialFeed_mm_min = 0; ///< traverse
+    /// Traverse: S_c, which is fed until t_П is `most_mm`, or where it is already.
+    double continuousFeed_mm_min = 0;
+    double most_mm = std::numeric_limits<double>::infinity();
 };
 
 /// The steps of a cycle without what decides on stages: simulate() adds the stage control, a

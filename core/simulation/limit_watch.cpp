@@ -43,7 +43,7 @@ void LimitWatch::placeLanes(const Lanes& lanes, std::size_t first, std::size_t c
 
 void LimitWatch::judge(const Lanes& lanes, const PassRange& range, double root,
                        const PassFeed& feed, const Place* places) {
-    const double fed = mostFed(feed);
+    const double fed = feed.greatest();
     if (fed > m_quietEnd) {
         constexpr double quietReach = 0.05; ///< of the whole infeed
         m_quietEnd = fed + quietReach * m_total;

@@ -38,7 +38,7 @@ public:
         } else if (m_keepsLast) {
             placeLanes(lanes, first, count, places);
         }
-        if (m_burn && (root > m_quietRoot || mostFed(feed) > m_quietEnd)) {
+        if (m_burn && (root > m_quietRoot || feed.greatest() > m_quietEnd)) {
             judge(lanes, range, root, feed, places);
         }
     }
@@ -58,8 +58,6 @@ public:
     void put(SimulationResult& result, const Lanes& lanes) const;
 
 private:
-    /// No radius stands deeper after a pass of this feed.
-    [[nodiscard]] static double mostFed(const PassFeed& feed) { return feed.base + feed.cap; }
     void judge(const Lanes& lanes, const PassRange& range, double root, const PassFeed& feed,
                const Place* places);
     void placeLanes(const Lanes& lanes, std::size_t first, std::size_t count, const Place* places);

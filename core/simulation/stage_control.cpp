@@ -6,6 +6,7 @@
 #include "core/project/machine.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace sparkout {
 
@@ -46,6 +47,11 @@ double StageControl::nextInfeed(double fed_mm) const {
         return std::clamp(stageEndInfeed() - fed_mm, 0.0, m_feeds[m_stage]);
     }
     return m_feeds[m_stage];
+}
+
+double StageControl::mostFed() const {
+    return m_control == Control::position ? stageEndInfeed()
+                                          : std::numeric_limits<double>::infinity();
 }
 
 bool StageControl::waitsForSize() const {

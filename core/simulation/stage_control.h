@@ -28,6 +28,8 @@ public:
     /// Infeed of the next step [mm] when `fed_mm` has been fed: none in a spark-out stage, cut
     /// short at the stage's end under position control.
     [[nodiscard]] double nextInfeed(double fed_mm) const;
+    /// The t_П that a continuous infeed does not pass [mm]: under position control the stage's end.
+    [[nodiscard]] double mostFed() const;
     /// Whether the running stage waits for size without feeding, so that it may wait for ever.
     [[nodiscard]] bool waitsForSize() const;
     /// Whether the running stage draws the wheel head back (negative feed): what it removes comes

@@ -10,7 +10,7 @@ StrokeStep strokeStep(Zone zone, Step step) {
     constexpr StrokeStep rz1[] = {none,          plungeIn,     entryDwell,
                                   workingStroke, returnStroke, dwellAfterReturn};
     constexpr StrokeStep nz[] = {none, workingStroke, returnStroke, none, none, none};
-    constexpr StrokeStep rz2[] = {none, workingStroke, exitDwell, returnStroke, none, none};
+    constexpr StrokeStep rz2[] = {none, workingStroke, exitDwell, returnStroke, exitPlungeIn, none};
     const int i = std::clamp(static_cast<int>(step), 0, 5);
     switch (zone) {
     case Zone::rz1: return rz1[i];

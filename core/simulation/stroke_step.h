@@ -9,9 +9,10 @@ namespace sparkout {
 
 /// The physical step of a double stroke behind a zone's E1…E5.
 enum class StrokeStep {
-    plungeIn,
+    plungeIn, ///< at the entry
     entryDwell,
     workingStroke,
+    exitPlungeIn, ///< where the machine feeds at the exit
     exitDwell,
     returnStroke,
     dwellAfterReturn, ///< at the entry again

@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <optional>
 
 namespace sparkout {
 
@@ -21,6 +23,20 @@ int dwellRevolutions(double dwell_s, double workSpeed_rpm) {
     }
     const double x = dwell_s / units::secondsPerMinute * workSpeed_rpm;
     return std::max(1, static_cast<int>(std::floor(x + 0.5 + 1e-9)));
+}
+
+ReversalFeeds reversalFeeds(ReversalInfeed at, double infeed_mm) {
+    switch (at) {
+    case ReversalInfeed::entry: break;
+    case ReversalInfeed::exit: return {0, infeed_mm};
+    case ReversalInfeed::both: return {infeed_mm / 2, infeed_mm / 2};
+    }
+    return {infeed_mm, 0};
+}
+
+int plungeInRevolutions(const Machine& machine, double infeed_mm) {
+    return static_cast<int>(
+        std::ceil(machine.work_speed_rpm * infeed_mm / machine.plunge_feed_mm_min - 1e-9));
 }
 
 namespace {
@@ -56,9 +72,11 @@ public:
         }
         m_stage = feed.stage;
         ++m_steps;
-        const bool done = doubleStroke(m_run.fed_mm, feed.infeed_mm,
-                                       [&](const Pass& pass) { return cut(pass, feed.infeed_mm); });
-        m_run.fed_mm += feed.infeed_mm;
+        const StrokeFeed stroke = strokeFeed(feed);
+        const double left_mm = std::max(stroke.most_mm - m_run.fed_mm, stroke.infeed_mm);
+        const double all_mm = std::min(programmed_mm(stroke), left_mm);
+        const bool done =
+            doubleStroke(m_run.fed_mm, stroke, [&](const Pass& pass) { return cut(pass, all_mm); });
         return done && !m_run.mustEnd();
     }
 
@@ -69,7 +87,7 @@ public:
 
     const RadiusFollower* follower() const override {
         const bool inMiddle = m_gaugePoint == static_cast<std::size_t>(Zone::nz);
-        return inMiddle && m_run.isEachAlone() ? this : nullptr;
+        return inMiddle && m_run.isEachAlone() && !feedsContinuously(m_project) ? this : nullptr;
     }
 
     FollowedRadii follow(const FollowedRadii::Lanes& lanes) const override {
@@ -90,7 +108,7 @@ public:
     }
 
     void stepAlone(FollowedRadii& radii, const FollowedFeed& feed) const override {
-        doubleStroke(radii.fed_mm, feed.infeed_mm, [&](const Pass& pass) {
+        doubleStroke(radii.fed_mm, {.infeed_mm = feed.infeed_mm}, [&](const Pass& pass) {
             for (FollowedRadius& radius : radii.radii) {
                 if (pass.isStroke || radius.zone == static_cast<std::size_t>(pass.zone)) {
                     cutAlone(radius,
@@ -102,18 +120,17 @@ public:
             ++radii.passes;
             return true;
         });
-        radii.fed_mm += feed.infeed_mm;
     }
 
     void strokesAlone(FollowedRadii& radii, const FollowedFeed& feed) const override {
-        constexpr int strokes = 2; // of a double stroke
-        radii.fed_mm += feed.infeed_mm;
-        for (FollowedRadius& radius : radii.radii) {
-            for (int i = 0; i < strokes; ++i) {
+        const ReversalFeeds reversals = reversalsOf(feed.infeed_mm);
+        for (const double infeed_mm : {reversals.entry_mm, reversals.exit_mm}) {
+            radii.fed_mm += infeed_mm;
+            for (FollowedRadius& radius : radii.radii) {
                 cutAlone(radius, feed.strokes[radius.zone], radii.fed_mm);
             }
+            ++radii.passes;
         }
-        radii.passes += strokes;
     }
 
 private:
@@ -136,6 +153,9 @@ private:
         return std::min(axialFeed / rpm(), m_project.wheel->width_mm);
     }
 
+    ReversalFeeds reversalsOf(double infeed_mm) const {
+        return reversalFeeds(m_project.machine->reversal_infeed, infeed_mm);
+    }
     double rpm() const { return m_project.machine->work_speed_rpm; }
     double revolution_s() const { return units::secondsPerMinute / rpm(); }
 
@@ -148,6 +168,42 @@ private:
                 .revolution = revolution};
     }
 
+    /// What a double stroke feeds: S_t at the reversals and S_c all the time.
+    struct StrokeFeed {
+        double infeed_mm = 0;
+        double perRevolution_mm = 0;                              ///< S_c/n
+        double perStroke_mm = 0;                                  ///< S_c·travel/S_ax
+        double most_mm = std::numeric_limits<double>::infinity(); ///< where S_c stops
+
+        [[nodiscard]] bool drifts() const { return perStroke_mm > 0; }
+        /// t_П after so much of the continuous infeed.
+        [[nodiscard]] double after(double fed, double drift) const {
+            return drifts() ? std::max(fed, std::min(fed + drift, most_mm)) : fed;
+        }
+    };
+
+    StrokeFeed strokeFeed(const StepFeed& step) const {
+        StrokeFeed feed{.infeed_mm = step.infeed_mm};
+        if (const double continuous = step.continuousFeed_mm_min; continuous > 0) {
+            feed.perRevolution_mm = continuous / rpm();
+            feed.perStroke_mm = continuous * m_travel_mm / step.axialFeed_mm_min;
+            feed.most_mm = step.most_mm;
+        }
+        return feed;
+    }
+
+    /// S_t + S_c·T.
+    double programmed_mm(const StrokeFeed& feed) const {
+        if (!feed.drifts()) {
+            return feed.infeed_mm;
+        }
+        const ReversalFeeds reversals = reversalsOf(feed.infeed_mm);
+        const int revolutions = plungeInRevolutions(*m_project.machine, reversals.entry_mm)
+                                + plungeInRevolutions(*m_project.machine, reversals.exit_mm)
+                                + 2 * m_entryDwell + m_exitDwell;
+        return feed.infeed_mm + revolutions * feed.perRevolution_mm + 2 * feed.perStroke_mm;
+    }
+
     /// A pass of a double stroke: of all zones in a stroke, else of one.
     struct Pass {
         Zone zone = Zone::rz1;
@@ -155,43 +211,85 @@ private:
         std::array<Step, zoneCount> steps{}; ///< by zone in a stroke, else the first
         int revolution = 1;
         PassFeed feed;
+        /// t_П when each zone is visited, of a stroke with a continuous infeed.
+        std::optional<std::array<double, zoneCount>> fedByZone = {};
     };
 
-    /// The passes of a double stroke in order, until one is refused: false.
+    /// The passes of a double stroke in order, until one is refused: false. `fed` is t_П, which
+    /// grows as it goes.
     template <class Do>
-    bool doubleStroke(double fed, double infeed, const Do& pass) const {
+    bool doubleStroke(double& fed, const StrokeFeed& feed, const Do& pass) const {
         const auto dwell = [&](Zone zone, Step step, int revolutions) {
             for (int m = 1; m <= revolutions; ++m) {
-                if (!pass(Pass{zone, false, {step}, m, {.base = fed + infeed}})) {
+                if (!pass(Pass{zone, false, {step}, m, drifting({.base = fed}, fed, feed)})) {
                     return false;
                 }
+                fed = feed.after(fed, feed.perRevolution_mm);
             }
             return true;
         };
-        const auto stroke = [&](const std::array<Step, zoneCount>& steps) {
-            return pass(Pass{Zone::rz1, true, steps, 1, {.base = fed + infeed}});
+        const auto stroke = [&](const std::array<Step, zoneCount>& steps, bool there) {
+            Pass next{Zone::rz1, true, steps, 1, {.base = fed}};
+            if (feed.drifts()) {
+                next.fedByZone = fedInStroke(fed, feed, there);
+            }
+            const bool done = pass(next);
+            fed = feed.after(fed, feed.perStroke_mm);
+            return done;
         };
-        return plungeIn(fed, infeed, pass) && dwell(Zone::rz1, Step::e2, m_entryDwell)
-               && stroke({Step::e3, Step::e1, Step::e1}) && dwell(Zone::rz2, Step::e2, m_exitDwell)
-               && stroke({Step::e4, Step::e2, Step::e3})
+        const ReversalFeeds reversals = reversalsOf(feed.infeed_mm);
+        // Before the exit the continuous infeed may have come to its end.
+        const auto left = [&](double infeed) {
+            return feed.drifts() ? std::clamp(feed.most_mm - fed, 0.0, infeed) : infeed;
+        };
+        return plungeIn(Zone::rz1, Step::e1, fed, reversals.entry_mm, feed, pass)
+               && dwell(Zone::rz1, Step::e2, m_entryDwell)
+               && stroke({Step::e3, Step::e1, Step::e1}, true)
+               && plungeIn(Zone::rz2, Step::e4, fed, left(reversals.exit_mm), feed, pass)
+               && dwell(Zone::rz2, Step::e2, m_exitDwell)
+               && stroke({Step::e4, Step::e2, Step::e3}, false)
                && dwell(Zone::rz1, Step::e5, m_entryDwell);
     }
 
-    /// E1 of РЗ1: t_П + min(S_t, (S_rad/n)·(m − 1 + (k+1)/K)) in N_E1 = ⌈n·S_t/S_rad⌉ revolutions.
+    /// With the continuous infeed of a revolution, which ends no earlier than at `least`.
+    static PassFeed drifting(PassFeed pass, double least, const StrokeFeed& feed) {
+        if (feed.drifts()) {
+            pass.drift = feed.perRevolution_mm;
+            pass.most = std::max(feed.most_mm, least);
+        }
+        return pass;
+    }
+
+    /// A zone is visited when the wheel's middle is nearest to its own: in РЗ1 o1/2 from where the
+    /// wheel turns, in НЗ halfway, in РЗ2 o2/2 from where it turns. There, or on the way back.
+    std::array<double, zoneCount> fedInStroke(double fed, const StrokeFeed& feed,
+                                              bool there) const {
+        const Machine& machine = *m_project.machine;
+        const std::array<double, zoneCount> way_mm{machine.overrun_entry_mm / 2, m_travel_mm / 2,
+                                                   m_travel_mm - machine.overrun_exit_mm / 2};
+        std::array<double, zoneCount> fedAt{};
+        for (std::size_t zone = 0; zone < zoneCount; ++zone) {
+            const double share = way_mm[zone] / m_travel_mm;
+            fedAt[zone] = feed.after(fed, feed.perStroke_mm * (there ? share : 1 - share));
+        }
+        return fedAt;
+    }
+
+    /// E1 of РЗ1 with S = S_1, E4 of РЗ2 with S = S_2, in ⌈n·S/S_rad⌉ revolutions:
+    /// t_П + min(S, (S_rad/n)·(m − 1 + (k+1)/K)).
     template <class Do>
-    bool plungeIn(double fed, double infeed, const Do& pass) const {
-        const double feed = m_project.machine->plunge_feed_mm_min;
-        const int revolutions = static_cast<int>(std::ceil(rpm() * infeed / feed - 1e-9));
-        const double perRevolution = feed / rpm();
+    bool plungeIn(Zone zone, Step step, double& fed, double infeed, const StrokeFeed& feed,
+                  const Do& pass) const {
+        const int revolutions = plungeInRevolutions(*m_project.machine, infeed);
+        const double perRevolution = m_project.machine->plunge_feed_mm_min / rpm();
         for (int m = 1; m <= revolutions; ++m) {
-            if (!pass(Pass{Zone::rz1,
-                           false,
-                           {Step::e1},
-                           m,
-                           {fed, perRevolution * (m - 1), perRevolution, infeed}})) {
+            const double base = fed + feed.perRevolution_mm * (m - 1);
+            const PassFeed ramp{base, perRevolution * (m - 1), perRevolution, infeed};
+            if (!pass(Pass{zone, false, {step}, m, drifting(ramp, fed + infeed, feed)})) {
                 return false;
             }
         }
+        fed = feed.after(fed + infeed, feed.perRevolution_mm * revolutions);
         return true;
     }
 
@@ -201,9 +299,15 @@ private:
             const double duration = m_travel_mm / m_axialFeed * units::secondsPerMinute;
             const std::array places{place(Zone::rz1, pass.steps[0]), place(Zone::nz, pass.steps[1]),
                                     place(Zone::rz2, pass.steps[2])};
-            m_run.cut(
-                0, zoneCount, *m_stroke, pass.feed, places.data(),
-                {.duration_s = duration, .axialFeed_mm_min = m_axialFeed, .radialFeed_mm = infeed});
+            const Run::PassInfo info{
+                .duration_s = duration, .axialFeed_mm_min = m_axialFeed, .radialFeed_mm = infeed};
+            if (!pass.fedByZone) {
+                m_run.cut(0, zoneCount, *m_stroke, pass.feed, places.data(), info);
+            }
+            for (std::size_t zone = 0; pass.fedByZone && zone < zoneCount; ++zone) {
+                m_run.cut(zone, 1, *m_stroke, {.base = (*pass.fedByZone)[zone]}, &places[zone],
+                          info);
+            }
             m_run.advance(duration, m_stage);
             return true;
         }
@@ -234,8 +338,8 @@ SimulationResult simulateGauged(Zone gaugeZone, const Project& project, Trajecto
     while (!control.finished() && !run.mustEnd()) {
         const bool waits = control.waitsForSize();
         const Stage& stage = project.cycle->stages[control.stage()];
-        if (!steps->step(
-                {control.nextInfeed(run.fed_mm), control.stage(), *stage.axial_feed_mm_min})) {
+        if (!steps->step({control.nextInfeed(run.fed_mm), control.stage(), *stage.axial_feed_mm_min,
+                          stage.continuousFeed_mm_min(), control.mostFed()})) {
             break; // in the middle of a double stroke, which then does not count
         }
         control.stepDone(steps->remaining(), run.fed_mm);

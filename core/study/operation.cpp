@@ -91,6 +91,7 @@ void makePlunge(Project& project) {
         }
         stage.radial_feed_mm.reset();
         stage.axial_feed_mm_min.reset();
+        stage.continuous_feed_mm_min.reset();
     }
     project = fitted(std::move(project), Operation::plunge);
 }

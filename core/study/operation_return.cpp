@@ -58,6 +58,7 @@ void giveBackFeeds(Project& made, const Project& now, const Project& thence, con
         if (stage.feeds() == was->feeds()) {
             stage.radial_feed_mm = was->radial_feed_mm;
             stage.radial_feed_mm_min = was->radial_feed_mm_min;
+            stage.continuous_feed_mm_min = was->continuous_feed_mm_min;
         }
     }
 }

@@ -3,7 +3,9 @@
 
 #include "core/project/cycle.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace sparkout {
 
@@ -38,6 +40,20 @@ Project withSparkOutAfter(Project project, int steps) {
     added.sparkOutFor(steps);
     stages.push_back(added);
     return project;
+}
+
+Project withContinuousInfeed(Project project, bool stated) {
+    for (Stage& stage : project.cycle->stages) {
+        auto& feed = stage.continuous_feed_mm_min;
+        feed = stated && stage.feeds() ? std::optional(feed.value_or(0)) : std::nullopt;
+    }
+    return project;
+}
+
+bool statesContinuousInfeed(const Project& project) {
+    return std::ranges::any_of(project.cycle->stages, [](const Stage& stage) {
+        return stage.continuous_feed_mm_min.has_value();
+    });
 }
 
 } // namespace sparkout

@@ -23,4 +23,10 @@ namespace sparkout {
 /// table travels as in the stage before.
 [[nodiscard]] Project withSparkOutAfter(Project project, int steps);
 
+/// The project with a continuous infeed stated in every stage that feeds, 0 where there was none;
+/// or with none at all.
+[[nodiscard]] Project withContinuousInfeed(Project project, bool stated);
+/// Whether a stage states one, be it 0.
+[[nodiscard]] bool statesContinuousInfeed(const Project& project);
+
 } // namespace sparkout

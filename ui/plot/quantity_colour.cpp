@@ -78,8 +78,8 @@ static_assert(isWhole(), "a row for each thing that is drawn, in the order of th
 constexpr std::array series{Tone::blue, Tone::orange,    Tone::green, Tone::purple,
                             Tone::sky,  Tone::vermilion, Tone::yellow};
 constexpr std::array depthLimits{Tone::blue, Tone::orange, Tone::green, Tone::sky, Tone::purple};
-constexpr std::array steps{Tone::orange, Tone::green, Tone::sky, Tone::purple,
-                           Tone::yellow, Tone::blue,  Tone::sky};
+constexpr std::array steps{Tone::orange, Tone::green,  Tone::sky,  Tone::orange,
+                           Tone::purple, Tone::yellow, Tone::blue, Tone::sky};
 
 } // namespace
 

@@ -81,6 +81,7 @@ QString Names::stepMeaning(Zone zone, Step step) {
     case StrokeStep::plungeIn: return tr("plunge-in");
     case StrokeStep::entryDwell: return tr("entry dwell");
     case StrokeStep::workingStroke: return tr("working stroke");
+    case StrokeStep::exitPlungeIn: return tr("plunge-in at the exit");
     case StrokeStep::exitDwell: return tr("exit dwell");
     case StrokeStep::returnStroke: return tr("return stroke");
     case StrokeStep::dwellAfterReturn: return tr("dwell after return");

@@ -132,6 +132,7 @@ inline Project smallCase(unsigned seed) {
         p.machine->overrun_exit_mm = dice.uniform(0.51, 0.8) * p.wheel->width_mm;
         p.machine->dwell_entry_s = dice.integer(0, 2) / 3.0; // in whole revolutions
         p.machine->dwell_exit_s = dice.integer(0, 2) / 3.0;
+        p.machine->reversal_infeed = static_cast<ReversalInfeed>(seed % 3);
     }
     return p;
 }

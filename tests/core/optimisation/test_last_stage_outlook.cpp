@@ -36,6 +36,7 @@ Project followable(unsigned seed) {
             p.machine->overrun_entry_mm = dice.uniform(0.51, 0.8) * p.wheel->width_mm;
             p.machine->overrun_exit_mm = dice.uniform(0.51, 0.8) * p.wheel->width_mm;
             p.machine->plunge_feed_mm_min = dice.uniform(0.3, 3);
+            p.machine->reversal_infeed = static_cast<ReversalInfeed>(seed % 3);
             p.cycle->stages.assign(2, {});
             for (Stage& stage : p.cycle->stages) {
                 stage.radial_feed_mm = dice.uniform(0.002, 0.012);

@@ -47,6 +47,10 @@ struct RandomPass {
             feed.rate = decades(-6, -1);
             feed.cap = decades(-5, -1);
         }
+        if (uniform(0, 1) < 0.3) {
+            feed.drift = decades(-6, -1);
+            feed.most = feed.base + decades(-6, 0);
+        }
         for (std::size_t i = 0; i < lanes.depth_mm.size(); ++i) {
             gamma[i] = decades(-9, 0);
             coefficients.set(i, gamma[i], range.bks, range.bkr);
@@ -61,7 +65,8 @@ struct RandomPass {
     /// h as the kernel's page defines it.
     [[nodiscard]] double gap(std::size_t lane) const {
         const double ramp = feed.base + feed.offset + feed.rate * lanes.share[lane];
-        return std::min(ramp, feed.base + feed.cap) - lanes.depth_mm[lane];
+        const double fed = std::min(ramp, feed.base + feed.cap);
+        return std::min(fed + feed.drift * lanes.share[lane], feed.most) - lanes.depth_mm[lane];
     }
 };
 

@@ -39,7 +39,10 @@ std::vector<Project> samples() {
     bore.wheel->diameter_mm = 20;
     Project tailstock = fixtures::traverse();
     tailstock.machine->entry_side = EntrySide::tailstock;
-    return {fixtures::traverse(), tailstock, plungeOf(3), bore};
+    Project bothEnds = fixtures::traverse();
+    bothEnds.machine->reversal_infeed = ReversalInfeed::both;
+    bothEnds.cycle->stages.front().continuous_feed_mm_min = 0.01;
+    return {fixtures::traverse(), tailstock, bothEnds, plungeOf(3), bore};
 }
 
 /// All moments of a cycle at some of their radii, and what is seen then.

@@ -179,6 +179,19 @@ std::set<std::string> features(const json& p) {
                      : gauge.contains("section")           ? "gauge in a section"
                                                            : "gauge in the middle");
     }
+    if (operation == "traverse") {
+        const json& machine = p["machine"];
+        const std::string infeed = machine.value("reversal_infeed", "entry");
+        found.insert("reversal infeed, " + infeed);
+        for (const json& stage : p["cycle"]["stages"]) {
+            if (stage.value("continuous_feed_mm_min", 0.0) > 0) {
+                found.insert("continuous infeed, " + infeed);
+                found.insert("continuous infeed, control " + gauge.value("control", "gauge"));
+                found.insert(stage["radial_feed_mm"] > 0 ? "continuous beside reversal infeed"
+                                                         : "continuous infeed alone");
+            }
+        }
+    }
     const json& stages = p["cycle"]["stages"];
     found.insert(std::to_string(stages.size()) + " stages");
     double stock = 0;
@@ -239,6 +252,16 @@ private slots:
                                        "blank with runout",
                                        "machine runout",
                                        "no machine runout",
+                                       "reversal infeed, entry",
+                                       "reversal infeed, exit",
+                                       "reversal infeed, both",
+                                       "continuous infeed, entry",
+                                       "continuous infeed, exit",
+                                       "continuous infeed, both",
+                                       "continuous infeed, control gauge",
+                                       "continuous infeed, control position",
+                                       "continuous beside reversal infeed",
+                                       "continuous infeed alone",
                                        "free gauge, own compliance",
                                        "free gauge, interpolated",
                                        "gauge in a section",

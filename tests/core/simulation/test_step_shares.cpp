@@ -61,6 +61,8 @@ std::vector<Project> samplesOfAll() {
     Project tailstock = fixtures::traverse();
     tailstock.machine->entry_side = EntrySide::tailstock;
     all.push_back(tailstock);
+    tailstock.machine->reversal_infeed = ReversalInfeed::both;
+    all.push_back(tailstock);
     return all;
 }
 
@@ -161,7 +163,7 @@ private slots:
                     ++ground;
                 }
             }
-            QCOMPARE(ground, zone == Zone::rz1 ? 5 : zone == Zone::nz ? 2 : 3);
+            QCOMPARE(ground, zone == Zone::rz1 ? 5 : zone == Zone::nz ? 2 : 4);
         }
         QCOMPARE(stepOf(Zone::section, StrokeStep::workingStroke), Step::none);
         QCOMPARE(stepOf(Zone::rz1, StrokeStep::none), Step::none);

@@ -396,6 +396,30 @@ json gaugeOf(Random& random, const Plan& plan, double L_p, double gamma) {
     return gauge;
 }
 
+// A share of the feed, or all of it, goes on all the time.
+void feedContinuously(Random& random, const Plan& plan, json& project) {
+    const json& part = project["part"];
+    const json& machine = project["machine"];
+    const double o1 = machine["overrun_entry_mm"], o2 = machine["overrun_exit_mm"];
+    const double B = project["wheel"]["width_mm"], L_p = part["length_mm"];
+    const double dwell_s = machine["dwell_entry_s"], exitDwell_s = machine["dwell_exit_s"];
+    for (int z = 0; z < plan.feedStages; ++z) {
+        json& stage = project["cycle"]["stages"][z];
+        if (random.chance(0.3)) {
+            continue;
+        }
+        const double axial = stage["axial_feed_mm_min"];
+        const double stroke_min =
+            2 * (L_p - B + o1 + o2) / axial + (2 * dwell_s + exitDwell_s) / 60;
+        const double feed = stage["radial_feed_mm"];
+        const bool all = random.chance(0.3);
+        const double share = all ? 1 : random.uniform(0.1, 0.9);
+        stage["continuous_feed_mm_min"] =
+            std::clamp(rounded(share * feed / stroke_min, 6), 1e-6, 10.0);
+        stage["radial_feed_mm"] = all ? 0 : std::max(1e-5, rounded((1 - share) * feed, 5));
+    }
+}
+
 } // namespace
 
 json randomProject(std::uint64_t seed) {
@@ -432,6 +456,12 @@ json randomProject(std::uint64_t seed) {
     }
     if (!gauge.empty() || random.chance(0.5)) {
         project["gauge"] = gauge;
+    }
+    if (plan.traverse && random.chance(0.5)) {
+        project["machine"]["reversal_infeed"] = random.oneOf({"entry", "exit", "both"});
+    }
+    if (plan.traverse && random.chance(0.25)) {
+        feedContinuously(random, plan, project);
     }
     if (!plan.traverse && (plan.J != 4 || random.chance(0.5))) {
         project["sections"] = plan.J;

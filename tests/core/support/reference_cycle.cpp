@@ -126,6 +126,8 @@ void readMachine(Cycle& c, const json& project) {
         c.o2 = number(machine, "overrun_exit_mm");
         c.N1 = dwellRevolutions(number(machine, "dwell_entry_s"), c.n);
         c.N2 = dwellRevolutions(number(machine, "dwell_exit_s"), c.n);
+        const std::string infeed = text(machine, "reversal_infeed", "entry");
+        c.entry_share = infeed == "entry" ? 1 : infeed == "exit" ? 0 : 0.5L;
     }
 }
 
@@ -141,6 +143,7 @@ void readStages(Cycle& c, const json& project) {
             stage.radial_feed =
                 number(stageJson, c.traverse ? "radial_feed_mm" : "radial_feed_mm_min");
             stage.stock = number(stageJson, "stock_mm");
+            stage.continuous = c.traverse ? number(stageJson, "continuous_feed_mm_min", 0) : 0;
         }
         if (c.traverse) {
             stage.axial_feed = number(stageJson, "axial_feed_mm_min");

@@ -21,6 +21,7 @@ enum class StageEnd { Threshold, Count, Size }; // Count and Size are spark-out 
 struct Stage {
     Real radial_feed = 0; // traverse: mm per double stroke; plunge: mm/min; spark-out: 0
     Real axial_feed = 0;  // mm/min, traverse only
+    Real continuous = 0;  // S_c [mm/min], traverse only
     Real stock = 0;       // Π_z [mm]
     StageEnd end = StageEnd::Threshold;
     int count = 0; // length of a spark-out by count
@@ -55,6 +56,7 @@ struct Cycle {
     Real k_s = 0, k_r = 0;                  // normal force [N/mm², N/mm^1.5]
     Real z_s = 0, z_r = 0;                  // tangential force, the same way
     long long N1 = 0, N2 = 0;               // dwells [rev]
+    Real entry_share = 1;                   // of S_t that is fed at the entry, the rest at the exit
     bool position_control = false;
     std::string rule;
     Real geometric_runout_um = 0;

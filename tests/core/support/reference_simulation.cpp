@@ -46,15 +46,6 @@ void visit(Cycle& c, Body& body, int k, Real b, Real t) {
     }
 }
 
-// Whole revolutions or strokes at constant infeed t_P.
-void passes(Cycle& c, Body& body, Real b, long long count) {
-    for (long long m = 0; m < count; ++m) {
-        for (int k = 0; k < c.K; ++k) {
-            visit(c, body, k, b, c.t_P);
-        }
-    }
-}
-
 Real laterStocks(const Cycle& c) {
     Real sum = 0;
     for (std::size_t j = c.z + 1; j < c.stages.size(); ++j) {
@@ -84,42 +75,83 @@ long long plungeInRevolutions(const Cycle& c, Real S_t) {
     return static_cast<long long>(std::ceil(c.n * S_t / c.S_rad - 1e-9L));
 }
 
+// t_P a while later: the continuous infeed goes on at S_c, under position control until the end of
+// the stage, and never backwards.
+Real fedLater(const Cycle& c, Real t, Real minutes) {
+    const Stage& stage = c.stages[c.z];
+    const Real later = t + stage.continuous * minutes;
+    return c.position_control && stage.continuous > 0
+               ? std::max(t, std::min(later, targetInfeed(c)))
+               : later;
+}
+
+void dwell(Cycle& c, Body& body, Real b, long long revolutions) {
+    for (long long m = 0; m < revolutions; ++m) {
+        for (int k = 0; k < c.K; ++k) {
+            visit(c, body, k, b, fedLater(c, c.t_P, Real(k + 1) / c.K / c.n));
+        }
+        c.t_P = fedLater(c, c.t_P, 1 / c.n);
+    }
+}
+
+void plungeIn(Cycle& c, Body& body, Real b, Real S) {
+    const long long revolutions = plungeInRevolutions(c, S);
+    for (long long m = 1; m <= revolutions; ++m) {
+        for (int k = 0; k < c.K; ++k) {
+            const Real turns = m - 1 + Real(k + 1) / c.K;
+            // what both infeeds come to; the continuous one alone stops at the end of the stage
+            const Real continuous = c.stages[c.z].continuous;
+            const Real both = c.t_P + std::min(S, c.S_rad / c.n * turns) + continuous * turns / c.n;
+            const bool stops = c.position_control && continuous > 0;
+            const Real most = std::max(targetInfeed(c), c.t_P + S);
+            visit(c, body, k, b, stops ? std::min(both, most) : both);
+        }
+    }
+    c.t_P = fedLater(c, c.t_P + S, revolutions / c.n);
+}
+
+// The table runs once along the part, there or back: each radius of a zone is visited when the
+// wheel's middle is nearest to that of the zone.
+void stroke(Cycle& c, Real b, bool there) {
+    const Real speed = c.stages[c.z].axial_feed;
+    const Real first = c.B / 2 - c.o1, last = c.length + c.o2 - c.B / 2; // of the wheel's middle
+    Real start = 0;
+    for (Body& body : c.bodies) {
+        const Real middle = std::clamp(start + body.length / 2, first, last);
+        const Real t = fedLater(c, c.t_P, (there ? middle - first : last - middle) / speed);
+        for (int k = 0; k < c.K; ++k) {
+            visit(c, body, k, b, t);
+        }
+        start += body.length;
+    }
+    c.t_P = fedLater(c, c.t_P, (last - first) / speed);
+}
+
 void doubleStroke(Cycle& c) {
     const Stage& stage = c.stages[c.z];
     const Real S_t = infeedOfThisPass(c);
-    const long long N_E1 = plungeInRevolutions(c, S_t);
+    const Real S_1 = S_t * c.entry_share;
     const Real b1 = c.B - c.o1;                           // plunge passes in РЗ1
     const Real b2 = c.B - c.o2;                           // plunge passes in РЗ2
     const Real b = std::min(stage.axial_feed / c.n, c.B); // traverse passes
     Body& rz1 = c.bodies[0];
-    Body& nz = c.bodies[1];
     Body& rz2 = c.bodies[2];
 
-    // plunge-in
-    for (long long m = 1; m <= N_E1; ++m) {
-        for (int k = 0; k < c.K; ++k) {
-            const Real fed = c.S_rad / c.n * (m - 1 + Real(k + 1) / c.K);
-            visit(c, rz1, k, b1, c.t_P + std::min(S_t, fed));
-        }
+    plungeIn(c, rz1, b1, S_1);
+    dwell(c, rz1, b1, c.N1);
+    stroke(c, b, true);
+    Real S_2 = S_t - S_1;
+    if (c.position_control && stage.continuous > 0) { // it may have come to the end meanwhile
+        S_2 = std::max(Real(0), std::min(S_2, targetInfeed(c) - c.t_P));
     }
-    c.t_P += S_t;
-    // entry dwell
-    passes(c, rz1, b1, c.N1);
-    // working stroke
-    passes(c, rz1, b, 1);
-    passes(c, nz, b, 1);
-    passes(c, rz2, b, 1);
-    // exit dwell
-    passes(c, rz2, b2, c.N2);
-    // return stroke
-    passes(c, rz1, b, 1);
-    passes(c, nz, b, 1);
-    passes(c, rz2, b, 1);
-    // entry dwell
-    passes(c, rz1, b1, c.N1);
+    plungeIn(c, rz2, b2, S_2);
+    dwell(c, rz2, b2, c.N2);
+    stroke(c, b, false);
+    dwell(c, rz1, b1, c.N1);
 
     const Real travel = c.length - c.B + c.o1 + c.o2;
-    c.time += (N_E1 + 2 * c.N1 + c.N2) / c.n + 2 * travel / stage.axial_feed;
+    const long long plunges = plungeInRevolutions(c, S_1) + plungeInRevolutions(c, S_2);
+    c.time += (plunges + 2 * c.N1 + c.N2) / c.n + 2 * travel / stage.axial_feed;
 }
 
 void revolution(Cycle& c) {
@@ -137,7 +169,10 @@ long long visitsOfNextPass(const Cycle& c) {
     if (!c.traverse) {
         return static_cast<long long>(c.bodies.size()) * c.K;
     }
-    return (plungeInRevolutions(c, infeedOfThisPass(c)) + 2 * c.N1 + c.N2 + 6) * c.K;
+    const Real S_t = infeedOfThisPass(c);
+    const long long plunges = plungeInRevolutions(c, S_t * c.entry_share)
+                              + plungeInRevolutions(c, S_t * (1 - c.entry_share));
+    return (plunges + 2 * c.N1 + c.N2 + 6) * c.K;
 }
 
 // ---------------------------------------------------------------- control

@@ -5,15 +5,19 @@
 #include "core/project/validate.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
+#include "ui/text/language.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QContextMenuEvent>
+#include <QHeaderView>
 #include <QMenu>
 #include <QPushButton>
 #include <QToolButton>
 
 #include <cmath>
+#include <optional>
 
 namespace test_stage_table_stages {
 
@@ -41,6 +45,56 @@ private slots:
         bench.document.undo();
         QCOMPARE(bench.stages().size(), 2u);
         QVERIFY(!bench.document.canUndo());
+    }
+
+    // The usual table has no column for it.
+    void theBoxBelowTheTableAddsAContinuousInfeed() {
+        Bench bench;
+        auto* const box = bench.table.findChild<QCheckBox*>(QStringLiteral("continuousInfeed"));
+        auto* const model = bench.table.view().model();
+        const int usual = model->columnCount();
+        QVERIFY(box->isVisible() && !box->isChecked());
+        QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
+        QVERIFY(box->isChecked());
+        QCOMPARE(model->columnCount(), usual + 1);
+        QCOMPARE(bench.stages()[0].continuous_feed_mm_min, std::optional(0.0));
+        QVERIFY(!hasErrors(validate(bench.document.project())));
+        int column = 0;
+        while (column < usual
+               && !model->headerData(column, Qt::Horizontal)
+                       .toString()
+                       .contains(QLatin1String("Cont."))) {
+            ++column;
+        }
+        bench.select(1, column);
+        QTest::keyClicks(bench.openEditor(), QStringLiteral("0.02"));
+        QTest::keyClick(bench.openEditor(), Qt::Key_Return);
+        QCOMPARE(bench.stages()[1].continuous_feed_mm_min, std::optional(0.02));
+        QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
+        QCOMPARE(model->columnCount(), usual);
+        QVERIFY(!bench.stages()[1].continuous_feed_mm_min);
+        bench.document.undo();
+        QVERIFY(box->isChecked());
+        QCOMPARE(bench.stages()[1].continuous_feed_mm_min, std::optional(0.02));
+        bench.document.startUntitled(newProject(Operation::plunge));
+        QVERIFY(!box->isVisible());
+    }
+
+    void theTableHasRoomForAContinuousInfeedInBothLanguages() {
+        Language language;
+        for (const char* code : {"en", "ru"}) {
+            language.apply(QString::fromLatin1(code));
+            Bench bench;
+            auto* const box = bench.table.findChild<QCheckBox*>(QStringLiteral("continuousInfeed"));
+            QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
+            const QTableView& view = bench.table.view();
+            QVERIFY2(view.horizontalHeader()->length() <= view.viewport()->width(),
+                     qPrintable(QStringLiteral("%1 of %2")
+                                    .arg(view.horizontalHeader()->length())
+                                    .arg(view.viewport()->width())));
+        }
+        language.apply(QStringLiteral("en"));
+        QLocale::setDefault(QLocale::c());
     }
 
     void theLastStageThatIsLeftCannotBeRemoved() {

@@ -17,11 +17,13 @@ namespace sparkout {
 
 namespace {
 
-constexpr int sideMargin = 3; ///< of a title, left and right
+/// Of a title, left and right; where the columns have no room the narrower one.
+constexpr int wideMargin = 3, narrowMargin = 1;
 
 } // namespace
 
-ColumnHeader::ColumnHeader(QWidget* parent) : QHeaderView(Qt::Horizontal, parent) {
+ColumnHeader::ColumnHeader(QWidget* parent)
+    : QHeaderView(Qt::Horizontal, parent), m_margin(wideMargin) {
     setSectionResizeMode(QHeaderView::Fixed);
     setMinimumSectionSize(20);
     setSectionsClickable(false);
@@ -49,17 +51,20 @@ void ColumnHeader::fit(int width) {
         QTextDocument title;
         prepare(title, i);
         title.setTextWidth(1);
-        widths.push_back(int(std::ceil(title.idealWidth())) + 2 * sideMargin);
+        widths.push_back(int(std::ceil(title.idealWidth())));
     }
-    const int used = std::accumulate(widths.begin(), widths.end(), 0);
+    const int titles = std::accumulate(widths.begin(), widths.end(), 0);
+    m_margin = titles + 2 * wideMargin * columns <= width ? wideMargin : narrowMargin;
+    const int used = titles + 2 * m_margin * columns;
     const int spare = std::max(0, width - used);
     double height = 0;
     for (int i = 0; i < columns; ++i) {
-        const int own = widths[std::size_t(i)] + spare * (i + 1) / columns - spare * i / columns;
+        const int own =
+            widths[std::size_t(i)] + 2 * m_margin + spare * (i + 1) / columns - spare * i / columns;
         resizeSection(i, own);
         QTextDocument title;
         prepare(title, i);
-        title.setTextWidth(own - 2 * sideMargin);
+        title.setTextWidth(own - 2 * m_margin);
         height = std::max(height, title.size().height());
     }
     setFixedHeight(int(std::ceil(height)) + 2 * metrics::row);
@@ -68,8 +73,8 @@ void ColumnHeader::fit(int width) {
 QSize ColumnHeader::needOf(int section) const {
     QTextDocument title;
     prepare(title, section);
-    title.setTextWidth(sectionSize(section) - 2 * sideMargin);
-    return {int(std::ceil(title.idealWidth())) + 2 * sideMargin,
+    title.setTextWidth(sectionSize(section) - 2 * m_margin);
+    return {int(std::ceil(title.idealWidth())) + 2 * m_margin,
             int(std::ceil(title.size().height()))};
 }
 
@@ -82,11 +87,11 @@ void ColumnHeader::paintSection(QPainter* painter, const QRect& rect, int sectio
     style()->drawControl(QStyle::CE_HeaderSection, &option, painter, this);
     QTextDocument title;
     prepare(title, section);
-    title.setTextWidth(rect.width() - 2 * sideMargin);
+    title.setTextWidth(rect.width() - 2 * m_margin);
     QAbstractTextDocumentLayout::PaintContext context;
     context.palette.setColor(QPalette::Text, palette().color(QPalette::ButtonText));
     painter->setClipRect(rect);
-    painter->translate(rect.left() + sideMargin,
+    painter->translate(rect.left() + m_margin,
                        rect.top() + std::max(0.0, (rect.height() - title.size().height()) / 2));
     title.documentLayout()->draw(painter, context);
     painter->restore();

@@ -25,6 +25,8 @@ protected:
 
 private:
     void prepare(QTextDocument& title, int section) const;
+
+    int m_margin; ///< of a title, left and right
 };
 
 } // namespace sparkout

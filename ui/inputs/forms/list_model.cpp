@@ -37,7 +37,9 @@ const void* ListModel::item(const QModelIndex& index) const {
 std::vector<const Field*> ListModel::relevantColumns() const {
     std::vector<const Field*> columns;
     for (const Field& field : m_list.nested->fields) {
-        if (!field.relevant || field.relevant(m_document.project(), m_list.nested->defaults)) {
+        const bool isRead =
+            !field.relevant || field.relevant(m_document.project(), m_list.nested->defaults);
+        if (isRead && shows(field)) {
             columns.push_back(&field);
         }
     }

@@ -75,6 +75,8 @@ signals:
 
 protected:
     [[nodiscard]] virtual bool relevant(const QModelIndex& index) const;
+    /// Whether a column that the project may read is shown.
+    [[nodiscard]] virtual bool shows(const Field&) const { return true; }
     [[nodiscard]] virtual QString shown(const QModelIndex& index) const;
     [[nodiscard]] virtual int resultColumns() const { return 0; } ///< behind the fields
     [[nodiscard]] virtual QVariant resultData(const QModelIndex& index, int role) const;

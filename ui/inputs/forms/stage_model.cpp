@@ -3,6 +3,7 @@
 
 #include "core/project/cycle.h"
 #include "core/project/part.h"
+#include "core/study/stage_edits.h"
 #include "ui/inputs/forms/column_header.h"
 #include "ui/session/document.h"
 #include "ui/tables/pasted_cells.h"
@@ -45,6 +46,16 @@ void setFeeding(Stage& stage, const Operation& operation) {
 
 } // namespace
 
+StageModel::StageModel(std::string path, const Field& list, Document& document)
+    : ListModel(std::move(path), list, document) {
+    update(true); // the columns that it shows
+}
+
+bool StageModel::shows(const Field& column) const {
+    return std::string_view(column.key) != "continuous_feed_mm_min"
+           || statesContinuousInfeed(document().project());
+}
+
 const Stage& StageModel::stage(const QModelIndex& index) const {
     return document().project().cycle->stages[std::size_t(index.row())];
 }
@@ -63,12 +74,14 @@ void StageModel::setSparkOut(const QModelIndex& index, Stage edited) {
     if (!to.feeds()) { // a spark-out feeds nothing
         to.radial_feed_mm.reset();
         to.radial_feed_mm_min.reset();
+        to.continuous_feed_mm_min.reset();
     } else if (!before.feeds()) {
         const auto& started =
             document().beforeEditsOf(QString::fromStdString(path(index))).cycle->stages;
         if (std::size_t(index.row()) < started.size()) { // what this edit took away
             to.radial_feed_mm = started[std::size_t(index.row())].radial_feed_mm;
             to.radial_feed_mm_min = started[std::size_t(index.row())].radial_feed_mm_min;
+            to.continuous_feed_mm_min = started[std::size_t(index.row())].continuous_feed_mm_min;
         }
         auto& feed = to.*project.operation->radial().value;
         feed = feed.value_or(project.operation->usualRadial);
@@ -132,6 +145,7 @@ QString StageModel::takeSparkOut(Project& project, std::size_t row, const Field&
     isCount ? stage.sparkOutFor(int(*count)) : stage.sparkOutUntilSize();
     stage.radial_feed_mm.reset(); // a spark-out feeds nothing
     stage.radial_feed_mm_min.reset();
+    stage.continuous_feed_mm_min.reset();
     return {};
 }
 

@@ -19,7 +19,7 @@ public:
     static constexpr int shareRole = Qt::UserRole + 10; ///< 0…1; invalid where there is none
     static constexpr int staleRole = Qt::UserRole + 11; ///< of the last run that could be made
 
-    using ListModel::ListModel;
+    StageModel(std::string path, const Field& list, Document& document);
 
     [[nodiscard]] const Stage& stage(const QModelIndex& index) const;
     /// Takes over a stage whose spark-out was edited: what a spark-out does not feed goes, and
@@ -37,6 +37,8 @@ public:
 
 protected:
     [[nodiscard]] bool relevant(const QModelIndex& index) const override;
+    /// The continuous infeed where a stage states one: few cycles have it.
+    [[nodiscard]] bool shows(const Field& column) const override;
     [[nodiscard]] QString shown(const QModelIndex& index) const override;
     [[nodiscard]] int resultColumns() const override { return 1; }
     [[nodiscard]] QVariant resultData(const QModelIndex& index, int role) const override;

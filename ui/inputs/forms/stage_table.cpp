@@ -9,6 +9,7 @@
 #include "ui/kit/help_topic.h"
 #include "ui/session/document.h"
 
+#include <QCheckBox>
 #include <QHeaderView>
 #include <QLayout>
 #include <QPushButton>
@@ -35,7 +36,12 @@ StageTable::StageTable(Document& document, QWidget* parent)
 StageTable::StageTable(Document& document, StageModel* model, QWidget* parent)
     : ListTable(stagesPath, stagesField(), document, model, new StageDelegate(document), parent)
     , m_stages(model)
+    , m_continuous(new QCheckBox(this))
     , m_fit(new QPushButton(this)) {
+    m_continuous->setObjectName(QStringLiteral("continuousInfeed"));
+    layout()->addWidget(m_continuous);
+    connect(m_continuous, &QCheckBox::clicked, this, &StageTable::setContinuous);
+    connect(&document, &Document::changed, this, &StageTable::showContinuous);
     m_fit->setObjectName(QStringLiteral("fitStocks"));
     m_fit->setAutoDefault(false);
     layout()->addWidget(m_fit);
@@ -53,7 +59,23 @@ StageTable::StageTable(Document& document, StageModel* model, QWidget* parent)
 
 void StageTable::retranslate() {
     ListTable::retranslate();
+    m_continuous->setText(tr("Continuous infeed"));
+    m_continuous->setToolTip(QStringLiteral("<p>%1</p>")
+                                 .arg(tr("The wheel is fed all the time while the table travels; "
+                                         "each stage has a column for it.")));
+    showContinuous();
     showFit();
+}
+
+void StageTable::showContinuous() {
+    const Project& project = document().project();
+    m_continuous->setVisible(project.operation->travels);
+    m_continuous->setChecked(statesContinuousInfeed(project));
+}
+
+void StageTable::setContinuous(bool stated) {
+    apply(withContinuousInfeed(document().project(), stated),
+          {"Edit", QT_TRANSLATE_NOOP("Edit", "Continuous infeed")}, std::max(0, currentRow()));
 }
 
 void StageTable::showFit() {

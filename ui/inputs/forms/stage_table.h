@@ -5,6 +5,7 @@
 #include "core/study/outcome.h"
 #include "ui/inputs/forms/list_table.h"
 
+class QCheckBox;
 class QPushButton;
 
 namespace sparkout {
@@ -12,7 +13,8 @@ namespace sparkout {
 class StageModel;
 
 /// The cycle's stages. Adding, removing and moving keep the sum of the stocks and leave a
-/// spark-out at the end; where the stocks do not add up to the part's, a button fits them.
+/// spark-out at the end; where the stocks do not add up to the part's, a button fits them. Where
+/// the table travels, a box puts a continuous infeed in.
 class StageTable : public ListTable {
     Q_OBJECT
 
@@ -37,8 +39,11 @@ private:
     void applyStages(std::vector<Stage> stages, EditText text, int selected);
 
     void showFit();
+    void showContinuous();
+    void setContinuous(bool stated);
 
     StageModel* m_stages;
+    QCheckBox* m_continuous; ///< whether the stages state a continuous infeed, and its column shows
     QPushButton* m_fit;
 };
 

@@ -14,6 +14,7 @@
 #include <QStringList>
 
 #include <cmath>
+#include <cstddef>
 
 namespace sparkout::report {
 
@@ -57,6 +58,10 @@ std::pair<QString, QString> inputFact(const Project& project, const char* path) 
     }
     if (field.kind == sparkout::Kind::text) {
         return {name, cell(oneLine(field.as<std::string>(member.owner)))};
+    }
+    if (field.kind == sparkout::Kind::choice) {
+        const auto chosen = static_cast<std::size_t>(field.getChoice(member.owner));
+        return {name, choiceText(field.choices[chosen].label)};
     }
     const std::optional<double> value = ShownScale::of(field).shown(numberIn(field, member.owner));
     return {name, !value        ? cell({})

@@ -67,6 +67,9 @@ Facts OperationSetup::settings(const Outcome& outcome) {
               "/machine/dwell_exit_s", "/machine/plunge_feed_mm_min"}) {
             facts.facts.push_back(inputFact(project, path));
         }
+        if (project.machine->reversal_infeed != ReversalInfeed::entry) {
+            facts.facts.push_back(inputFact(project, "/machine/reversal_infeed"));
+        }
     }
     QString control = tr("by the position of the wheel head");
     if (project.gauge->control == Control::gauge) {
@@ -93,6 +96,10 @@ Table OperationSetup::stages(const Outcome& outcome) {
     if (axial) {
         table.head << tr("Axial feed, mm/min");
     }
+    const bool continuous = feedsContinuously(project);
+    if (continuous) {
+        table.head << tr("Continuous infeed, mm/min");
+    }
     table.head << tr("Stock per side, mm")
                << (project.operation->countsStrokes ? tr("Double strokes") : tr("Revolutions"))
                << tr("Machining time, min") << tr("Spark-out") << tr("Largest power, kW")
@@ -115,6 +122,9 @@ Table OperationSetup::stages(const Outcome& outcome) {
         if (axial) {
             row << feed(stage.*axial->value);
         }
+        if (continuous) {
+            row << printedNumber(stage.continuousFeed_mm_min());
+        }
         row << printedNumber(stage.stock_mm); // a spark-out removes its stock, too
         stock += stage.stock_mm;
         rest(row, outcome.shop.stages.at(z),
@@ -124,6 +134,9 @@ Table OperationSetup::stages(const Outcome& outcome) {
     }
     QStringList sum{tr("Cycle"), cell({})};
     if (axial) {
+        sum << cell({});
+    }
+    if (continuous) {
         sum << cell({});
     }
     sum << printedNumber(std::round(stock * 1e6) / 1e6); // as exact as the rows

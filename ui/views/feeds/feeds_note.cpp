@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/feeds/feeds_note.h"
 
+#include "core/simulation/stroke_step.h"
 #include "ui/text/names.h"
 #include "ui/views/feeds/feeds_plot.h"
 
@@ -49,9 +50,19 @@ FeedsNote::FeedsNote(QWidget* parent)
     retranslate();
 }
 
-void FeedsNote::setOperation(Operation operation) {
+void FeedsNote::setOperation(Operation operation, ReversalInfeed infeed) {
     m_operation = operation;
+    m_infeed = infeed;
     retranslate();
+}
+
+bool FeedsNote::isGround(Zone zone, Step step) const {
+    switch (strokeStep(zone, step)) {
+    case StrokeStep::plungeIn: return m_infeed != ReversalInfeed::exit;
+    case StrokeStep::exitPlungeIn: return m_infeed != ReversalInfeed::entry;
+    case StrokeStep::none: return false;
+    default: return true;
+    }
 }
 
 QLabel* FeedsNote::cell(int row, int column) {
@@ -64,10 +75,10 @@ void FeedsNote::paintSteps() {
         for (int column = 0; column < int(std::size(zones)); ++column) {
             QLabel* label = cell(row + 1, column + 1);
             QPalette colours;
-            const bool ground = strokeStep(zones[column], steps[row]) != StrokeStep::none;
             colours.setColor(QPalette::Window,
-                             ground ? FeedsPlot::stepColour(zones[column], steps[row], palette())
-                                    : QColor(Qt::transparent));
+                             isGround(zones[column], steps[row])
+                                 ? FeedsPlot::stepColour(zones[column], steps[row], palette())
+                                 : QColor(Qt::transparent));
             label->setPalette(colours);
         }
     }
@@ -82,17 +93,22 @@ void FeedsNote::retranslate() {
     for (int column = 0; column < int(std::size(zones)); ++column) {
         cell(0, column + 1)->setText(Names::zoneFull(zones[column]));
         for (int row = 0; row < int(std::size(steps)); ++row) {
-            const QString meaning = Names::stepMeaning(zones[column], steps[row]);
-            cell(row + 1, column + 1)->setText(meaning.isEmpty() ? QStringLiteral("—") : meaning);
+            cell(row + 1, column + 1)
+                ->setText(isGround(zones[column], steps[row])
+                              ? Names::stepMeaning(zones[column], steps[row])
+                              : QStringLiteral("—"));
             cell(row + 1, 0)->setText(Names::step(steps[row]));
         }
     }
     QStringList text;
     if (strokes) {
+        text << tr("E1…E5 number the steps in which a zone is ground during one double stroke, so "
+                   "the same number is another step in another zone. They are shown when a few "
+                   "double strokes are shown.");
+        if (m_infeed != ReversalInfeed::entry) {
+            text << tr("Fed at the exit, RZ2 is ground in E4 between its E1 and E2.");
+        }
         text
-            << tr("E1…E5 number the steps in which a zone is ground during one double stroke, so "
-                  "the same number is another step in another zone. They are shown when a few "
-                  "double strokes are shown.")
             << tr("A zone is shown as ground during the whole stroke, as the model has it: where "
                   "the wheel stands within a stroke is not distinguished.")
             << tr("Over the whole cycle a point is a double stroke: feeds are summed over its "

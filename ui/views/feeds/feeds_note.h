@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/machine.h"
 #include "core/project/project.h"
+#include "core/simulation/result.h"
 
 #include <QDialog>
 
@@ -17,7 +19,7 @@ class FeedsNote : public QDialog {
 public:
     explicit FeedsNote(QWidget* parent = nullptr);
 
-    void setOperation(Operation operation);
+    void setOperation(Operation operation, ReversalInfeed infeed);
     void retranslate();
 
 protected:
@@ -26,8 +28,11 @@ protected:
 private:
     [[nodiscard]] QLabel* cell(int row, int column);
     void paintSteps();
+    /// Whether a zone is ground in the step: a reversal without infeed has no plunge-in.
+    [[nodiscard]] bool isGround(Zone zone, Step step) const;
 
     Operation m_operation;
+    ReversalInfeed m_infeed = ReversalInfeed::entry;
     QWidget* m_steps;
     QLabel* m_text;
     QPushButton* m_close;

@@ -2,6 +2,7 @@
 #include "ui/views/feeds/feeds_view.h"
 
 #include "core/process/system_compliance.h"
+#include "core/project/machine.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme_icon.h"
@@ -201,7 +202,8 @@ void FeedsView::showNote() {
     if (!m_noteDialog) {
         m_noteDialog = new FeedsNote(this);
     }
-    m_noteDialog->setOperation(good() ? good()->result.project.operation : Operation());
+    const Project shown = good() ? good()->result.project : Project();
+    m_noteDialog->setOperation(shown.operation, shown.machine->reversal_infeed);
     m_noteDialog->show();
     m_noteDialog->raise();
     m_noteDialog->activateWindow();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The feeds view's legend, hair line, room, note and table, and how long it takes.
 #include "core/project/cycle.h"
+#include "core/project/machine.h"
 #include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
@@ -16,6 +17,7 @@
 #include <QSpinBox>
 #include <QToolButton>
 
+#include <algorithm>
 #include <cmath>
 
 namespace test_feeds_tools {
@@ -237,8 +239,19 @@ void TestFeedsTools::theNoteTellsTheStepsOfEachZone() {
                              "return stroke", "E5", "during the whole stroke"}) {
         QVERIFY2(all.contains(QLatin1String(text)), text);
     }
+    QVERIFY(!all.contains(QLatin1String("plunge-in at the exit")));
     QTest::keyClick(note, Qt::Key_Escape);
     QVERIFY(!note->isVisible());
+    Project bothEnds = m_traverse->result.project;
+    bothEnds.machine->reversal_infeed = ReversalInfeed::both;
+    show(view, run(bothEnds));
+    QTest::mouseClick(view.findChild<QToolButton*>(QStringLiteral("note")), Qt::LeftButton);
+    const auto labels = note->findChildren<QLabel*>();
+    const auto has = [&labels](const char* text) {
+        return std::ranges::any_of(
+            labels, [text](const QLabel* label) { return label->text() == QLatin1String(text); });
+    };
+    QVERIFY(has("plunge-in") && has("plunge-in at the exit"));
 }
 
 void TestFeedsTools::theTableHoldsTheCurvesData() {
