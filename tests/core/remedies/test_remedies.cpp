@@ -342,16 +342,21 @@ void verify(const Project& project, const RemedyResult& found) {
 }
 
 Project randomOf(std::uint64_t seed) {
-    return readProject(randomProject(seed).dump()).project.value();
+    Project project = readProject(randomProject(seed).dump()).project.value();
+    if (seed % 5 != 0) { // with it nearly all fail, and no stage may be run over
+        project.least_overlap.reset();
+        project.least_overlap_last.reset();
+        project.least_steps.reset();
+        project.gauge->delay_s.reset();
+        project.machine->feed_change_delay_s.reset();
+    }
+    return project;
 }
 
 /// A project about one whose cycle holds: its field, a tolerance or a drive is made narrower than
 /// what comes out, so that it fails by little.
 std::optional<Project> narrowed(std::uint64_t seed) {
     Project project = randomOf(seed);
-    project.least_overlap.reset();
-    project.least_overlap_last.reset();
-    project.least_steps.reset();
     const OutcomePtr outcome = evaluate(project);
     if (outcome->result.status != RunStatus::completed) {
         return {};
