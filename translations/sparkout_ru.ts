@@ -5327,16 +5327,16 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Перекрытие</translation>
         </message>
         <message>
-            <source>Overlap, stage</source>
-            <translation>Перекрытие ступени</translation>
+            <source>Least overlap</source>
+            <translation>Наим. перекр.</translation>
         </message>
         <message>
             <source>Overlap, last</source>
-            <translation>Перекрытие посл.</translation>
+            <translation>Перекр. посл.</translation>
         </message>
         <message>
-            <source>Stage steps</source>
-            <translation>Ходов ступени</translation>
+            <source>Fewest steps</source>
+            <translation>Число ходов</translation>
         </message>
     </context>
     <context>
