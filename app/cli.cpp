@@ -34,13 +34,13 @@ constexpr const char* helpText =
 
   sparkout-cli simulate FILE [--surface NAME|N|all] [--json] [--check] [--trace OUT.csv]
   sparkout-cli remedies FILE [--surface NAME|N|all] [--json]
-  sparkout-cli optimize FILE [--surface NAME|N|all] [--robust] [--refine] [--method search|full|dp|labels]
-                        [--stages N,…] [--time-limit S] [--threads N] [--json]
-                        [-o OUT.sparkout]
+  sparkout-cli optimize FILE [--surface NAME|N|all] [--robust] [--refine]
+                        [--method search|full|dp|labels] [--stages N,…]
+                        [--time-limit S] [--threads N] [--json] [-o OUT.sparkout]
   sparkout-cli validate FILE
-  sparkout-cli batch FILE [option…] [--shard I/N | --json | --csv]
+  sparkout-cli batch FILE [--surface NAME|N|all] [option…] [--shard I/N | --json | --csv]
   sparkout-cli batch-merge SHARD… [--json | --csv] [--check]
-  sparkout-cli sweep FILE [--threads N] [--json | --csv] [--progress]
+  sparkout-cli sweep FILE [--surface NAME|N|all] [--threads N] [--json | --csv] [--progress]
   sparkout-cli examples DIR [--force]
   sparkout-cli --version | --help
 
@@ -100,7 +100,8 @@ examples   writes the example projects into a folder, which is made if need be;
 
 A file may hold several surfaces of a part that are ground in one set-up. simulate, remedies,
 optimize, batch and sweep take each in its order, or the one that --surface names, by its name or
-its number from 1; the wheel comes to it as the surfaces before have left it.
+its number from 1; the wheel comes to it as the surfaces before have left it. A time
+limit holds for each surface.
 
 Sections of a plunge and parts of a batch are counted from 0, as in the file; in the window and
 its reports from 1.
@@ -151,8 +152,7 @@ int simulateOne(const Project& project, const std::string& name, const Options& 
 /// Every surface, each with the wheel as those before have left it, and the times of the part.
 int simulateWhole(const Surfaces& surfaces, const Options& options) {
     const SetupRun run = runSetup(surfaces.setup());
-    printIssues(options.operand, run.issues);
-    int status = run.issues.empty() ? done : refused;
+    int status = done;
     for (std::size_t i = 0; i < run.surfaces.size(); ++i) {
         const SurfaceRun& surface = run.surfaces[i];
         const std::string name = surfaces.nameOf(i);
@@ -162,6 +162,10 @@ int simulateWhole(const Surfaces& surfaces, const Options& options) {
         }
         const int one = statusOf(surface, name, options);
         status = status == done ? one : status;
+    }
+    if (!run.issues.empty()) {
+        printIssues(surfaces.nameOf(run.surfaces.size()), run.issues);
+        status = status == done ? static_cast<int>(refused) : status;
     }
     print(stdout,
           options.json ? setupJson(surfaces.setup(), run) : setupText(surfaces.setup(), run));

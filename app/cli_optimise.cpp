@@ -3,7 +3,6 @@
 
 #include "app/cli_io.h"
 #include "app/cli_optimise_report.h"
-#include "app/cli_report.h"
 #include "app/cli_surfaces.h"
 #include "app/search_watch.h"
 #include "core/optimisation/search_names.h"
@@ -183,13 +182,18 @@ int runOptimise(const std::vector<std::string>& arguments) {
         return surfaces.status();
     }
     Setup answers = surfaces.setup();
+    bool isFound = false;
     const int status = surfaces.run(
+        answers, // of each surface with the wheel as the cycles found leave it
         [&](Project project, std::size_t surface, const std::string& name) {
-            return optimise(std::move(project), surface, name, options, answers);
+            const int one = optimise(std::move(project), surface, name, options, answers);
+            isFound = isFound || one == done;
+            return one;
         },
         options.json);
-    return status == done && !options.output.empty() ? save(options.output, writeSetup(answers))
-                                                     : status;
+    const int saved = isFound && !options.output.empty() ? save(options.output, writeSetup(answers))
+                                                         : static_cast<int>(done);
+    return saved == done ? status : saved;
 }
 
 } // namespace sparkout::cli

@@ -108,22 +108,17 @@ std::string setupText(const Setup& setup, const SetupRun& run) {
     if (!run.isCompleted(setup)) {
         return text + "not every surface is completed\n";
     }
-    text += run.holds(setup) ? "every surface holds its drawing\n" : "not every surface holds\n";
+    text += run.holds(setup) ? "every surface meets its requirements\n"
+                             : "not every surface meets its requirements\n";
     const std::pair<const char*, double> times[] = {
         {"main time To", run.time.main_min},
         {"auxiliary time Ta", run.time.auxiliary_min},
         {"piece time T1", run.time.piece_min},
-        {"preparation time Tp", run.time.preparation_min},
-        {"with its share of the batch", run.time.calculation_min},
+        {"preparation Tp", run.time.preparation_min},
+        {"with share of Tp", run.time.calculation_min},
     };
     for (const auto& [name, minutes] : times) {
-        const std::string number = fixed(minutes, 3);
-        const std::string label = std::string("  ") + name;
-        text += label
-                + std::string(std::max<std::size_t>(40, label.size() + number.size() + 1)
-                                  - label.size() - number.size(),
-                              ' ')
-                + number + " min\n";
+        text += padded(std::string("  ") + name) + fixed(minutes, 3) + " min\n";
     }
     return text;
 }

@@ -2,7 +2,7 @@
 #include "app/cli_surfaces.h"
 
 #include "app/cli_io.h"
-#include "app/cli_report.h"
+#include "app/stop_signals.h"
 #include "core/format/strict_json.h"
 #include "core/printable.h"
 #include "core/setup/worn_project.h"
@@ -21,34 +21,36 @@ Surfaces::Surfaces(const std::string& file, const std::string& surface) : m_file
     m_setup = std::move(*setup);
     m_chosen.resize(m_setup.surfaces.size());
     std::iota(m_chosen.begin(), m_chosen.end(), std::size_t{0});
-    if (surface.empty() || surface == "all") {
-        return;
-    }
+    m_isWhole = !m_setup.isPlain();
     if (const auto found = m_setup.find(surface)) {
         m_chosen = {*found};
+        m_isWhole = false;
+        return;
+    }
+    if (surface.empty() || surface == "all") {
         return;
     }
     std::string names;
     for (std::size_t i = 0; i < m_setup.surfaces.size(); ++i) {
-        const std::string& name = m_setup.surfaces[i].name;
+        constexpr std::size_t most = 40; // letters of a name, of whatever length it is
+        const std::string name = m_setup.surfaces[i].name.substr(0, most);
         names += (i > 0 ? ", " : "") + std::to_string(i + 1) + (name.empty() ? "" : " " + name);
     }
     m_status = usageError(file + " has no surface " + surface + "; it has: " + names);
 }
 
 bool Surfaces::isWhole() const {
-    return m_chosen.size() > 1;
+    return m_isWhole;
 }
 
 int Surfaces::oneFor(const std::string& option) const {
-    return isWhole() ? usageError(option + " is of one surface: say which by --surface") : done;
+    return isWhole() ? usageError(option + " needs one surface: name it by --surface") : done;
 }
 
 std::string Surfaces::nameOf(std::size_t surface) const {
     const std::string& name = m_setup.surfaces[surface].name;
-    return m_setup.surfaces.size() == 1
-               ? m_file
-               : m_file + ": surface " + std::to_string(surface + 1) + ' ' + name;
+    return m_setup.isPlain() ? m_file
+                             : m_file + ": surface " + std::to_string(surface + 1) + ' ' + name;
 }
 
 std::string Surfaces::heading(std::size_t surface) const {
@@ -56,39 +58,41 @@ std::string Surfaces::heading(std::size_t surface) const {
            + printable(m_setup.surfaces[surface].name) + "\n\n";
 }
 
-int Surfaces::runOne(const Command& command, std::size_t surface) const {
-    WornProject worn = wornProject(m_setup, surface);
+int Surfaces::runOne(const Setup& setup, const Command& command, std::size_t surface) const {
+    WornProject worn = wornProject(setup, surface);
     if (!worn.issues.empty()) {
-        printIssues(nameOf(surface), worn.issues);
+        printIssues(nameOf(worn.surface), worn.issues);
         return refused;
     }
     return command(std::move(worn.project), surface, nameOf(surface));
 }
 
 int Surfaces::run(const Command& command, bool json) const {
+    return run(m_setup, command, json);
+}
+
+int Surfaces::run(const Setup& setup, const Command& command, bool json) const {
     if (!isWhole()) {
-        return runOne(command, m_chosen.front());
+        return runOne(setup, command, m_chosen.front());
     }
     int status = done;
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const std::size_t surface : m_chosen) {
-        const std::string& name = m_setup.surfaces[surface].name;
         int one = done;
         if (json) {
             const CapturedOutput output;
-            one = runOne(command, surface);
+            one = runOne(setup, command, surface);
             const auto object = nlohmann::ordered_json::parse(output.text(), nullptr, false);
-            nlohmann::ordered_json entry = {{"name", name}};
+            nlohmann::ordered_json entry = {{"name", m_setup.surfaces[surface].name}};
             entry.update(object.is_object() ? object : nlohmann::ordered_json::object());
             entry["exit_status"] = one;
             all.push_back(std::move(entry));
         } else {
             print(stdout, heading(surface));
-            one = runOne(command, surface);
+            one = runOne(setup, command, surface);
         }
         status = status == done ? one : status;
-        if (one > interrupted) {
-            status = one;
+        if (caughtSignal() != 0) {
             break;
         }
     }

@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,14 +13,14 @@ namespace sparkout::cli {
 /// What a command is to take of a file: `--surface NAME|N|all`.
 class Surfaces {
 public:
-    /// Reads the file; what is wrong with it, or that it has no such surface, is said.
+    /// Reads the file; what is wrong with it, or that it has no such surface, is reported.
     Surfaces(const std::string& file, const std::string& surface);
 
     [[nodiscard]] int status() const { return m_status; } ///< `done`: something was chosen
     [[nodiscard]] const Setup& setup() const { return m_setup; }
-    [[nodiscard]] bool isWhole() const; ///< all of several
-    [[nodiscard]] const std::vector<std::size_t>& chosen() const { return m_chosen; }
-    /// Of what writes one file: `done`, or that one surface has to be named, which is said.
+    /// All of a set-up, and not one surface alone.
+    [[nodiscard]] bool isWhole() const;
+    /// Of what writes one file: `done`, or that one surface has to be named, which is reported.
     [[nodiscard]] int oneFor(const std::string& option) const;
 
     [[nodiscard]] std::string nameOf(std::size_t surface) const; ///< for messages
@@ -32,15 +31,18 @@ public:
     using Command =
         std::function<int(Project project, std::size_t surface, const std::string& name)>;
     /// Runs it on each, with a heading above each text or all in one JSON object. The exit status
-    /// is the first that is not `done`; a command that was interrupted is the last.
+    /// is the first that is not `done`; Ctrl+C ends it after the surface that it interrupts.
     [[nodiscard]] int run(const Command& command, bool json) const;
+    /// The same on the projects of a set-up that the command may change meanwhile.
+    [[nodiscard]] int run(const Setup& setup, const Command& command, bool json) const;
 
 private:
-    int runOne(const Command& command, std::size_t surface) const;
+    int runOne(const Setup& setup, const Command& command, std::size_t surface) const;
 
     std::string m_file;
     Setup m_setup;
     std::vector<std::size_t> m_chosen;
+    bool m_isWhole = false;
     int m_status;
 };
 

@@ -2306,6 +2306,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Мощность привода вращения заготовки.</translation>
         </message>
         <message>
+            <source>Feed change delay</source>
+            <translation>Запаздывание смены подачи</translation>
+        </message>
+        <message>
+            <source>Time from the gauge&apos;s command to the feed of the next stage: a stage that the gauge ends goes on for the whole double strokes or revolutions that it lasts. The last command only draws the wheel back and is not delayed.</source>
+            <translation>Время от команды прибора до подачи следующей ступени: ступень, которую заканчивает прибор, продолжается на столько целых двойных ходов или оборотов, сколько оно длится. Последняя команда только отводит круг и не запаздывает.</translation>
+        </message>
+        <message>
             <source>Entry zone is at the</source>
             <translation>Зона входа РЗ1</translation>
         </message>
@@ -2315,7 +2323,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Infeed at the reversals</source>
-            <translation>Подача на врезание</translation>
+            <translation>Радиальная подача на реверсах</translation>
         </message>
         <message>
             <source>Where the radial feed of a double stroke is fed: at the entry reversal, at the exit reversal, or half of it at each.</source>
@@ -2355,7 +2363,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Radial infeed that goes on all the time while the table travels and dwells, beside the radial feed at the reversals, which may then be 0.</source>
-            <translation>Радиальная подача, которая идёт всё время, пока стол движется и стоит на задержках, кроме подачи на реверсах, которая тогда может быть равна 0.</translation>
+            <translation>Радиальная подача, которая идёт всё время, пока стол движется и стоит на задержках, дополнительно к подаче на реверсах, которая тогда может быть равна 0.</translation>
         </message>
         <message>
             <source>Axial feed</source>
@@ -2456,6 +2464,14 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>How many stages the gauge can switch.</source>
             <translation>Сколько ступеней может переключить прибор.</translation>
+        </message>
+        <message>
+            <source>Gauge delay</source>
+            <translation>Запаздывание прибора</translation>
+        </message>
+        <message>
+            <source>Time from the gauge&apos;s reading to its command. Every stage that the gauge ends goes on for the whole double strokes or revolutions that it lasts, the last one too.</source>
+            <translation>Время от показания прибора до его команды. Каждая ступень, которую заканчивает прибор, продолжается на столько целых двойных ходов или оборотов, сколько оно длится, и последняя тоже.</translation>
         </message>
         <message>
             <source>Marking</source>
@@ -3134,6 +3150,34 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Отжимает ли сила в одном сечении и остальные; нужна податливость, рассчитанная по жёсткости узлов и валу.</translation>
         </message>
         <message>
+            <source>Least overlap of a stage</source>
+            <translation>Перекрытие ступени, не менее</translation>
+        </message>
+        <message>
+            <source>Wheel widths to the table&apos;s advance in one revolution, at least; usually 1.05. Below 1 strips stay uncut.</source>
+            <translation>Наименьший коэффициент перекрытия — отношение высоты круга к перемещению стола за оборот заготовки; обычно 1,05. При значении ниже 1 остаются непрошлифованные полосы.</translation>
+        </message>
+        <message>
+            <source>Least overlap of the last stage</source>
+            <translation>Перекрытие последней ступени, не менее</translation>
+        </message>
+        <message>
+            <source>as of every stage</source>
+            <translation>как у каждой ступени</translation>
+        </message>
+        <message>
+            <source>The same for the last stage, which leaves the surface; usually 2.</source>
+            <translation>Наименьший коэффициент перекрытия последней ступени, которая оставляет поверхность; обычно 2.</translation>
+        </message>
+        <message>
+            <source>Least steps of a stage</source>
+            <translation>Двойных ходов (оборотов) ступени, не менее</translation>
+        </message>
+        <message>
+            <source>Double strokes (usually 2) or revolutions (usually 3) that each stage with stock makes at least; a spark-out by number is not counted.</source>
+            <translation>Наименьшее число двойных ходов (обычно 2) или оборотов (обычно 3) ступени с припуском; выхаживание по числу не считается.</translation>
+        </message>
+        <message>
             <source>Programmed plunge feed; S_p/n per revolution of the part. Beyond the sources: a stage between others may retract (negative feed) until its stock is off or nothing is cut.</source>
             <translation>Программная врезная подача; S_p/n за оборот заготовки. Сверх источников: ступень между другими может отводить бабку (отрицательная подача), пока не снят её припуск или пока не прекратится съём.</translation>
         </message>
@@ -3447,7 +3491,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Of the wheel to a surface, for each of them.</source>
-            <translation>Круга к поверхности, для каждой из них.</translation>
+            <translation>Время подвода круга к поверхности, для каждой из них.</translation>
         </message>
         <message>
             <source>Retreat</source>
@@ -3455,7 +3499,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Of the wheel from a surface, for each of them.</source>
-            <translation>Круга от поверхности, для каждой из них.</translation>
+            <translation>Время отвода круга от поверхности, для каждой из них.</translation>
         </message>
         <message>
             <source>Gauging</source>
@@ -3463,7 +3507,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Of a surface after its cycle, for each of them.</source>
-            <translation>Поверхности после её цикла, для каждой из них.</translation>
+            <translation>Время измерения поверхности после её цикла, для каждой из них.</translation>
         </message>
         <message>
             <source>Table positioning</source>
@@ -3471,7 +3515,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Of the table from one surface to the next.</source>
-            <translation>Стола от одной поверхности к следующей.</translation>
+            <translation>Время перемещения стола от одной поверхности к следующей.</translation>
         </message>
         <message>
             <source>Clamping a part and taking it off.</source>
@@ -5367,6 +5411,30 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>overlap B/s in %1 is %3, below 1: strips stay uncut, so size, form and roughness are not known of the whole surface</source>
             <translation>перекрытие B/s (%1) равно %3, меньше 1: остаются непрошлифованные полосы, поэтому размер, форма и шероховатость всей поверхности неизвестны</translation>
         </message>
+        <message>
+            <source>Required overlap of a stage</source>
+            <translation>Коэффициент перекрытия ступени</translation>
+        </message>
+        <message>
+            <source>overlap B/s in %1 is %3, %2 below the least</source>
+            <translation>коэффициент перекрытия B/s (%1) равен %3, на %2 меньше наименьшего</translation>
+        </message>
+        <message>
+            <source>Required overlap of the last stage</source>
+            <translation>Коэффициент перекрытия последней ступени</translation>
+        </message>
+        <message>
+            <source>overlap B/s in the last stage is %3, %2 below the least</source>
+            <translation>коэффициент перекрытия B/s последней ступени равен %3, на %2 меньше наименьшего</translation>
+        </message>
+        <message>
+            <source>Steps of a stage</source>
+            <translation>Число двойных ходов (оборотов) ступени</translation>
+        </message>
+        <message>
+            <source>%1 makes %3 double strokes or revolutions, %2 fewer than the least</source>
+            <translation>%1: двойных ходов (оборотов) %3, на %2 меньше наименьшего числа</translation>
+        </message>
     </context>
     <context>
         <name>RequirementBrief</name>
@@ -5437,6 +5505,18 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Overlap</source>
             <translation>Перекрытие</translation>
+        </message>
+        <message>
+            <source>Least overlap</source>
+            <translation>Наим. перекр.</translation>
+        </message>
+        <message>
+            <source>Overlap, last</source>
+            <translation>Перекр. посл.</translation>
+        </message>
+        <message>
+            <source>Fewest steps</source>
+            <translation>Число ходов</translation>
         </message>
     </context>
     <context>
@@ -7146,6 +7226,14 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>The wheel&apos;s width times the work speed over the axial feed; 1 is reached at %1 mm/min.</source>
             <translation>Высота круга, умноженная на частоту вращения заготовки и делённая на осевую подачу; значение 1 достигается при %1 мм/мин.</translation>
+        </message>
+        <message>
+            <source>The wheel&apos;s width times the work speed over the axial feed; %1 is reached at %2 mm/min.</source>
+            <translation>Высота круга, умноженная на частоту вращения заготовки и делённая на осевую подачу; значение %1 достигается при %2 мм/мин.</translation>
+        </message>
+        <message>
+            <source>The fewest that a stage with stock makes; a smaller feed or more stock in stage %1 makes them more.</source>
+            <translation>Наименьшее число среди ступеней с припуском; меньшая подача или больший припуск ступени %1 увеличит его.</translation>
         </message>
         <message>
             <source>%1 against the gauge %2 µm</source>

@@ -16,13 +16,13 @@ using nlohmann::json;
 
 namespace {
 
-/// `conditional`: whether keys that are required only sometimes are reported too.
 /// Keys that may be null in memory are missing from unfinished work too; the others cannot be.
 bool mayBeNull(const Field& field) {
     return field.kind == Kind::optionalNumber || field.kind == Kind::optionalInteger
            || field.kind == Kind::optionalNumberList || field.kind == Kind::optionalObject;
 }
 
+/// `conditional`: whether keys that are required only sometimes are reported too.
 void reportMissing(const std::vector<MissingKey>& missing, const Project& project, bool conditional,
                    bool nullable, Issues& issues) {
     for (const MissingKey& key : missing) {
@@ -71,13 +71,14 @@ Issues checkHeader(const json& root, int newest) {
     } else if (root.at("format") != projectFormat) {
         add(IssueCode::wrongFormat, "/format", quoted(root.at("format")), expected);
     }
-    const Bounds versions{{1, newest}};
+    const Bounds versions{{1, static_cast<double>(newest)}};
     if (!root.contains("version")) {
         add(IssueCode::missingKey, "/version", {}, versions);
     } else if (const json& version = root.at("version"); !version.is_number_integer()) {
         add(IssueCode::wrongType, "/version", quoted(version), Phrase::wholeNumber);
     } else if (version.get<double>() > newest) {
-        add(version == newestVersion ? IssueCode::severalSurfaces : IssueCode::newerVersion, "/version", quoted(version), versions);
+        add(version == newestVersion ? IssueCode::severalSurfaces : IssueCode::newerVersion,
+            "/version", quoted(version), versions);
     } else if (version.get<double>() < 1) {
         add(IssueCode::outOfRange, "/version", quoted(version), versions);
     }

@@ -62,7 +62,7 @@ std::optional<SimulationResult> CycleRunner::run(const GridCycle& cycle, std::in
                           m_grid->settings()[cycle[stage].setting].axialFeed_mm_min})) {
             break;
         }
-        control.stepDone(steps->remaining(), run.fed_mm);
+        control.stepDone(steps->remaining(), run.fed_mm, run.time_s());
         const auto broken = m_cuts.broken(run, stage);
         if (broken) {
             ++counts.cuts[static_cast<std::size_t>(*broken)];

@@ -35,6 +35,21 @@ struct Branch {
     }
 };
 
+/// The requirement that the overlap of a setting breaks in a stage before the last, and in the
+/// last.
+struct TooWide {
+    std::optional<ConstraintKind> before, last;
+};
+
+std::optional<ConstraintKind> tooWide(const Project& project, const StageSetting& setting,
+                                      bool last) {
+    if (!project.operation->axial()) {
+        return std::nullopt;
+    }
+    const OverlapCheck check = checkOverlap(project, setting.axialFeed_mm_min, last);
+    return check.holds() ? std::nullopt : std::optional(check.kind);
+}
+
 class PrunedSearch {
 public:
     PrunedSearch(const Project& project, const Grid& grid, const SearchOptions& options)
@@ -46,12 +61,13 @@ public:
         , m_freeLast(!project.optimisation || !project.optimisation->last_stock_mm)
         , m_mayMerge(options.scenarios.empty() && !options.challenge
                      && !(project.optimisation && project.optimisation->stage_stock_mm))
+        , m_leastSteps(project.least_steps.value_or(0))
         , m_most(options.memory_bytes
                  / (prefixBytes(project)
                     + grid.settings().size() * sizeof(std::pair<double, std::size_t>))) {
         for (const StageSetting& setting : grid.settings()) {
-            m_strips.push_back(project.operation->axial()
-                               && leavesStrips(overlapOf(project, setting.axialFeed_mm_min)));
+            m_tooWide.push_back(
+                {tooWide(project, setting, false), tooWide(project, setting, true)});
         }
     }
 
@@ -132,7 +148,8 @@ private:
     void seed(std::size_t stages) {
         std::vector<std::pair<double, std::size_t>> order;
         for (std::size_t s = 0; s < m_grid.settings().size(); ++s) {
-            if (m_grid.settings()[s].sparkOut == 0 && !m_strips[s]) {
+            if (m_grid.settings()[s].sparkOut == 0 && !m_tooWide[s].before
+                && (m_grid.sparkOut() > 0 || !m_tooWide[s].last)) {
                 order.emplace_back(
                     m_runs.bound().rest_s(s, 0, m_grid.mostLast_mm(), m_grid.sparkOut() == 0), s);
             }
@@ -170,8 +187,9 @@ private:
             if (s == shorter || !m_grid.mayGoOn(done.cycle, done.stages, s)) {
                 continue;
             }
-            if (m_strips[s]) {
-                m_judge.cut(ConstraintKind::overlap);
+            if (const auto& broken =
+                    done.isBeforeLast() ? m_tooWide[s].last : m_tooWide[s].before) {
+                m_judge.cut(*broken);
                 continue;
             }
             const double bound_s = std::max(least_s, m_runs.bound_s(done, steps.run(), s, taken));
@@ -261,6 +279,10 @@ private:
                                        from.merged);
                     return;
                 }
+                if (end.count < m_leastSteps) {
+                    m_judge.cut(ConstraintKind::leastSteps);
+                    return;
+                }
                 for (int taken = end.first; taken <= (single ? end.last : end.first); ++taken) {
                     Prefix prefix;
                     prefix.done = m_runs.after(done, setting, end, taken);
@@ -301,9 +323,10 @@ private:
     Judge m_judge;
     CycleRunner m_runner;
     StageRuns m_runs;
-    std::vector<bool> m_strips;     ///< settings that leave strips uncut, whatever the cycle
+    std::vector<TooWide> m_tooWide; ///< of the settings, whatever the cycle
     bool m_freeLast;                ///< no bounds of the last stage's stock
     bool m_mayMerge;                ///< ends of stages before the one before the last
+    int m_leastSteps;               ///< of a stage; all before the last have stock and feed
     std::vector<Branch> m_branches; ///< a heap
     bool m_isFirstTaken = false;    ///< the first of the heap is to be replaced
     std::vector<Branch> m_newest;   ///< beyond the most branches in order

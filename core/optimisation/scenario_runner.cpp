@@ -97,6 +97,7 @@ CyclePrefix ScenarioRunner::goOn(const CyclePrefix& before, const GridCycle& wan
         if (cycle == same) {
             from.keep(done.steps);
             from.running = done.counts.back();
+            from.signal = done.signal;
         }
     }
     const int taken = before.taken + stage.steps;

@@ -29,7 +29,8 @@ StageRuns::StageRuns(const Project& project, const Grid& grid, const CycleRunner
     , m_cuts(runner.cuts())
     , m_part(runner.begin(grid.stageCounts().front()))
     , m_total(m_part->run().blank().totalInfeed_mm)
-    , m_gauge(project.gauge->control == Control::gauge) {
+    , m_gauge(project.gauge->control == Control::gauge)
+    , m_signal(project, grid.sparkOut() == 0) {
     for (const StageSetting& setting : grid.settings()) {
         m_infeeds_mm.push_back(infeedOf(project, setting));
     }
@@ -106,19 +107,24 @@ void StageRuns::runTo(Ends ends, const CyclePrefix& from, CycleSteps& steps, std
     const bool last = from.isBeforeLast();
     const bool begun = from.hasSteps();
     const int sparkOut = m_grid.settings()[setting].sparkOut;
+    GaugeSignal signal = from.signal.value_or(m_signal);
     for (int count = from.running;; ++count) {
         const int first = ends.taken;
         while ((begun || count > 0) && ends.taken <= ends.last
-               && (sparkOut > 0 ? count >= sparkOut : ended(steps, later(last, ends.taken)))) {
+               && (sparkOut > 0 ? count >= sparkOut
+                                : ended(run, signal, later(last, ends.taken), last))) {
             ++ends.taken;
         }
         if (ends.taken > first) {
-            atEnd({steps, count, first, ends.taken - 1});
+            atEnd({steps, count, first, ends.taken - 1, signal});
         }
         if (ends.taken > ends.last || useless(run, ends.taken) || run.mustEnd()
             || !steps.step({nextInfeed(later(last, ends.taken), setting, run.fed_mm), stage,
                             m_grid.settings()[setting].axialFeed_mm_min})) {
             break;
+        }
+        if (m_gauge) {
+            signal.read(run.time_s(), steps.remaining());
         }
         if (const auto kind = m_cuts.broken(run, stage)) {
             ++counts.cuts[static_cast<std::size_t>(*kind)];
@@ -135,6 +141,7 @@ CyclePrefix StageRuns::after(const CyclePrefix& from, std::size_t setting, const
     prefix.cycle = from.cycle;
     prefix.counts = from.counts;
     prefix.taken = taken;
+    prefix.signal = end.signal;
     prefix.counts.push_back(end.count);
     prefix.cycle.push_back({setting, from.isBeforeLast() ? 0 : taken - from.taken});
     return prefix;
@@ -149,9 +156,9 @@ double StageRuns::nextInfeed(double later_mm, std::size_t setting, double fed_mm
     return m_gauge ? infeed : std::clamp(m_total - later_mm - fed_mm, 0.0, infeed);
 }
 
-bool StageRuns::ended(const CycleSteps& steps, double later_mm) const {
-    return m_gauge ? steps.remaining() <= later_mm + stageSlack_mm
-                   : steps.run().fed_mm >= m_total - later_mm - stageSlack_mm;
+bool StageRuns::ended(const Run& run, const GaugeSignal& signal, double later_mm, bool last) const {
+    return m_gauge ? signal.isOver(later_mm, last)
+                   : run.fed_mm >= m_total - later_mm - stageSlack_mm;
 }
 
 } // namespace sparkout

@@ -4,6 +4,7 @@
 #include "core/optimisation/cycle_runner.h"
 #include "core/optimisation/last_stage_outlook.h"
 #include "core/optimisation/time_bound.h"
+#include "core/simulation/gauge_signal.h"
 
 #include <algorithm>
 #include <functional>
@@ -17,13 +18,14 @@ namespace sparkout {
 /// A cycle up to the end of a stage.
 struct CyclePrefix {
     std::shared_ptr<const CycleSteps> steps;
-    double time_s = 0;       ///< of the steps
-    FollowedRadii telling;   ///< of a last stage
-    std::size_t stages = 0;  ///< of the whole cycle
-    GridCycle cycle;         ///< so far
-    std::vector<int> counts; ///< steps of each stage
-    int taken = 0;           ///< steps of stock
-    int running = 0;         ///< steps already made of the next stage
+    double time_s = 0;                 ///< of the steps
+    FollowedRadii telling;             ///< of a last stage
+    std::size_t stages = 0;            ///< of the whole cycle
+    GridCycle cycle;                   ///< so far
+    std::vector<int> counts;           ///< steps of each stage
+    int taken = 0;                     ///< steps of stock
+    int running = 0;                   ///< steps already made of the next stage
+    std::optional<GaugeSignal> signal; ///< of these steps; none made: not given
     /// Its steps, to go on from.
     void keep(std::shared_ptr<const CycleSteps> done);
     [[nodiscard]] bool isBeforeLast() const { return cycle.size() + 1 == stages; }
@@ -49,6 +51,7 @@ public:
         CycleSteps& steps; ///< of the last stage they may be finished
         int count = 0;     ///< of steps in the stage
         int first = 0, last = 0;
+        GaugeSignal signal;
     };
     /// Whether it is no use to run on to the end with so many steps of stock behind it.
     using Useless = std::function<bool(const Run& run, int taken)>;
@@ -88,7 +91,8 @@ private:
                const Useless& useless, const AtEnd& atEnd, SearchCounts& counts) const;
     [[nodiscard]] double later(bool last, int taken) const;
     [[nodiscard]] double nextInfeed(double later_mm, std::size_t setting, double fed_mm) const;
-    [[nodiscard]] bool ended(const CycleSteps& steps, double later_mm) const;
+    [[nodiscard]] bool ended(const Run& run, const GaugeSignal& signal, double later_mm,
+                             bool last) const;
 
     const Grid& m_grid;
     const PassCuts& m_cuts;
@@ -98,6 +102,7 @@ private:
     std::vector<FollowedFeed> m_feeds;        ///< by setting; empty: no radius can be followed
     std::optional<TimeBound> m_bound;
     bool m_gauge;
+    GaugeSignal m_signal; ///< before the first reading
 };
 
 } // namespace sparkout

@@ -56,6 +56,9 @@ TimeBound::TimeBound(const Project& project, const Grid& grid, double totalInfee
         m_rates.push_back(rate);
     }
     readSparkOuts(grid);
+    if (!m_shortLastStep && grid.sparkOut() == 0) {
+        m_delay_s = project.gauge->delay_s.value_or(0);
+    }
     std::vector<double> own;
     for (const Rate& rate : m_rates) {
         own.push_back(rate.s_per_mm);
@@ -92,10 +95,11 @@ double TimeBound::rest_s(std::size_t setting, double fed_mm, double later_mm, bo
     if (last) {
         const double steps = std::ceil(all / rate.infeed_mm - boundRounding);
         const double whole = m_shortLastStep ? std::max(steps - 1, 0.0) : steps;
-        return (whole * rate.step_s + (steps - whole) * rate.fixed_s) * (1 - boundRounding);
+        return (whole * rate.step_s + (steps - whole) * rate.fixed_s + m_delay_s)
+               * (1 - boundRounding);
     }
     const double here = std::max(all - later_mm, 0.0);
-    return (here * rate.s_per_mm + (all - here) * rate.next_s_per_mm + m_sparkOut_s)
+    return (here * rate.s_per_mm + (all - here) * rate.next_s_per_mm + m_sparkOut_s + m_delay_s)
            * (1 - boundRounding);
 }
 

@@ -27,6 +27,9 @@ namespace sparkout {
 /// A cycle that sparks out in the end feeds only up to the stock L' of that stage, which is no more
 /// than the most the grid leaves a last stage nor than what is left: t_П ≥ |R_first − R_t| − L' −
 /// slack at the end of the last feed. Then come its N steps of at least c(v) (plunge: 1/n).
+///
+/// Where the gauge ends the cycle and is late, its delay follows the reading of the size, which
+/// comes behind all the infeed that is left.
 class TimeBound {
 public:
     TimeBound(const Project& project, const Grid& grid, double totalInfeed_mm);
@@ -60,6 +63,7 @@ private:
     double m_total;
     double m_mostLast_mm = 0; ///< L' at most
     double m_sparkOut_s = 0;  ///< the least of the grid's spark-outs
+    double m_delay_s = 0;     ///< from the size to the end of the cycle
     bool m_shortLastStep;
 };
 

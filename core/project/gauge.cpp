@@ -2,6 +2,7 @@
 #include "core/project/gauge.h"
 
 #include "core/project/conditions.h"
+#include "core/project/cycle.h"
 #include "core/text.h"
 
 namespace sparkout {
@@ -13,6 +14,10 @@ bool gaugeAtSection(const Project& p, const void*) {
 }
 bool byPosition(const Project& p, const void*) {
     return p.gauge->control == Control::position;
+}
+bool gaugeEndsAStage(const Project& p, const void*) {
+    const auto& stages = p.cycle->stages;
+    return p.gauge->control == Control::gauge || (!stages.empty() && stages.back().waitsForSize());
 }
 bool gaugeFree(const Project& p, const void*) {
     return !p.operation->hasZones && p.gauge->position_mm;
@@ -91,6 +96,16 @@ const StructInfo& tableOf<Gauge>() {
                        .hard = {1, 5}, .page = Page::gauge,
                        .hint = SPARKOUT_NOOP("Input", "How many stages the gauge can switch."),
                        .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Gauge, delay_s, .label = SPARKOUT_NOOP("Input", "Gauge delay"), .symbol = "τ_g",
+            .unit = "s", .hard = {0, 60}, .soft = {0, 2},
+            .nullMeaning = SPARKOUT_NOOP("Input", "none"), .relevant = gaugeEndsAStage,
+            .page = Page::gauge,
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Time from the gauge's reading to its command. Every stage that "
+                                  "the gauge ends goes on for the whole double strokes or "
+                                  "revolutions that it lasts, the last one too."),
+            .formula = "t ≥ t_m + τ_g", .source = "MODEL-7"),
     };
     static const StructInfo info = makeTable<Gauge>(SPARKOUT_NOOP("Struct", "Gauge"), rows);
     return info;

@@ -2,6 +2,7 @@
 #include "core/project/machine.h"
 
 #include "core/project/conditions.h"
+#include "core/project/gauge.h"
 #include "core/project/part.h"
 #include "core/text.h"
 
@@ -9,6 +10,9 @@ namespace sparkout {
 
 namespace {
 
+bool byGauge(const Project& p, const void*) {
+    return p.gauge->control == Control::gauge;
+}
 bool onCentres(const Project& p, const void*) {
     return p.part->surface == Surface::external && p.part->shaft.mounting == Mounting::centres;
 }
@@ -202,6 +206,17 @@ const StructInfo& tableOf<Machine>() {
                        .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .page = Page::machine,
                        .hint = SPARKOUT_NOOP("Input", "Power of the work drive."),
                        .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Machine, feed_change_delay_s, .label = SPARKOUT_NOOP("Input", "Feed change delay"),
+            .symbol = "τ_f", .unit = "s", .hard = {0, 60}, .soft = {0, 2},
+            .nullMeaning = SPARKOUT_NOOP("Input", "none"), .relevant = byGauge,
+            .page = Page::machine,
+            .hint =
+                SPARKOUT_NOOP("Input", "Time from the gauge's command to the feed of the next "
+                                       "stage: a stage that the gauge ends goes on for the whole "
+                                       "double strokes or revolutions that it lasts. The last "
+                                       "command only draws the wheel back and is not delayed."),
+            .formula = "t ≥ t_m + τ_g + τ_f", .source = "MODEL-7"),
         SPARKOUT_FIELD(Machine, entry_side, .label = SPARKOUT_NOOP("Input", "Entry zone is at the"),
                        .relevant = conditions::travels, .page = Page::machine,
                        .hint = SPARKOUT_NOOP("Input", "Which end of the part the wheel enters at."),

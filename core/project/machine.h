@@ -49,6 +49,8 @@ struct Machine {
     double geometric_runout_um = 0;       ///< of centres and spindle, adds to runout [µm]
     std::optional<double> wheel_drive_kw; ///< [kW]; not given: not limited
     std::optional<double> work_drive_kw;  ///< [kW]; not given: not limited
+    /// From the gauge's command to the next stage's feed; not given: none [s]
+    std::optional<double> feed_change_delay_s;
     EntrySide entry_side = EntrySide::headstock;
     std::optional<WheelContact> wheel_contact;
     MachineLimits limits;

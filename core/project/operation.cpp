@@ -43,6 +43,7 @@ const OperationTraits Traverse::traits{
     .choice = {"traverse", SPARKOUT_NOOP("Choice", "traverse grinding")},
     .feeds = strokeFeeds,
     .usualRadial = 0.001,
+    .usualLeastSteps = 2,
     .countsStrokes = true,
     .travels = true,
     .hasZones = true,
@@ -52,6 +53,7 @@ const OperationTraits Plunge::traits{
     .choice = {"plunge", SPARKOUT_NOOP("Choice", "plunge grinding")},
     .feeds = plungeFeeds,
     .usualRadial = 0.1,
+    .usualLeastSteps = 3,
     .perMinute = true,
     .mayRetract = true,
 };

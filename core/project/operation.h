@@ -30,6 +30,7 @@ struct OperationTraits {
     Choice choice;                    ///< its key in the file and its label
     std::span<const StageFeed> feeds; ///< of its stages: the radial one, and an axial one if any
     double usualRadial = 0;           ///< of a stage that is added
+    int usualLeastSteps = 0;          ///< that a stage with stock is to make
     bool perMinute = false; ///< the radial feed is one of time [mm/min], else one of a step [mm]
     bool countsStrokes = false; ///< a step of the cycle is a double stroke, else a revolution
     /// The wheel travels along the part, from reversal to reversal with overruns and dwells; else

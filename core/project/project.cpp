@@ -93,6 +93,30 @@ const StructInfo& tableOf<Project>() {
             .hint = SPARKOUT_NOOP("Input", "Whether a force in one section deflects the others "
                                            "too; needs the compliance from stiffness and shaft."),
             .source = "MODEL-6"),
+        SPARKOUT_FIELD(
+            Project, least_overlap, .label = SPARKOUT_NOOP("Input", "Least overlap of a stage"),
+            .hard = {1, 1000}, .soft = {1, 20},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .relevant = conditions::travels,
+            .page = Page::cycle,
+            .hint = SPARKOUT_NOOP("Input", "Wheel widths to the table's advance in one revolution, "
+                                           "at least; usually 1.05. Below 1 strips stay uncut."),
+            .formula = "B·n/S_ax", .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Project, least_overlap_last,
+            .label = SPARKOUT_NOOP("Input", "Least overlap of the last stage"), .hard = {1, 1000},
+            .soft = {1, 20}, .nullMeaning = SPARKOUT_NOOP("Input", "as of every stage"),
+            .relevant = conditions::travels, .page = Page::cycle,
+            .hint = SPARKOUT_NOOP("Input", "The same for the last stage, which leaves the surface; "
+                                           "usually 2."),
+            .formula = "B·n/S_ax", .source = "MODEL-8"),
+        SPARKOUT_FIELD(Project, least_steps,
+                       .label = SPARKOUT_NOOP("Input", "Least steps of a stage"), .hard = {1, 1000},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .page = Page::cycle,
+                       .hint = SPARKOUT_NOOP(
+                           "Input",
+                           "Double strokes (usually 2) or revolutions (usually 3) that each stage "
+                           "with stock makes at least; a spark-out by number is not counted."),
+                       .source = "MODEL-8"),
         SPARKOUT_FIELD(Project, batch, .label = SPARKOUT_NOOP("Input", "Batch"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "no batch described"),
                        .page = Page::batch),

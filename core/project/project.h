@@ -6,6 +6,7 @@
 #include "core/optional_indirect.h"
 #include "core/project/operation.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,10 @@ struct Project {
     Indirect<Cycle> cycle;
     int sections = 4; ///< J, where the ground length has no zones
     bool sections_coupled = false;
+    // What practice asks of a cycle; not given: not required.
+    std::optional<double> least_overlap;      ///< B·n/S_ax of every stage
+    std::optional<double> least_overlap_last; ///< B·n/S_ax of the last stage
+    std::optional<int> least_steps; ///< double strokes or revolutions of a stage with stock
     OptionalIndirect<Batch> batch;
     OptionalIndirect<Optimisation> optimisation;
     OptionalIndirect<Sweep> sweep;

@@ -23,7 +23,8 @@ inline constexpr double diameterSlack_mm = 1e-9;
 /// * a range of the machine: the setting and the nearer end;
 /// * overlap: B·n/S_ax of a stage of a traverse cycle, and 1. Where it fails strips stay uncut, and
 ///   what is held against sections and the part fails with it, since it is not known of the whole
-///   surface.
+///   surface. Where more is required of the stage it is held against that instead;
+/// * steps of a stage: the fewest that any stage with stock made.
 struct ConstraintResult {
     ConstraintKind kind;
     Zone zone = Zone::section;

@@ -103,6 +103,25 @@ double overlapOf(const Project& project, double axialFeed_mm_min) {
     return project.wheel->width_mm * project.machine->work_speed_rpm / axialFeed_mm_min;
 }
 
+OverlapCheck checkOverlap(const Project& project, double axialFeed_mm_min, bool last) {
+    OverlapCheck check;
+    check.overlap = overlapOf(project, axialFeed_mm_min);
+    if (leavesStrips(check.overlap)) {
+        return check;
+    }
+    const auto require = [&check](ConstraintKind kind, const std::optional<double>& least) {
+        if (least && *least >= check.least) {
+            check.kind = kind;
+            check.least = *least;
+        }
+    };
+    require(ConstraintKind::leastOverlap, project.least_overlap);
+    if (last) {
+        require(ConstraintKind::leastOverlapLast, project.least_overlap_last);
+    }
+    return check;
+}
+
 std::vector<OverlapCheck> checkOverlaps(const Project& project) {
     std::vector<OverlapCheck> found;
     const StageFeed* const axial = project.operation->axial();
@@ -110,7 +129,8 @@ std::vector<OverlapCheck> checkOverlaps(const Project& project) {
     for (std::size_t z = 0; axial && z < stages.size(); ++z) {
         const std::optional<double>& axialFeed = stages[z].*axial->value;
         if (axialFeed && *axialFeed > 0) {
-            found.push_back({static_cast<int>(z) + 1, overlapOf(project, *axialFeed)});
+            found.push_back(checkOverlap(project, *axialFeed, z + 1 == stages.size()));
+            found.back().stage = static_cast<int>(z) + 1;
         }
     }
     return found;
@@ -118,7 +138,20 @@ std::vector<OverlapCheck> checkOverlaps(const Project& project) {
 
 bool leavesStrips(const Project& project) {
     const std::vector<OverlapCheck> all = checkOverlaps(project);
-    return std::any_of(all.begin(), all.end(), [](const auto& each) { return !each.holds(); });
+    return std::any_of(all.begin(), all.end(),
+                       [](const auto& each) { return leavesStrips(each.overlap); });
+}
+
+std::optional<StageSteps> fewestSteps(const SimulationResult& result) {
+    const auto& stages = result.project.cycle->stages;
+    std::optional<StageSteps> fewest;
+    for (std::size_t z = 0; z < result.countsByStage.size(); ++z) {
+        const bool counts = stages[z].stock_mm > 0 && !stages[z].sparkOutSteps();
+        if (counts && (!fewest || result.countsByStage[z] < fewest->steps)) {
+            fewest = {static_cast<int>(z) + 1, result.countsByStage[z]};
+        }
+    }
+    return fewest;
 }
 
 } // namespace sparkout

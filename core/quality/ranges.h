@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/quality/requirement.h"
+#include "core/simulation/result.h"
 
 #include <optional>
 #include <vector>
@@ -39,23 +40,42 @@ inline constexpr double leastOverlap = 1;
 
 /// Of a stroke with an axial feed.
 [[nodiscard]] double overlapOf(const Project& project, double axialFeed_mm_min);
-/// Whether it leaves strips; a last bit leaves none.
+/// Whether it is the least one or more; a last bit fails no one.
+[[nodiscard]] constexpr bool holdsOverlap(double overlap, double least) {
+    return overlap >= least * (1 - 1e-9);
+}
+/// Whether it leaves strips.
 [[nodiscard]] constexpr bool leavesStrips(double overlap) {
-    return overlap < leastOverlap * (1 - 1e-9);
+    return !holdsOverlap(overlap, leastOverlap);
 }
 
-/// The overlap of one stage of a traverse cycle.
+/// The overlap of one stage of a traverse cycle, against the one least that counts for it.
 struct OverlapCheck {
-    int stage = 0; ///< from 1
+    ConstraintKind kind = ConstraintKind::overlap; ///< the requirement that has it
+    int stage = 0;                                 ///< from 1
     double overlap = 0;
-    [[nodiscard]] bool holds() const { return !leavesStrips(overlap); }
+    double least = leastOverlap;
+    [[nodiscard]] bool holds() const { return holdsOverlap(overlap, least); }
 };
 
+/// Of a stroke in the last stage of a cycle or in another one. Where strips are left it is the
+/// overlap of 1, whatever more is required; else the greatest that is.
+[[nodiscard]] OverlapCheck checkOverlap(const Project& project, double axialFeed_mm_min, bool last);
 /// Of each stage that has an axial feed; none in plunge grinding.
 [[nodiscard]] std::vector<OverlapCheck> checkOverlaps(const Project& project);
 
 /// Whether a stage of the cycle leaves strips: then the size, form and roughness that are computed
 /// are those of the cut surface alone.
 [[nodiscard]] bool leavesStrips(const Project& project);
+
+/// How many double strokes or revolutions a stage made.
+struct StageSteps {
+    int stage = 0; ///< from 1
+    int steps = 0;
+};
+
+/// The first of the stages that made the fewest, of those that have stock and end by gauge or
+/// position: how many a spark-out by number makes is set. Nothing: there is no such stage.
+[[nodiscard]] std::optional<StageSteps> fewestSteps(const SimulationResult& result);
 
 } // namespace sparkout

@@ -33,6 +33,9 @@ enum class ConstraintKind {
     rangeWorkSpeed,
     gaugeCommands,
     overlap,
+    leastOverlap,
+    leastOverlapLast,
+    leastSteps,
     count_
 };
 inline constexpr int constraintKinds = static_cast<int>(ConstraintKind::count_);

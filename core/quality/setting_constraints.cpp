@@ -30,9 +30,20 @@ void evaluateGaugeCommands(ConstraintKind kind, const Judged& of, ConstraintResu
 
 void evaluateOverlap(ConstraintKind kind, const Judged& of, ConstraintResults& found) {
     for (const OverlapCheck& check : checkOverlaps(of.result.project)) {
-        found.push_back(held(kind, Side::atLeast, leastOverlap, check.overlap, leastOverlap));
-        found.back().stage = check.stage;
-        found.back().holds = check.holds();
+        if (check.kind == kind) {
+            found.push_back(held(kind, Side::atLeast, check.least, check.overlap, check.least));
+            found.back().stage = check.stage;
+            found.back().holds = check.holds();
+        }
+    }
+}
+
+void evaluateLeastSteps(ConstraintKind kind, const Judged& of, ConstraintResults& found) {
+    const std::optional<int>& least = of.result.project.least_steps;
+    const std::optional<StageSteps> fewest = least ? fewestSteps(of.result) : std::nullopt;
+    if (fewest) {
+        found.push_back(held(kind, Side::atLeast, *least, fewest->steps, *least));
+        found.back().stage = fewest->stage;
     }
 }
 

@@ -56,7 +56,8 @@ constexpr const char* surfacesInOrder =
     R"(
 Every other key above stands in its place in each object of `"surfaces"`, which also has a `"name"` of
 its own; `part.shaft.ground_from_mm` is where the surface stands on the shaft, from which its
-compliance follows. A key in the wrong of both places is an error that names it. A set-up of one
+compliance follows. A key in the wrong one of the two
+places is an error that names it. A set-up of one
 surface without name, times and wear is written as version 1, and a file of version 1 is read as such
 a set-up. `sparkout-cli` takes files of both versions, the window those of version 1;
 `project.schema.json` describes version 1.

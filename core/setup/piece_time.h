@@ -9,12 +9,12 @@ namespace sparkout {
 
 /// The standard times of a part in one set-up, in minutes.
 struct PieceTime {
-    double main_min = 0;        ///< To, as given or the sum of the cycles
-    double auxiliary_min = 0;   ///< Tв, as given or n·(approach + retreat + gauging)
+    double main_min = 0;        ///< T_o, as given or the sum of the cycles
+    double auxiliary_min = 0;   ///< T_a, as given or n·(approach + retreat + gauging)
                                 ///< + (n − 1)·positioning + handling for n surfaces
-    double piece_min = 0;       ///< Tшт, as given or (To + Tв)·(1 + service/100)
-    double preparation_min = 0; ///< Tпз, as given
-    double calculation_min = 0; ///< Tшт + Tпз/N, with the part's share of the preparation
+    double piece_min = 0;       ///< T_1, as given or (T_o + T_a)·(1 + service/100)
+    double preparation_min = 0; ///< T_p, as given
+    double calculation_min = 0; ///< T_1 + T_p/N, with the part's share of the preparation
 };
 
 /// Of so many surfaces whose cycles take that long together.

@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/setup.h"
 
+#include "core/format/strict_json.h"
+#include "core/format/table_writer.h"
 #include "core/project/range_check.h"
 
 #include <algorithm>
 #include <charconv>
 
 namespace sparkout {
+
+bool Setup::isPlain() const {
+    const auto isDefault = [](const StructInfo& table, const void* owner) {
+        return writeByTable(table, owner) == writeByTable(table, table.defaults);
+    };
+    return surfaces.size() == 1 && surfaces.front().name.empty()
+           && isDefault(tableOf<SetupTimes>(), &times) && isDefault(tableOf<WheelWear>(), &wear);
+}
 
 std::optional<std::size_t> Setup::find(std::string_view nameOrNumber) const {
     const auto named = std::ranges::find(surfaces, nameOrNumber, &GroundSurface::name);
@@ -36,8 +46,8 @@ Issues checkSetup(const Setup& setup) {
         if (name.empty()) {
             issues.push_back({IssueCode::missingKey, Severity::error, path, {}, Phrase::text});
         } else if (at < i) {
-            issues.push_back({IssueCode::sameName, Severity::error, path, Quoted{'"' + name + '"'},
-                              countOf(at + 1)});
+            issues.push_back({IssueCode::sameName, Severity::error, path,
+                              quoted(nlohmann::json(name)), countOf(at + 1)});
         }
     }
     return issues;

@@ -23,6 +23,8 @@ struct Setup {
     SetupTimes times;
     WheelWear wear;
 
+    /// One surface without a name, times and wear: what a file of version 1 holds.
+    [[nodiscard]] bool isPlain() const;
     /// By its name, else by its number from 1.
     [[nodiscard]] std::optional<std::size_t> find(std::string_view nameOrNumber) const;
 };

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace sparkout {
 
@@ -48,40 +49,53 @@ public:
                 add(std::move(issue));
             }
         }
-        if (!hasErrors(m_read.issues)) {
+        if (!m_hasErrors && !hasErrors(m_read.issues)) {
             m_read.setup = std::move(setup);
         }
         return std::move(m_read);
     }
 
 private:
+    /// Listed once, an error in place of a warning where the list is full.
     void add(Issue issue) {
-        const bool isKnown = std::ranges::find(m_read.issues, issue) != m_read.issues.end();
-        if (!isKnown && m_read.issues.size() < limits::issues) {
-            m_read.issues.push_back(std::move(issue));
+        const bool isError = issue.severity == Severity::error;
+        m_hasErrors = m_hasErrors || isError;
+        const bool isFull = m_read.issues.size() >= limits::issues;
+        if ((isFull && !isError)
+            || std::ranges::find(m_read.issues, issue) != m_read.issues.end()) {
+            return;
         }
+        if (isFull) {
+            const auto warning =
+                std::ranges::find(m_read.issues, Severity::warning, &Issue::severity);
+            if (warning == m_read.issues.end()) {
+                return;
+            }
+            m_read.issues.erase(warning);
+        }
+        m_read.issues.push_back(std::move(issue));
     }
 
-    /// Strikes out, and reports, what belongs to the surfaces or is no key at all.
+    /// Strikes out, and reports, what belongs to the surfaces, is no key at all or no object.
     void keepShared(json& object, const std::string& path) {
         std::vector<std::string> strange;
         for (auto& [key, value] : object.items()) {
-            const std::string at = path + '/' + key;
+            const std::string at = path + '/' + pathStep(key);
             if (holdsShared(at) && value.is_object()) {
                 keepShared(value, at);
             } else if (!isShared(at)) {
                 strange.push_back(key);
             }
         }
+        const Keys allowed = keysBelow(path);
         for (const std::string& key : strange) {
-            refuseKey(path, key, keysBelow(path));
+            const std::string at = path + '/' + pathStep(key);
+            add(holdsShared(at) ? Issue{IssueCode::wrongType, Severity::error, at,
+                                        quoted(object.at(key)), Phrase::object}
+                                : Issue{IssueCode::unknownKey, Severity::error, at,
+                                        quoted(json(key)), allowed});
             object.erase(key);
         }
-    }
-
-    void refuseKey(const std::string& path, const std::string& key, Detail allowed) {
-        add({IssueCode::unknownKey, Severity::error, path + '/' + pathStep(key), quoted(json(key)),
-             std::move(allowed)});
     }
 
     /// The keys that may stand at the top of the file, or in one of its objects.
@@ -131,6 +145,25 @@ private:
         for (std::size_t i = 0; i < found->size() && !m_stop.stop_requested(); ++i) {
             setup.surfaces.push_back(readSurface((*found)[i], path + '/' + std::to_string(i)));
         }
+        addFound(path);
+    }
+
+    /// A fault of something shared that every surface has stands there; one that only some have
+    /// stands with them, for it comes of what is their own.
+    void addFound(const std::string& surfaces) {
+        for (std::size_t i = 0; i < m_found.size(); ++i) {
+            for (const Issue& issue : m_found[i]) {
+                const bool isOfAll =
+                    isShared(issue.path) && std::ranges::all_of(m_found, [&](const Issues& others) {
+                        return std::ranges::find(others, issue) != others.end();
+                    });
+                Issue placed = issue;
+                if (!isOfAll) {
+                    placed.path = surfaces + '/' + std::to_string(i) + issue.path;
+                }
+                add(std::move(placed));
+            }
+        }
     }
 
     GroundSurface readSurface(json own, const std::string& path) {
@@ -145,13 +178,17 @@ private:
             own.erase(nameKey);
         }
         strikeShared(own, {}, path);
-        ReadResult read = readProjectJson(joinProject(m_shared, own), {}, m_stop);
-        for (Issue& issue : read.issues) {
-            if (!isShared(issue.path)) {
-                issue.path = path + issue.path;
+        for (const char* key : {"format", "version"}) { // of the file alone
+            if (own.erase(key) > 0) {
+                add({IssueCode::sharedKey,
+                     Severity::error,
+                     path + '/' + key,
+                     quoted(json(key)),
+                     {}});
             }
-            add(std::move(issue));
         }
+        ReadResult read = readProjectJson(joinProject(m_shared, own), {}, m_stop);
+        m_found.push_back(std::move(read.issues));
         if (read.project) {
             surface.project = std::move(*read.project);
         }
@@ -162,7 +199,7 @@ private:
     void strikeShared(json& object, const std::string& path, const std::string& surface) {
         std::vector<std::string> strange;
         for (auto& [key, value] : object.items()) {
-            const std::string at = path + '/' + key;
+            const std::string at = path + '/' + pathStep(key);
             if (isShared(at)) {
                 strange.push_back(key);
             } else if (holdsShared(at) && value.is_object()) {
@@ -183,6 +220,8 @@ private:
     std::stop_token m_stop;
     json m_shared;
     ReadSetup m_read;
+    std::vector<Issues> m_found; ///< by surface
+    bool m_hasErrors = false;    ///< also of those that are not listed
 };
 
 ReadSetup asSetup(ReadResult read) {
@@ -215,12 +254,7 @@ ReadSetup readSetup(std::string_view text, const std::stop_token& stop) {
 }
 
 std::string writeSetup(const Setup& setup) {
-    const ordered_json times = writeByTable(tableOf<SetupTimes>(), &setup.times);
-    const ordered_json wear = writeByTable(tableOf<WheelWear>(), &setup.wear);
-    const Setup plain;
-    const bool hasExtras = times != writeByTable(tableOf<SetupTimes>(), &plain.times)
-                           || wear != writeByTable(tableOf<WheelWear>(), &plain.wear);
-    if (setup.surfaces.size() == 1 && setup.surfaces.front().name.empty() && !hasExtras) {
+    if (setup.isPlain()) {
         return writeProject(setup.surfaces.front().project);
     }
     ordered_json root = {{"format", projectFormat}, {"version", newestVersion}};
@@ -237,8 +271,8 @@ std::string writeSetup(const Setup& setup) {
         own.update(parts.own);
         surfaces.push_back(std::move(own));
     }
-    root[timesKey] = times;
-    root[wearKey] = wear;
+    root[timesKey] = writeByTable(tableOf<SetupTimes>(), &setup.times);
+    root[wearKey] = writeByTable(tableOf<WheelWear>(), &setup.wear);
     root[surfacesKey] = std::move(surfaces);
     return printJson(root);
 }

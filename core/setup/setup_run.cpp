@@ -5,7 +5,6 @@
 #include "core/units.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 namespace sparkout {
@@ -24,11 +23,8 @@ SetupRun runSetup(const Setup& setup, const std::stop_token& stop) {
     double removed_mm3 = 0, cycles_min = 0;
     for (std::size_t i = 0; i < setup.surfaces.size() && !stop.stop_requested(); ++i) {
         WornProject made = wornProject(setup, i, removed_mm3);
-        for (Issue& issue : made.issues) {
-            issue.path.insert(0, "/surfaces/" + std::to_string(i));
-            run.issues.push_back(std::move(issue));
-        }
-        if (!run.issues.empty()) {
+        if (!made.issues.empty()) {
+            run.issues = std::move(made.issues);
             break;
         }
         run.surfaces.push_back(runSurface(setup.surfaces[i].name, made.project, stop));

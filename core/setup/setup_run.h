@@ -13,8 +13,8 @@ namespace sparkout {
 /// The cycles of a set-up in their order, each with the wheel as those before have left it.
 struct SetupRun {
     std::vector<SurfaceRun> surfaces;
-    /// Faults of a surface with the wheel as it comes to it, by their paths in the file: the run
-    /// ends before that surface.
+    /// Faults of the surface after those that were run, with the wheel as it comes to it, by their
+    /// paths in its project: the run ends before it.
     Issues issues;
     PieceTime time; ///< once every surface is completed
 

@@ -40,7 +40,8 @@ const StructInfo& tableOf<SetupTimes>() {
             .symbol = "T_a", .unit = "min", .hard = {0, 100000},
             .nullMeaning = SPARKOUT_NOOP("Input", "the sum of the times above"),
             .hint = SPARKOUT_NOOP("Input", "What is done for every part beside the cycles."),
-            .formula = "n·(approach + retreat + gauging) + (n − 1)·positioning + handling"),
+            .formula = "n·(approach + retreat + gauging) + (n − 1)·positioning + handling",
+            .source = "MODEL-12"),
         SPARKOUT_FIELD(SetupTimes, service_percent,
                        .label = SPARKOUT_NOOP("Input", "Service and rest"), .unit = "%",
                        .hard = {0, 100}, .soft = {0, 30},
@@ -59,7 +60,7 @@ const StructInfo& tableOf<SetupTimes>() {
                        .nullMeaning = SPARKOUT_NOOP("Input", "from the times above"),
                        .hint = SPARKOUT_NOOP("Input", "The time that a part takes, without its "
                                                       "share of the preparation."),
-                       .formula = "(T_o + T_a)·(1 + service/100)"),
+                       .formula = "(T_o + T_a)·(1 + service/100)", .source = "MODEL-12"),
     };
     static const StructInfo info =
         makeTable<SetupTimes>(SPARKOUT_NOOP("Struct", "Standard times"), rows);

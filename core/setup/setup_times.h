@@ -15,12 +15,12 @@ struct SetupTimes {
     double gauging_s = 0;                ///< of a surface after its cycle [s]
     double positioning_s = 0;            ///< of the table, from one surface to the next [s]
     double handling_s = 0;               ///< clamping and taking off a part [s]
-    std::optional<double> main_min;      ///< To; not given: the cycles' times [min]
-    std::optional<double> auxiliary_min; ///< Tв; not given: the sum of the times above [min]
-    double service_percent = 0;          ///< of To + Tв, serving the machine and rest [%]
-    double preparation_min = 0;          ///< Tпз, for the batch [min]
+    std::optional<double> main_min;      ///< T_o; not given: the cycles' times [min]
+    std::optional<double> auxiliary_min; ///< T_a; not given: the sum of the times above [min]
+    double service_percent = 0;          ///< of T_o + T_a, serving the machine and rest [%]
+    double preparation_min = 0;          ///< T_p, for the batch [min]
     int batch_size = 1;                  ///< parts that share it
-    std::optional<double> piece_min;     ///< Tшт; not given: (To + Tв)·(1 + service/100) [min]
+    std::optional<double> piece_min;     ///< T_1; not given: (T_o + T_a)·(1 + service/100) [min]
 };
 
 template <>

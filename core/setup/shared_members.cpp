@@ -10,7 +10,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr std::array<std::string_view, 19> members{"/title",
+constexpr std::array<std::string_view, 20> members{"/title",
                                                    "/author",
                                                    "/notes",
                                                    "/part/name",
@@ -28,6 +28,7 @@ constexpr std::array<std::string_view, 19> members{"/title",
                                                    "/machine/wheel_drive_kw",
                                                    "/machine/work_drive_kw",
                                                    "/machine/wheel_contact",
+                                                   "/machine/feed_change_delay_s",
                                                    "/machine/limits"};
 
 /// Whether one path is the other, or leads to it.

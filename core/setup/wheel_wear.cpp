@@ -38,13 +38,13 @@ const StructInfo& tableOf<WheelWear>() {
                        .hint = SPARKOUT_NOOP("Input",
                                              "By how much the dullness grows for each mm³ that a "
                                              "millimetre of the wheel's width has removed."),
-                       .formula = "η = η_0 + c·V_w/B"),
+                       .formula = "η = η_0 + c·V_w/B", .source = "MODEL-12"),
         SPARKOUT_FIELD(WheelWear, grinding_ratio, .label = SPARKOUT_NOOP("Input", "Grinding ratio"),
                        .symbol = "G", .hard = {0.01, 1000000}, .soft = {1, 100000},
                        .nullMeaning = SPARKOUT_NOOP("Input", "the wheel keeps its diameter"),
                        .hint = SPARKOUT_NOOP("Input", "Volume removed from the parts for each "
                                                       "volume of the wheel that wears off."),
-                       .formula = "V_w/G = π·B·(D_0² − D²)/4"),
+                       .formula = "V_w/G = π·B·(D_0² − D²)/4", .source = "MODEL-12"),
     };
     static const StructInfo info =
         makeTable<WheelWear>(SPARKOUT_NOOP("Struct", "Wheel wear"), rows);

@@ -9,7 +9,7 @@ namespace sparkout {
 
 struct Wheel;
 
-/// How the wheel goes on from one surface of a set-up to the next [MODEL-14].
+/// How the wheel goes on from one surface of a set-up to the next [MODEL-12].
 struct WheelWear {
     std::optional<double> dulling_per_mm2; ///< c; not given: the wheel stays as sharp [1/mm²]
     std::optional<double> grinding_ratio;  ///< G; not given: the wheel keeps its diameter

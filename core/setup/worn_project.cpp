@@ -10,7 +10,7 @@
 namespace sparkout {
 
 WornProject wornProject(const Setup& setup, std::size_t surface, double removed_mm3) {
-    WornProject made{setup.surfaces[surface].project, {}};
+    WornProject made{surface, setup.surfaces[surface].project, {}};
     if (removed_mm3 > 0 && setup.wear.isGiven()) {
         *made.project.wheel = wheelAfter(*made.project.wheel, setup.wear, removed_mm3);
         made.issues = validate(made.project);

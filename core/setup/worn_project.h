@@ -11,8 +11,10 @@
 namespace sparkout {
 
 /// The project of a surface with the wheel as the surfaces before have left it, and the errors that
-/// it has with that wheel, by their paths in the project.
+/// it has with that wheel, by their paths in the project. Where a surface before has such errors,
+/// that one.
 struct WornProject {
+    std::size_t surface;
     Project project;
     Issues issues;
 };

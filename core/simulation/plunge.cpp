@@ -129,13 +129,13 @@ SimulationResult simulatePlunge(const Project& project, Trajectory* trajectory,
         if (!steps->step({control.nextInfeed(run.fed_mm), stage})) {
             break; // in the middle of a revolution, which then does not count
         }
-        control.stepDone(steps->remaining(), run.fed_mm);
+        control.stepDone(steps->remaining(), run.fed_mm, run.time_s());
         const double root = run.takeLargestRoot();
         if (retracts && control.stage() == stage && root * root <= noProgress_mm) {
             control.endStage();
         }
         idle = waits && root * root <= noProgress_mm ? idle + 1 : 0;
-        if (!control.finished() && idle >= idleRevolutions) {
+        if (!control.finished() && !control.endIsDue() && idle >= idleRevolutions) {
             run.setStatus(RunStatus::cannotReachSize);
             break;
         }

@@ -27,7 +27,8 @@ StageControl::StageControl(const Project& project, std::vector<double> feeds_mm,
     , m_laterStock(m_feeds.size())
     , m_steps(m_feeds.size())
     , m_control(project.gauge->control)
-    , m_totalInfeed(totalInfeed_mm) {
+    , m_totalInfeed(totalInfeed_mm)
+    , m_gauge(project, !m_stages.empty() && !m_stages.back().sparkOutSteps()) {
     double later = 0;
     for (std::size_t z = m_feeds.size(); z-- > 0;) {
         m_laterStock[z] = later;
@@ -62,7 +63,7 @@ bool StageControl::retracts() const {
     return m_stages[m_stage].feeds() && m_feeds[m_stage] < 0;
 }
 
-bool StageControl::stageEnded(double remainingStock_mm, double fed_mm) const {
+bool StageControl::stageEnded(double fed_mm) const {
     const Stage& stage = m_stages[m_stage];
     if (const auto steps = stage.sparkOutSteps()) {
         return m_steps[m_stage] >= *steps;
@@ -70,12 +71,13 @@ bool StageControl::stageEnded(double remainingStock_mm, double fed_mm) const {
     if (m_control == Control::position && stage.feeds()) {
         return fed_mm >= stageEndInfeed() - stageSlack_mm;
     }
-    return remainingStock_mm <= m_laterStock[m_stage] + stageSlack_mm;
+    return m_gauge.isOver(m_laterStock[m_stage], m_stage + 1 == m_stages.size());
 }
 
-void StageControl::stepDone(double remainingStock_mm, double fed_mm) {
+void StageControl::stepDone(double remainingStock_mm, double fed_mm, double time_s) {
     ++m_steps[m_stage];
-    while (!finished() && stageEnded(remainingStock_mm, fed_mm)) {
+    m_gauge.read(time_s, remainingStock_mm);
+    while (!finished() && stageEnded(fed_mm)) {
         ++m_stage;
     }
 }

@@ -4,13 +4,11 @@
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/project.h"
+#include "core/simulation/gauge_signal.h"
 
 #include <vector>
 
 namespace sparkout {
-
-/// Added to every threshold, so that a last bit costs no step [mm].
-inline constexpr double stageSlack_mm = 1e-9;
 
 /// Infeed per step of each stage of the project's cycle [mm]; 0 where none is set.
 [[nodiscard]] std::vector<double> infeedsOfStages(const Project& project);
@@ -38,13 +36,16 @@ public:
     [[nodiscard]] bool retracts() const;
     /// Ends the running stage: a retraction that has lost contact.
     void endStage() { ++m_stage; }
-    /// One step is done; ends the stages that are through. Several may end at one reading.
-    void stepDone(double remainingStock_mm, double fed_mm);
+    /// One step is done, which ends at this time; ends the stages that are through. Several may end
+    /// at one reading.
+    void stepDone(double remainingStock_mm, double fed_mm, double time_s);
+    /// Whether the running stage only waits until the control learns that it is over.
+    [[nodiscard]] bool endIsDue() const { return m_gauge.isDue(m_laterStock[m_stage]); }
 
     [[nodiscard]] const std::vector<int>& stepsByStage() const { return m_steps; }
 
 private:
-    [[nodiscard]] bool stageEnded(double remainingStock_mm, double fed_mm) const;
+    [[nodiscard]] bool stageEnded(double fed_mm) const;
     [[nodiscard]] double stageEndInfeed() const;
 
     std::vector<double> m_feeds;
@@ -53,6 +54,7 @@ private:
     std::vector<int> m_steps;
     Control m_control;
     double m_totalInfeed;
+    GaugeSignal m_gauge;
     std::size_t m_stage = 0;
 };
 

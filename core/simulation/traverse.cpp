@@ -342,9 +342,9 @@ SimulationResult simulateGauged(Zone gaugeZone, const Project& project, Trajecto
                           stage.continuousFeed_mm_min(), control.mostFed()})) {
             break; // in the middle of a double stroke, which then does not count
         }
-        control.stepDone(steps->remaining(), run.fed_mm);
+        control.stepDone(steps->remaining(), run.fed_mm, run.time_s());
         const double root = run.takeLargestRoot();
-        if (waits && !control.finished() && root * root <= noProgress_mm) {
+        if (waits && !control.finished() && !control.endIsDue() && root * root <= noProgress_mm) {
             run.setStatus(RunStatus::cannotReachSize);
             break;
         }

@@ -10,6 +10,10 @@
 
 namespace sparkout {
 
+namespace {
+constexpr double usualLeastOverlap = 1.05, usualLeastOverlapLast = 2;
+} // namespace
+
 Project newProject(Operation operation) {
     Project project;
     project.part->tolerance.radial_runout_um = 6;
@@ -25,6 +29,9 @@ Project newProject(Operation operation) {
     finish.axial_feed_mm_min = 1000;
     finish.stock_mm = 0.04;
     project.cycle->stages = {rough, finish};
+    project.least_overlap = usualLeastOverlap;
+    project.least_overlap_last = usualLeastOverlapLast;
+    project.least_steps = project.operation->usualLeastSteps;
     if (operation == Operation::plunge) {
         project.part->length_mm = 40;
     }

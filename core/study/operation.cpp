@@ -187,6 +187,9 @@ Project withOperation(Project project, Operation operation) {
         project.machine->compliance_mm_per_n =
             givenCompliance(project, operation, reached.part->length_mm);
     }
+    if (project.least_steps == project.operation->usualLeastSteps) {
+        project.least_steps = operation->usualLeastSteps;
+    }
     operation.match([&](Traverse) { makeTraverse(project); }, [&](Plunge) { makePlunge(project); });
     project.operation = operation;
     return withSearchFor(std::move(project));

@@ -97,6 +97,7 @@ Project withOperation(const Project& project, Operation operation, const Project
              last->part->length_mm);
     giveBack(made.wheel->width_mm, project.wheel->width_mm, thence.wheel->width_mm,
              last->wheel->width_mm);
+    giveBack(made.least_steps, project.least_steps, thence.least_steps, last->least_steps);
     giveBackLevels(made, project, thence, *last);
     Machine& machine = *made.machine;
     const Machine& now = *project.machine;

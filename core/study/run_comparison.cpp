@@ -262,8 +262,10 @@ std::optional<ConstraintResult> constraintOf(const RequirementSummary& requireme
 std::optional<ConstraintResult> leastMargin(const RunSummary& summary) {
     std::optional<ConstraintResult> least;
     for (const ConstraintResult& constraint : wholeOf(summary)) {
-        const bool counts =
-            requirementOf(constraint.kind).source != LimitSource::range || !constraint.holds;
+        // the end of a range, or the least number of steps, is nothing to keep away from
+        const bool mayBeMet = requirementOf(constraint.kind).source == LimitSource::range
+                              || constraint.kind == ConstraintKind::leastSteps;
+        const bool counts = !mayBeMet || !constraint.holds;
         if (counts && (!least || constraint.relativeMargin < least->relativeMargin)) {
             least = constraint;
         }

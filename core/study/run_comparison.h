@@ -78,9 +78,9 @@ std::vector<RunValue> resultsStated(ReadSummary&&) = delete;
 [[nodiscard]] std::optional<ConstraintResult> constraintOf(const RequirementSummary& requirement,
                                                            bool isWhole = true);
 
-/// The requirement with the least relative margin; of the machine's ranges, which hold up to their
-/// ends, of those alone that fail, and where strips stay uncut none of the surface. Nothing where
-/// no requirement is known.
+/// The requirement with the least relative margin; of the machine's ranges and the least number of
+/// steps, which hold up to their ends, of those alone that fail, and where strips stay uncut none
+/// of the surface. Nothing where no requirement is known.
 [[nodiscard]] std::optional<ConstraintResult> leastMargin(const RunSummary& summary);
 
 /// The verdict by a summary alone; none where it holds no requirement.

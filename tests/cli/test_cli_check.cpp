@@ -64,6 +64,9 @@ private slots:
         row("range_work_speed", "/machine/limits/work_speed_rpm/1", 500, 100);
         row("gauge_commands", "/gauge/commands", 5, 1);
         row("overlap", "/cycle/stages/0/axial_feed_mm_min", 900, 9100);
+        row("least_overlap", "/least_overlap", 1, 900);
+        row("least_overlap_last", "/least_overlap_last", 1, 900);
+        row("least_steps", "/least_steps", 1, 900);
         for (int kind = 0; kind < constraintKinds; ++kind) {
             QVERIFY(named.contains(requirementOf(static_cast<ConstraintKind>(kind)).key));
         }
@@ -77,9 +80,9 @@ private slots:
         QFETCH(double, fails);
         QVERIFY(requirementHolds(path, holds));
         QVERIFY(!requirementHolds(path, fails));
-        const bool whole = path == "/gauge/commands";
+        const bool whole = isWhole(path);
         for (double middle = (holds + fails) / 2;
-             middle != holds && middle != fails && !(whole && holds - fails <= 1);
+             middle != holds && middle != fails && !(whole && std::abs(holds - fails) <= 1);
              middle = (holds + fails) / 2) {
             middle = whole ? std::floor(middle) : middle;
             (requirementHolds(path, middle) ? holds : fails) = middle;
@@ -117,6 +120,10 @@ private slots:
     }
 
 private:
+    static bool isWhole(const QString& path) {
+        return path == "/gauge/commands" || path == "/least_steps";
+    }
+
     /// A project in which one requirement may fail, at the limit given.
     static json withOneRequirement(const QString& path, double limit) {
         json file = samples::sample("complete");
@@ -141,7 +148,7 @@ private:
             }
         }
         json& place = file[json::json_pointer(path.toStdString())];
-        if (path == "/gauge/commands") {
+        if (isWhole(path)) {
             place = static_cast<int>(limit);
         } else {
             place = limit;

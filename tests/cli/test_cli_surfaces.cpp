@@ -100,6 +100,32 @@ private slots:
         QCOMPARE(best.setup->times.handling_s, 30.0);
     }
 
+    /// What is found is written, and the surface that has no answer is named.
+    void aSurfaceWithoutAnAnswerKeepsItsCycle() {
+        json strict = m_one;
+        strict["part"]["tolerance"]["radial_runout_um"] = 1e-6;
+        const QString file = save("hard.sparkout", setup_samples::setupOf({m_one, strict}).dump());
+        const QString out = m_folder.filePath("half.sparkout");
+        const Outcome half = run({"optimize", file, "-o", out});
+        QCOMPARE(half.status, 5);
+        QVERIFY2(half.err.find("surface 2 surface B") != std::string::npos, half.err.c_str());
+        const json saved = json::parse(samples::readText(out.toStdString())).at("surfaces");
+        QVERIFY(saved.at(0).at("cycle") != m_one.at("cycle"));
+        QVERIFY(saved.at(1).at("cycle") == strict.at("cycle"));
+    }
+
+    /// A name or times make a set-up even of one surface.
+    void oneSurfaceWithTimesStatesThem() {
+        json file = setup_samples::setupOf({m_one});
+        file["times"] = {{"handling_s", 30}};
+        const QString saved = save("single.sparkout", file.dump());
+        const json answer = json::parse(run({"simulate", saved, "--json"}).out);
+        QCOMPARE(answer.at("surfaces").size(), 1u);
+        QCOMPARE(answer.at("part").at("auxiliary_time_min").get<double>(), 0.5);
+        const Outcome alone = run({"simulate", saved, "--surface", "1", "--json"});
+        QCOMPARE(alone.out, run({"simulate", m_first, "--json"}).out);
+    }
+
     void aSurfaceThatFailsDecidesTheStatus() {
         json strict = m_one;
         strict["part"]["tolerance"]["radial_runout_um"] = 1e-6;

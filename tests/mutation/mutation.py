@@ -69,6 +69,9 @@ class Mutant:
         if len(found) != 1:
             return f"stands {len(found)} times in {self.file}: {snippet}"
         self.begin, self.end = found[0].span(2)
+        line = text[text.rfind("\n", 0, self.begin) + 1:self.begin]
+        if re.sub(r"\\.", "", line).count('"') % 2:
+            return f"stands within a text of {self.file}: {inner}"
         return ""
 
     def is_statement(self):

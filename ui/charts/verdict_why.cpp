@@ -107,9 +107,10 @@ QString VerdictWhy::place(const Outcome& outcome, const ConstraintResult& c) {
                                .arg(c.at->stage);
 }
 
-/// The largest axial feed that leaves no strips [mm/min].
-QString mostAxialFeed(const Project& project) {
-    return Names::significant(project.wheel->width_mm * project.machine->work_speed_rpm, 4);
+/// The largest axial feed with an overlap [mm/min]; with 1 it leaves no strips.
+QString mostAxialFeed(const Project& project, double overlap = 1) {
+    return Names::significant(project.wheel->width_mm * project.machine->work_speed_rpm / overlap,
+                              4);
 }
 
 } // namespace
@@ -125,6 +126,16 @@ QString why(const Outcome& outcome, const ConstraintResult& requirement) {
         return VerdictWhy::tr("The wheel's width times the work speed over the axial feed; 1 is "
                               "reached at %1 mm/min.")
             .arg(mostAxialFeed(outcome.result.project));
+    case ConstraintKind::leastOverlap:
+    case ConstraintKind::leastOverlapLast:
+        return VerdictWhy::tr("The wheel's width times the work speed over the axial feed; %1 is "
+                              "reached at %2 mm/min.")
+            .arg(Names::amount(requirement.kind, requirement.limit, false),
+                 mostAxialFeed(outcome.result.project, requirement.limit));
+    case ConstraintKind::leastSteps:
+        return VerdictWhy::tr("The fewest that a stage with stock makes; a smaller feed or more "
+                              "stock in stage %1 makes them more.")
+            .arg(requirement.stage);
     case ConstraintKind::diameterMin:
     case ConstraintKind::diameterMax: return VerdictWhy::diameter(outcome, requirement);
     case ConstraintKind::radialRunout:

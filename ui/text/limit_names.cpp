@@ -49,7 +49,7 @@ std::vector<OffLimit> LimitNames::off(const Project& project) {
     std::vector<OffLimit> off;
     for (const Requirement& row : requirementRows) {
         std::string path = missingInput(row, project);
-        if (!path.empty() && row.source != LimitSource::range) {
+        if (!path.empty() && row.scope != ConstraintScope::setting) {
             off.push_back({row.kind, std::move(path)});
         }
     }

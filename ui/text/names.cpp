@@ -178,7 +178,8 @@ bool Names::isRange(ConstraintKind kind) {
 QString Names::limit(const ConstraintResult& c) {
     const Requirement& row = requirementOf(c.kind);
     const QString text = amount(c.kind, c.limit, row.isDeviation);
-    const bool marked = row.scope == ConstraintScope::setting && row.source != LimitSource::input;
+    const bool marked =
+        row.scope == ConstraintScope::setting && (row.source != LimitSource::input || row.isLeast);
     return marked ? (c.isLeast ? QStringLiteral("≥") : QStringLiteral("≤")) + text : text;
 }
 
@@ -216,7 +217,7 @@ QString Names::value(const ConstraintResult& c) {
 QString Names::uncutStrips(const Project& project) {
     const std::vector<OverlapCheck> all = checkOverlaps(project);
     const auto least = std::ranges::min_element(all, {}, &OverlapCheck::overlap);
-    return least == all.end() || least->holds()
+    return least == all.end() || !leavesStrips(least->overlap)
                ? QString()
                : tr("Strips stay uncut (overlap B/s %1, below 1): this is not the whole surface, "
                     "and its size, form and roughness are those of the cut part alone.")

@@ -32,7 +32,7 @@ QStringList changesOfOperation(const Project& before, const Project& after) {
     for (const char* path :
          {"/part/surface", "/part/length_mm", "/wheel/width_mm", "/machine/overrun_entry_mm",
           "/machine/overrun_exit_mm", "/machine/compliance_mm_per_n", "/gauge/section",
-          "/gauge/position_mm", "/gauge/compliance_mm_per_n"}) {
+          "/gauge/position_mm", "/gauge/compliance_mm_per_n", "/least_steps"}) {
         const ConstMember was = findMember(before, path);
         const QString old = switchedText(was);
         const QString made = switchedText(findMember(after, path));

@@ -28,7 +28,7 @@ PanelWidths::PanelWidths(QMainWindow& window, QList<QDockWidget*> panels)
     m_window.centralWidget()->installEventFilter(this);
     for (QDockWidget* panel : m_panels) {
         connect(panel, &QDockWidget::dockLocationChanged, this, [this, panel] {
-            if (stands(*panel) && panel->width() != m_wantedWide.value(panel)) {
+            if (stands(*panel) && panel->width() > wanted(panel)) {
                 // as wide as it has been made there
                 m_wanted[panel] = std::max(m_wanted.value(panel), panel->width());
             }
@@ -72,7 +72,6 @@ int PanelWidths::wanted(const QDockWidget* panel) const {
 void PanelWidths::takeOver(QDockWidget* panel) {
     if (stands(*panel)) {
         m_wanted[panel] = panel->width();
-        m_wantedWide[panel] = 0;
     }
 }
 
@@ -81,6 +80,7 @@ void PanelWidths::takeOverDragged() {
     for (QDockWidget* panel : m_panels) {
         if (m_pressed.value(panel) != panel->width()) {
             takeOver(panel);
+            m_wantedWide[panel] = 0;
         }
     }
 }

@@ -60,7 +60,7 @@ struct CycleRun {
     }
     void step() {
         QVERIFY(steps->step(feed()));
-        control.stepDone(steps->remaining(), steps->run().fed_mm);
+        control.stepDone(steps->remaining(), steps->run().fed_mm, steps->run().time_s());
     }
     const Project& project;
     std::unique_ptr<CycleSteps> steps;

@@ -184,11 +184,11 @@ private slots:
 
     void namesAreThoseOfTheFile() {
         const char* const names[] = {
-            "diameter_min",     "diameter_max",      "radial_runout",    "roundness",
-            "cylindricity",     "total_runout",      "roughness",        "burn",
-            "self_sharpening",  "wheel_power",       "work_power",       "range_radial_feed",
-            "range_axial_feed", "range_plunge_feed", "range_work_speed", "gauge_commands",
-            "overlap"};
+            "diameter_min",     "diameter_max",      "radial_runout",      "roundness",
+            "cylindricity",     "total_runout",      "roughness",          "burn",
+            "self_sharpening",  "wheel_power",       "work_power",         "range_radial_feed",
+            "range_axial_feed", "range_plunge_feed", "range_work_speed",   "gauge_commands",
+            "overlap",          "least_overlap",     "least_overlap_last", "least_steps"};
         QCOMPARE(std::size(names), static_cast<std::size_t>(constraintKinds));
         for (int kind = 0; kind < constraintKinds; ++kind) {
             QCOMPARE(std::string(requirementOf(static_cast<ConstraintKind>(kind)).key),
@@ -235,6 +235,84 @@ private slots:
         Project plunge = fixtures::plunge();
         for (const ConstraintResult& each : evaluateConstraints(simulateUnchecked(plunge))) {
             QVERIFY(each.kind != ConstraintKind::overlap && each.isWhole);
+        }
+    }
+
+    // Of strips 1, whatever more is required; else the greatest that is required of the stage.
+    void aStageIsHeldAgainstTheOneOverlapThatCounts() {
+        const Project p = fixtures::traverse();
+        const double most = p.wheel->width_mm * p.machine->work_speed_rpm;
+        const std::optional<double> leasts[] = {std::nullopt, 1.0, 1.05, 2.0, 3.5};
+        for (const double overlap : {0.8, 1.0, 1.05, 1.7, 2.0, 5.0}) {
+            for (const auto& every : leasts) {
+                for (const auto& last : leasts) {
+                    Project q = p;
+                    q.least_overlap = every;
+                    q.least_overlap_last = last;
+                    for (Stage& stage : q.cycle->stages) {
+                        stage.axial_feed_mm_min = most / overlap;
+                    }
+                    SimulationResult r;
+                    r.project = q;
+                    std::vector<int> times(q.cycle->stages.size());
+                    for (const ConstraintResult& each : evaluateConstraints(r)) {
+                        const bool ofOverlap = each.kind == ConstraintKind::overlap
+                                               || each.kind == ConstraintKind::leastOverlap
+                                               || each.kind == ConstraintKind::leastOverlapLast;
+                        if (!ofOverlap) {
+                            continue;
+                        }
+                        const std::size_t z = static_cast<std::size_t>(each.stage) - 1;
+                        ++times.at(z);
+                        const bool isLast = z + 1 == times.size();
+                        const double least = overlap < 1
+                                                 ? 1
+                                                 : std::max({1.0, every.value_or(1),
+                                                             isLast ? last.value_or(1) : 1.0});
+                        QCOMPARE(each.limit, least);
+                        QVERIFY(fixtures::close(each.value, overlap, 1e-12));
+                        QCOMPARE(each.holds, overlap >= least);
+                        QVERIFY(each.isLeast && each.isWhole);
+                        QCOMPARE(each.kind == ConstraintKind::overlap,
+                                 overlap < 1 || !(every || (isLast && last)));
+                    }
+                    QVERIFY(times == std::vector<int>(times.size(), 1));
+                }
+            }
+        }
+    }
+
+    void theStageThatMakesTheFewestStepsIsHeldAgainstTheLeast() {
+        Project p = fixtures::traverse();
+        p.least_steps = 2;
+        const auto found = [](const Project& project) {
+            return find(evaluateConstraints(simulateUnchecked(project)), ConstraintKind::leastSteps,
+                        -1);
+        };
+        const SimulationResult run = simulateUnchecked(p);
+        const auto fewest = std::ranges::min_element(run.countsByStage);
+        QCOMPARE(found(p).value, double(*fewest));
+        QCOMPARE(found(p).stage, int(fewest - run.countsByStage.begin()) + 1);
+        QVERIFY(found(p).holds && found(p).isLeast);
+        p.least_steps = *fewest;
+        QVERIFY(found(p).holds);
+        p.least_steps = *fewest + 1;
+        QVERIFY(!found(p).holds);
+        QCOMPARE(found(p).margin, -1.0);
+        Project sparks = p; // its number is set
+        sparks.cycle->stages.push_back(
+            fixtures::sparkStage(fixtures::count(1), 0.001, p.cycle->stages[1].axial_feed_mm_min));
+        QVERIFY(found(sparks).value > 1);
+        Project over = p; // the size is reached before it
+        over.cycle->stages[0].stock_mm = 0;
+        over.cycle->stages[1].stock_mm = 0.15;
+        over.cycle->stages[1].radial_feed_mm = 1;
+        over.cycle->stages.push_back(over.cycle->stages[1]);
+        over.cycle->stages[2].stock_mm = 1e-4;
+        QVERIFY(found(over).stage == 3 && found(over).value == 0 && !found(over).holds);
+        over.cycle->stages[1].stock_mm = over.cycle->stages[2].stock_mm = 0; // none has stock
+        for (const ConstraintResult& each : evaluateConstraints(simulateUnchecked(over))) {
+            QVERIFY(each.kind != ConstraintKind::leastSteps);
         }
     }
 

@@ -32,6 +32,7 @@ inline const char* const sharedPlaces[] = {"/title",
                                            "/machine/wheel_drive_kw",
                                            "/machine/work_drive_kw",
                                            "/machine/wheel_contact",
+                                           "/machine/feed_change_delay_s",
                                            "/machine/limits"};
 
 inline void move(nlohmann::json& from, const nlohmann::json::json_pointer& place,

@@ -23,6 +23,13 @@ json twoSurfaces() {
     return setupOf({samples::sample("complete"), samples::sample("complete")});
 }
 
+bool names(const json& file, IssueCode code, const std::string& path) {
+    const ReadSetup read = readSetup(file.dump());
+    return !read.setup && std::ranges::any_of(read.issues, [&](const Issue& issue) {
+        return issue.code == code && issue.path == path;
+    });
+}
+
 /// Whether the only fault of a file is this one.
 bool isRefused(const json& file, IssueCode code, const std::string& path) {
     const ReadSetup read = readSetup(file.dump());
@@ -124,6 +131,24 @@ private slots:
         file["wheels"] = 1;
         QVERIFY(isRefused(file, IssueCode::unknownKey, "/wheels"));
         file = twoSurfaces();
+        file["machine"] = nullptr;
+        QVERIFY(names(file, IssueCode::wrongType, "/machine"));
+        file = twoSurfaces();
+        file["part"]["shaft"] = json::array();
+        QVERIFY(names(file, IssueCode::wrongType, "/part/shaft"));
+        file = twoSurfaces();
+        file["surfaces"][1]["part"] = 5;
+        QVERIFY(names(file, IssueCode::wrongType, "/surfaces/1/part"));
+        file = twoSurfaces();
+        file["times"] = 5;
+        QVERIFY(names(file, IssueCode::wrongType, "/times"));
+        file = twoSurfaces();
+        file["surfaces"][1]["version"] = 1;
+        QVERIFY(isRefused(file, IssueCode::sharedKey, "/surfaces/1/version"));
+        file = twoSurfaces();
+        file["part/name"] = "x";
+        QVERIFY(isRefused(file, IssueCode::unknownKey, "/part~1name"));
+        file = twoSurfaces();
         file["surfaces"][1]["speed"] = 1;
         QVERIFY(isRefused(file, IssueCode::unknownKey, "/surfaces/1/speed"));
         file = twoSurfaces();
@@ -152,6 +177,28 @@ private slots:
         file = twoSurfaces();
         file["version"] = 3;
         QVERIFY(isRefused(file, IssueCode::newerVersion, "/version"));
+    }
+
+    /// The wheel covers the first surface and not the second: that one is named.
+    void aFaultBetweenSharedAndOwnNamesTheSurface() {
+        const json plunge = samples::sample("smallest-plunge");
+        json wide = plunge;
+        wide["part"]["length_mm"] = plunge["wheel"]["width_mm"].get<double>() + 10;
+        const json file = setupOf({plunge, wide});
+        QVERIFY(names(file, IssueCode::wheelTooNarrow, "/surfaces/1/wheel/width_mm"));
+        QVERIFY(!names(file, IssueCode::wheelTooNarrow, "/wheel/width_mm"));
+        QVERIFY(!names(file, IssueCode::wheelTooNarrow, "/surfaces/0/wheel/width_mm"));
+    }
+
+    /// However many warnings come first.
+    void anErrorIsNotLostBehindManyWarnings() {
+        json file = setupOf(std::vector<json>(limits::surfaces, samples::sample("everything")));
+        QVERIFY(readSetup(file.dump()).issues.size() > limits::issues / 2); // warnings alone
+        QVERIFY(readSetup(file.dump()).setup);
+        file["surfaces"].back()["cycle"] = 5;
+        const ReadSetup read = readSetup(file.dump());
+        QVERIFY(!read.setup && hasErrors(read.issues));
+        QVERIFY(read.issues.size() <= limits::issues);
     }
 
     /// Who reads single surfaces alone says so, and does not call the file newer.

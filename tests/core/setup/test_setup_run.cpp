@@ -99,7 +99,8 @@ private slots:
         QCOMPARE(run.surfaces.size(), 1u);
         QVERIFY(!run.isCompleted(setup) && !run.holds(setup));
         QVERIFY(!run.issues.empty());
-        QCOMPARE(run.issues.front().path, std::string("/surfaces/1/wheel/diameter_mm"));
+        QCOMPARE(run.issues.front().path, std::string("/wheel/diameter_mm"));
+        QCOMPARE(wornProject(setup, 2).surface, 1u); // whose fault it is
         const json answer = json::parse(setupJson(setup, run));
         QVERIFY(answer.at("part").at("main_time_min").is_null());
         QVERIFY(answer.at("part").at("completed") == false);
@@ -108,14 +109,14 @@ private slots:
     /// n·(approach + retreat + gauging) + (n − 1)·positioning + handling, by hand.
     void timesAddUp() {
         Setup setup = threeSurfaces();
-        setup.times = {.approach_s = 3,
-                       .retreat_s = 2,
-                       .gauging_s = 10,
-                       .positioning_s = 6,
-                       .handling_s = 33,
-                       .service_percent = 10,
-                       .preparation_min = 20,
-                       .batch_size = 40};
+        setup.times.approach_s = 3;
+        setup.times.retreat_s = 2;
+        setup.times.gauging_s = 10;
+        setup.times.positioning_s = 6;
+        setup.times.handling_s = 33;
+        setup.times.service_percent = 10;
+        setup.times.preparation_min = 20;
+        setup.times.batch_size = 40;
         const SetupRun run = runSetup(setup);
         const double cycle_min = simulate(setup.surfaces[0].project).time_s / 60;
         QVERIFY(isNear(run.time.main_min, 3 * cycle_min));

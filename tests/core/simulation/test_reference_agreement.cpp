@@ -4,6 +4,7 @@
 #include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
+#include "core/quality/setting_constraints.h"
 #include "core/quality/shop_numbers.h"
 #include "core/simulation/simulate.h"
 
@@ -93,6 +94,28 @@ QString stageDifference(const SimulationResult& engine, const reference::Result&
     return {};
 }
 
+/// What differs among the limits of practice.
+QString practiceDifference(const SimulationResult& engine, const reference::Result& second) {
+    ConstraintResults found;
+    evaluateOverlap(ConstraintKind::overlap, {engine, {}}, found);
+    evaluateOverlap(ConstraintKind::leastOverlap, {engine, {}}, found);
+    evaluateOverlap(ConstraintKind::leastOverlapLast, {engine, {}}, found);
+    std::ranges::stable_sort(found, {}, &ConstraintResult::stage);
+    evaluateLeastSteps(ConstraintKind::leastSteps, {engine, {}}, found);
+    if (found.size() != second.practice.size()) {
+        return "number of limits of practice";
+    }
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const ConstraintResult& a = found[i];
+        const reference::Practice& b = second.practice[i];
+        if (requirementOf(a.kind).key != b.name || a.stage != b.stage || a.holds != b.holds
+            || a.limit != b.least || !fixtures::close(a.value, b.value, 1e-12)) {
+            return QString("%1 of stage %2").arg(b.name.c_str()).arg(b.stage);
+        }
+    }
+    return {};
+}
+
 /// What differs, in words; empty when nothing does.
 QString difference(const SimulationResult& engine, const reference::Result& second,
                    double diameter_mm) {
@@ -125,6 +148,9 @@ QString difference(const SimulationResult& engine, const reference::Result& seco
     }
     if (const QString stage = stageDifference(engine, second); !stage.isEmpty()) {
         return stage;
+    }
+    if (const QString practice = practiceDifference(engine, second); !practice.isEmpty()) {
+        return practice;
     }
     if (engine.sections.size() != second.places.size()) {
         return "number of sections";
@@ -190,6 +216,18 @@ std::set<std::string> features(const json& p) {
                 found.insert(stage["radial_feed_mm"] > 0 ? "continuous beside reversal infeed"
                                                          : "continuous infeed alone");
             }
+        }
+    }
+    const json& machine = p["machine"];
+    const bool late = gauge.contains("delay_s"),
+               changesLate = machine.contains("feed_change_delay_s");
+    found.insert(late && changesLate ? "both delays"
+                 : late              ? "gauge delay"
+                 : changesLate       ? "feed change delay"
+                                     : "no delay");
+    for (const char* key : {"least_overlap", "least_overlap_last", "least_steps"}) {
+        if (p.contains(key)) {
+            found.insert(operation + ", " + key);
         }
     }
     const json& stages = p["cycle"]["stages"];
@@ -278,7 +316,15 @@ private slots:
                                        "traverse, spark-out by count",
                                        "plunge, no spark-out",
                                        "plunge, spark-out until size",
-                                       "plunge, spark-out by count"};
+                                       "plunge, spark-out by count",
+                                       "no delay",
+                                       "gauge delay",
+                                       "feed change delay",
+                                       "both delays",
+                                       "traverse, least_overlap",
+                                       "traverse, least_overlap_last",
+                                       "traverse, least_steps",
+                                       "plunge, least_steps"};
         for (const char* const option : options) {
             QVERIFY2(counts[option] >= 10,
                      qPrintable(QString("%1: %2").arg(option).arg(counts[option])));

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <vector>
 
@@ -329,7 +330,12 @@ private slots:
     }
 
     void everyKindIsListedWhenAskedFor() {
-        const auto stroke = evaluateConstraints(simulateUnchecked(asking(fixtures::traverse())));
+        Project p = asking(fixtures::traverse());
+        p.least_overlap_last = 2;
+        p.least_steps = 2;
+        auto stroke = evaluateConstraints(simulateUnchecked(p));
+        p.least_overlap = 1.05; // takes the place of the overlap that leaves no strips
+        std::ranges::copy(evaluateConstraints(simulateUnchecked(p)), std::back_inserter(stroke));
         for (int kind = 0; kind < constraintKinds; ++kind) {
             QVERIFY2(find(stroke, static_cast<ConstraintKind>(kind)),
                      requirementOf(static_cast<ConstraintKind>(kind)).key);

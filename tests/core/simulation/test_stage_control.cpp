@@ -50,9 +50,9 @@ private slots:
         for (std::size_t z = 0; z < 3; ++z) {
             QCOMPARE(control.stage(), z);
             QVERIFY(!control.finished());
-            control.stepDone(thresholds[z] + 1e-6, 0);
+            control.stepDone(thresholds[z] + 1e-6, 0, 0);
             QCOMPARE(control.stage(), z);
-            control.stepDone(thresholds[z], 0);
+            control.stepDone(thresholds[z], 0, 0);
             QCOMPARE(control.stage(), z + 1);
         }
         QVERIFY(control.finished());
@@ -62,20 +62,20 @@ private slots:
     // MODEL-7: Π_rem ≤ Σ Π_j + 1e-9 mm
     void thresholdCarriesANanometreOfAThousandth() {
         StageControl early = controlOf(cycle({0.1, 0.04}));
-        early.stepDone(0.04 + 0.999e-9, 0);
+        early.stepDone(0.04 + 0.999e-9, 0, 0);
         QCOMPARE(early.stage(), std::size_t(1));
         StageControl late = controlOf(cycle({0.1, 0.04}));
-        late.stepDone(0.04 + 1.001e-9, 0);
+        late.stepDone(0.04 + 1.001e-9, 0, 0);
         QCOMPARE(late.stage(), std::size_t(0));
     }
 
     void severalStagesMayEndAtOneReading() {
         StageControl two = controlOf(cycle({0.1, 0.06, 0.04}));
-        two.stepDone(0.03, 0);
+        two.stepDone(0.03, 0, 0);
         QCOMPARE(two.stage(), std::size_t(2));
         QCOMPARE(two.stepsByStage(), (Counts{1, 0, 0}));
         StageControl all = controlOf(cycle({0.1, 0.06, 0.04}));
-        all.stepDone(-0.001, 0);
+        all.stepDone(-0.001, 0, 0);
         QVERIFY(all.finished());
         QCOMPARE(all.stepsByStage(), (Counts{1, 0, 0}));
     }
@@ -84,8 +84,8 @@ private slots:
         StageControl a = controlOf(cycle({0.1, 0.04}));
         StageControl b = controlOf(cycle({77, 0.04}));
         for (const double reading : {0.2, 0.05, 0.039, 0.001, 0.0}) {
-            a.stepDone(reading, 0);
-            b.stepDone(reading, 0);
+            a.stepDone(reading, 0, 0);
+            b.stepDone(reading, 0, 0);
             QCOMPARE(a.stage(), b.stage());
         }
         QVERIFY(a.finished());
@@ -96,13 +96,13 @@ private slots:
         p.cycle->stages[1].spark_out = fixtures::count(3);
         StageControl control = controlOf(p);
         QCOMPARE(control.nextInfeed(0), 0.005);
-        control.stepDone(-0.5, 0.1); // past every threshold: the count is still run
+        control.stepDone(-0.5, 0.1, 0); // past every threshold: the count is still run
         QCOMPARE(control.stage(), std::size_t(1));
         for (int i = 0; i < 3; ++i) {
             QVERIFY(!control.finished());
             QVERIFY(!control.waitsForSize());
             QCOMPARE(control.nextInfeed(0.1), 0.0);
-            control.stepDone(i == 1 ? 0.2 : -0.5, 0.1);
+            control.stepDone(i == 1 ? 0.2 : -0.5, 0.1, 0);
         }
         QVERIFY(control.finished());
         QCOMPARE(control.stepsByStage(), (Counts{1, 3}));
@@ -119,13 +119,13 @@ private slots:
         p.cycle->stages[1].spark_out = fixtures::untilSize();
         StageControl control = controlOf(p);
         QVERIFY(!control.waitsForSize());
-        control.stepDone(0.005, total - 0.01);
+        control.stepDone(0.005, total - 0.01, 0);
         QCOMPARE(control.stage(), std::size_t(1));
         QVERIFY(control.waitsForSize());
         QCOMPARE(control.nextInfeed(0), 0.0);
-        control.stepDone(1e-6, total); // t_П has no say here
+        control.stepDone(1e-6, total, 0); // t_П has no say here
         QVERIFY(!control.finished());
-        control.stepDone(0, 0);
+        control.stepDone(0, 0, 0);
         QVERIFY(control.finished());
     }
 
@@ -135,29 +135,29 @@ private slots:
         QCOMPARE(control.nextInfeed(0.2), 0.005);
         QVERIFY(within(control.nextInfeed(0.208), 0.002, 4e-17)); // 0.25 − 0.04 − 0.208
         QCOMPARE(control.nextInfeed(0.22), 0.0);                  // never back
-        control.stepDone(-1, 0.2);                                // the reading has no say
+        control.stepDone(-1, 0.2, 0);                             // the reading has no say
         QCOMPARE(control.stage(), std::size_t(0));
-        control.stepDone(1, 0.21);
+        control.stepDone(1, 0.21, 0);
         QCOMPARE(control.stage(), std::size_t(1));
         QCOMPARE(control.nextInfeed(0.21), 0.005);
         QVERIFY(within(control.nextInfeed(0.249), 0.001, 4e-17));
-        control.stepDone(1, 0.25);
+        control.stepDone(1, 0.25, 0);
         QVERIFY(control.finished());
     }
 
     void positionControlsThresholdCarriesTheSameSlack() {
         StageControl early = controlOf(cycle({0.21, 0.04}, Control::position));
-        early.stepDone(1, 0.21 - 0.999e-9);
+        early.stepDone(1, 0.21 - 0.999e-9, 0);
         QCOMPARE(early.stage(), std::size_t(1));
         StageControl late = controlOf(cycle({0.21, 0.04}, Control::position));
-        late.stepDone(1, 0.21 - 1.001e-9);
+        late.stepDone(1, 0.21 - 1.001e-9, 0);
         QCOMPARE(late.stage(), std::size_t(0));
     }
 
     void laterStocksBeyondTheWholeEndAPositionStageAfterOneEmptyStep() {
         StageControl control = controlOf(cycle({0.1, 0.3, 0.1}, Control::position));
         QCOMPARE(control.nextInfeed(0), 0.0);
-        control.stepDone(0.25, 0);
+        control.stepDone(0.25, 0, 0);
         QCOMPARE(control.stage(), std::size_t(1));
         QCOMPARE(control.stepsByStage(), (Counts{1, 0, 0}));
         QCOMPARE(control.nextInfeed(0), 0.005);
@@ -167,7 +167,7 @@ private slots:
         const Project p = cycle({0.1, 0.04});
         StageControl control(p, {0.005, 0.002}, total);
         QCOMPARE(control.nextInfeed(0.2499), 0.005); // it does not look at t_П
-        control.stepDone(0.04, 0);
+        control.stepDone(0.04, 0, 0);
         QCOMPARE(control.nextInfeed(0.2499), 0.002);
     }
 

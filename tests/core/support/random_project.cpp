@@ -420,6 +420,29 @@ void feedContinuously(Random& random, const Plan& plan, json& project) {
     }
 }
 
+// Limits of practice, and delays of up to some steps. Drawn apart, so that all else is as without.
+void addPractice(std::uint64_t seed, bool traverse, json& project) {
+    Random random(seed ^ 0x5bd1e995U);
+    const double turn_s = 60 / project["machine"]["work_speed_rpm"].get<double>();
+    const double most_s = traverse ? 30 : 6 * turn_s;
+    if (random.chance(0.35)) {
+        project["gauge"]["delay_s"] =
+            random.chance(0.3) ? turn_s * random.integer(0, 4) : random.uniform(0, most_s, 3);
+    }
+    if (random.chance(0.35)) {
+        project["machine"]["feed_change_delay_s"] = random.uniform(0, most_s, 3);
+    }
+    if (random.chance(0.4)) {
+        project["least_overlap"] = random.uniform(1, 4, 2);
+    }
+    if (random.chance(0.4)) {
+        project["least_overlap_last"] = random.uniform(1, 8, 1);
+    }
+    if (random.chance(0.4)) {
+        project["least_steps"] = random.integer(1, 9);
+    }
+}
+
 } // namespace
 
 json randomProject(std::uint64_t seed) {
@@ -466,5 +489,6 @@ json randomProject(std::uint64_t seed) {
     if (!plan.traverse && (plan.J != 4 || random.chance(0.5))) {
         project["sections"] = plan.J;
     }
+    addPractice(seed, plan.traverse, project);
     return project;
 }

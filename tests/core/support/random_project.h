@@ -7,8 +7,8 @@
 
 /// A valid, plausible random project in the form of the project file; the same seed gives the same
 /// project everywhere. Together the seeds cover every option of the cycle (operation, surface,
-/// profiles, gauge rules and positions, both kinds of control, spark-out stages, stocks that do not
-/// sum up), with cycles of at most some 300 double strokes or 1500 revolutions.
-/// Every compliance is given in the project, in "machine" and, for some gauges in a free position,
-/// in "gauge".
+/// profiles, gauge rules and positions, both kinds of control, delays, spark-out stages, stocks
+/// that do not sum up, limits of practice), with cycles of at most some 300 double strokes or 1500
+/// revolutions. Every compliance is given in the project, in "machine" and, for some gauges in a
+/// free position, in "gauge".
 nlohmann::json randomProject(std::uint64_t seed);

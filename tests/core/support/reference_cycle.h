@@ -41,6 +41,12 @@ struct Sums {
     Real a = 0, P_y = 0, P_z = 0; // the largest
 };
 
+/// What the gauge read after a pass.
+struct Reading {
+    Real time = 0;  // when the pass ended [min]
+    Real stock = 0; // Π_rem [mm]
+};
+
 /// The inputs of a cycle, and how far it has come.
 struct Cycle {
     // the inputs
@@ -61,7 +67,10 @@ struct Cycle {
     std::string rule;
     Real geometric_runout_um = 0;
     std::vector<Stage> stages;
-    std::size_t gauge = 0; // the body that carries the gauge
+    std::size_t gauge = 0;                          // the body that carries the gauge
+    Real gauge_delay = 0, feed_change_delay = 0;    // [s]
+    Real least_overlap = 0, least_overlap_last = 0; // 0: not required
+    long long least_steps = 0;                      // 0: not required
 
     // the state
     std::vector<Body> bodies;
@@ -74,6 +83,7 @@ struct Cycle {
     Real peak_P_y = 0, peak_P_z = 0; // [N]
     Real time = 0;                   // [min]
     std::vector<Sums> sums;          // stage by stage
+    std::vector<Reading> readings;   // pass by pass
 };
 
 /// The cycle of a project before its first pass.

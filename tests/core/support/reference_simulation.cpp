@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace reference {
 namespace {
@@ -198,6 +199,22 @@ Real remainingStock(const Cycle& c) {
     return c.internal ? c.R_t - reading / 2 : reading / 2 - c.R_t;
 }
 
+// Π_rem as the control knows it after a pass: of the latest pass that ended so much earlier [mm].
+Real knownStock(const Cycle& c, Real delay_s) {
+    constexpr Real timeTolerance = 1e-9L; // [s]
+    for (std::size_t i = c.readings.size(); i-- > 0;) {
+        if (c.readings[i].time * 60 <= c.time * 60 - delay_s + timeTolerance) {
+            return c.readings[i].stock;
+        }
+    }
+    return std::numeric_limits<Real>::infinity();
+}
+
+bool sizeIsCommanded(const Cycle& c) {
+    const bool byGauge = !c.position_control && c.stages.back().end != StageEnd::Count;
+    return byGauge && knownStock(c, c.gauge_delay) <= sizeTolerance;
+}
+
 bool stageHasEnded(const Cycle& c) {
     const Stage& stage = c.stages[c.z];
     if (stage.end == StageEnd::Count) {
@@ -206,7 +223,9 @@ bool stageHasEnded(const Cycle& c) {
     if (stage.end == StageEnd::Threshold && c.position_control) {
         return c.t_P >= targetInfeed(c) - sizeTolerance;
     }
-    return remainingStock(c) <= laterStocks(c) + sizeTolerance;
+    const bool last = c.z + 1 == c.stages.size();
+    const Real delay_s = c.gauge_delay + (last ? 0 : c.feed_change_delay);
+    return knownStock(c, delay_s) <= laterStocks(c) + sizeTolerance || sizeIsCommanded(c);
 }
 
 // After a pass of a spark-out until size: has it stopped removing anything?
@@ -235,6 +254,7 @@ void run(Cycle& c, Result& result) {
         ++result.passes;
         ++result.passes_by_stage[c.z];
         ++c.passes_in_stage;
+        c.readings.push_back({c.time, remainingStock(c)});
         while (stageHasEnded(c)) {
             ++c.z;
             c.passes_in_stage = 0;
@@ -243,7 +263,8 @@ void run(Cycle& c, Result& result) {
                 return;
             }
         }
-        if (untilSize && progressHasStopped(c)) {
+        const bool isAtSize = remainingStock(c) <= sizeTolerance; // the command comes later
+        if (untilSize && progressHasStopped(c) && !isAtSize) {
             result.status = "cannot_reach_size";
             return;
         }
@@ -281,6 +302,43 @@ StageSums inDoubles(const Sums& sums, Real V_k) {
     return stage;
 }
 
+void holdOverlaps(const Cycle& c, Result& result) {
+    constexpr Real tolerance = 1e-9L;
+    for (std::size_t z = 0; z < c.stages.size(); ++z) {
+        const Real overlap = c.B * c.n / c.stages[z].axial_feed;
+        Real least = 1;
+        std::string name = "overlap";
+        const bool strips = overlap < 1 - tolerance;
+        if (!strips && c.least_overlap > 0) {
+            name = "least_overlap";
+            least = c.least_overlap;
+        }
+        const bool last = z + 1 == c.stages.size();
+        if (!strips && last && c.least_overlap_last > 0 && c.least_overlap_last >= least) {
+            name = "least_overlap_last";
+            least = c.least_overlap_last;
+        }
+        result.practice.push_back({name, static_cast<int>(z) + 1, static_cast<double>(least),
+                                   static_cast<double>(overlap),
+                                   overlap >= least * (1 - tolerance)});
+    }
+}
+
+void holdSteps(const Cycle& c, Result& result) {
+    int fewest = -1;
+    for (std::size_t z = 0; z < c.stages.size(); ++z) {
+        const bool counts = c.stages[z].stock > 0 && c.stages[z].end != StageEnd::Count;
+        if (counts && (fewest < 0 || result.passes_by_stage[z] < result.passes_by_stage[fewest])) {
+            fewest = static_cast<int>(z);
+        }
+    }
+    if (fewest >= 0 && c.least_steps > 0) {
+        const auto steps = result.passes_by_stage[fewest];
+        result.practice.push_back({"least_steps", fewest + 1, static_cast<double>(c.least_steps),
+                                   static_cast<double>(steps), steps >= c.least_steps});
+    }
+}
+
 } // namespace
 
 long double depthOfCut(long double h, long double gamma, long double b, long double k_s,
@@ -311,6 +369,10 @@ Result simulate(const nlohmann::json& project) {
     result.passes_by_stage.assign(c.stages.size(), 0);
     c.sums.resize(c.stages.size());
     run(c, result);
+    if (c.traverse) {
+        holdOverlaps(c, result);
+    }
+    holdSteps(c, result);
     for (const Sums& sums : c.sums) {
         result.stages.push_back(inDoubles(sums, c.V_k));
     }

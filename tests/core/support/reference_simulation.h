@@ -32,6 +32,14 @@ struct StageSums {
     double peak_power_w = 0;        ///< largest P_z·V_k
 };
 
+/// A limit of practice that a stage of the cycle is held against.
+struct Practice {
+    std::string name;
+    int stage = 0; ///< from 1
+    double least = 0, value = 0;
+    bool holds = false;
+};
+
 struct Result {
     std::string status;   ///< "completed", "cannot_reach_size" or "too_long"
     long long passes = 0; ///< double strokes (traverse) or revolutions (plunge) [–]
@@ -41,6 +49,7 @@ struct Result {
     std::vector<Place> places; ///< traverse: РЗ1, НЗ, РЗ2; plunge: the sections from the headstock
     double peak_normal_force_n = 0; ///< largest P_y of a reported place [N]
     double peak_power_w = 0;        ///< largest P_z·V_k of a reported place [W]
+    std::vector<Practice> practice; ///< overlaps stage by stage, then the steps of a stage
 };
 
 /// The depth of cut a [mm] with a + γ·b·(k_s·a + k_r·√a) = h, by bisection; 0 when h ≤ 0.

@@ -142,7 +142,7 @@ private slots:
         const double share = shaft.wheel->width_mm / 300;
         QVERIFY(sections.front() > 1e-4 && sections.back() < 1e-4 + 2e-4 * share);
         const QStringList changes = changesOfOperation(shaft, now);
-        QCOMPARE(changes.size(), 2); // and the compliance
+        QCOMPARE(changes.size(), 3); // and the compliance and the least steps
         QVERIFY2(changes[0].contains(QStringLiteral("300\u00a0mm → ")), qPrintable(changes[0]));
         switchTo(document, Operation::traverse);
         QCOMPARE(document.project().part->length_mm, 300.0);
@@ -175,6 +175,7 @@ private slots:
         take(told.gauge->section, after.gauge->section);
         take(told.gauge->position_mm, after.gauge->position_mm);
         take(told.gauge->compliance_mm_per_n, after.gauge->compliance_mm_per_n);
+        take(told.least_steps, after.least_steps);
         told.optimisation = after.optimisation; // levels for the new feeds, as the stages have them
         QCOMPARE(lines.size(), count);
         QCOMPARE(writeProject(told), writeProject(after));
@@ -194,6 +195,29 @@ private slots:
             QVERIFY2(outcome->result.time_s < 400,
                      qPrintable(QString::number(outcome->result.time_s)));
         }
+    }
+
+    // Usually 2 double strokes or 3 revolutions; a number of one's own stays, and comes back.
+    void theUsualLeastStepsAreThoseOfTheOperation() {
+        QCOMPARE(newProject(Operation::traverse).least_steps, 2);
+        QCOMPARE(newProject(Operation::plunge).least_steps, 3);
+        for (const int own : {2, 3, 5}) {
+            Document document;
+            Project project = newProject(Operation::traverse);
+            project.least_steps = own;
+            document.startUntitled(project);
+            switchTo(document, Operation::plunge);
+            QCOMPARE(document.project().least_steps, own == 2 ? 3 : own);
+            QCOMPARE(document.project().least_overlap, project.least_overlap);
+            switchTo(document, Operation::traverse);
+            QCOMPARE(document.project().least_steps, own);
+        }
+        Document document;
+        Project project = newProject(Operation::plunge);
+        project.least_steps.reset();
+        document.startUntitled(project);
+        switchTo(document, Operation::traverse);
+        QVERIFY(!document.project().least_steps);
     }
 
     void whatWasChangedMeanwhileStaysAndTheRestComesBack() {

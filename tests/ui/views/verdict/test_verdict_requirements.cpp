@@ -154,6 +154,45 @@ private slots:
         }
     }
 
+    // What practice requires has a row each, with its least, and a way to the feed or stock.
+    void limitsOfPracticeAreShownWithTheirLeast() {
+        Project project = traverseProject();
+        const double turns = project.wheel->width_mm * project.machine->work_speed_rpm;
+        project.part->upper_deviation_um = 900;
+        project.part->lower_deviation_um = -900;
+        project.cycle->stages.back().axial_feed_mm_min = turns / 1.5;
+        project.least_overlap = 1.05;
+        project.least_overlap_last = 2;
+        project.least_steps = 1;
+        const OutcomePtr outcome = run(project);
+        QCOMPARE(verdict::worst(*outcome)->kind, ConstraintKind::leastOverlapLast);
+        const QString text = verdict::overall(*outcome);
+        QVERIFY2(text.contains(
+                     QStringLiteral("overlap B/s in the last stage is 1.5, 0.5 below the least")),
+                 qPrintable(text));
+        QVERIFY(
+            verdict::why(*outcome, *verdict::worst(*outcome))
+                .contains(QStringLiteral("2 is reached at ") + Names::significant(turns / 2, 4)));
+        const std::string last = std::to_string(project.cycle->stages.size() - 1);
+        QCOMPARE(verdict::inputPath(*verdict::worst(*outcome)),
+                 "/cycle/stages/" + last + "/axial_feed_mm_min");
+        VerdictModel model;
+        model.setOutcome(outcome);
+        QStringList limits;
+        for (int row = 0; row < model.rowCount(); ++row) {
+            const ConstraintResult* c = model.constraintAt(row);
+            if (c && c->kind >= ConstraintKind::overlap) {
+                limits << model.index(row, VerdictModel::limit).data().toString();
+                QCOMPARE(c->kind == ConstraintKind::leastSteps,
+                         verdict::inputPath(*c).ends_with("stock_mm"));
+            }
+        }
+        QStringList expected(static_cast<qsizetype>(project.cycle->stages.size()) - 1,
+                             QStringLiteral("≥1.05"));
+        expected << QStringLiteral("≥2") << QStringLiteral("≥1");
+        QCOMPARE(limits, expected);
+    }
+
     // Where strips stay uncut, the verdict says so, and no number stands for the surface.
     void stripsAreSaidAndTheSurfaceHasNoNumbers() {
         Project project = traverseProject();
