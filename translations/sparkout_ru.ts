@@ -2323,7 +2323,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Infeed at the reversals</source>
-            <translation>Радиальная подача на реверсах</translation>
+            <translation>Подача на реверсах</translation>
         </message>
         <message>
             <source>Where the radial feed of a double stroke is fed: at the entry reversal, at the exit reversal, or half of it at each.</source>
@@ -5508,11 +5508,11 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Least overlap</source>
-            <translation>Наим. перекр.</translation>
+            <translation>Наим. перекрытие</translation>
         </message>
         <message>
             <source>Overlap, last</source>
-            <translation>Перекр. посл.</translation>
+            <translation>Перекрытие посл.</translation>
         </message>
         <message>
             <source>Fewest steps</source>
@@ -5968,6 +5968,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>model page, section 11: exact properties</source>
             <translation>описание модели, раздел 11: точные свойства</translation>
+        </message>
+        <message>
+            <source>model page, section 12: several surfaces in one set-up</source>
+            <translation>страница модели, раздел 12: несколько поверхностей за один установ</translation>
         </message>
         <message>
             <source>M. K. Alsigar, thesis abstract, Penza, 2021</source>

@@ -33,6 +33,8 @@ constexpr std::array names{
                                                        "figures")},
     SourceName{"MODEL-11", QT_TRANSLATE_NOOP("Source", "model page, section 11: exact "
                                                        "properties")},
+    SourceName{"MODEL-12", QT_TRANSLATE_NOOP("Source", "model page, section 12: several surfaces "
+                                                       "in one set-up")},
     SourceName{"ALSIGAR2021", QT_TRANSLATE_NOOP("Source", "M. K. Alsigar, thesis abstract, Penza, "
                                                           "2021")},
     SourceName{"PEREVERZEV1999", QT_TRANSLATE_NOOP("Source", "P. P. Pereverzev, doctoral thesis "

@@ -316,7 +316,10 @@ private slots:
                     const QString feed = QStringLiteral("радиальная подача");
                     if (row.join(u' ').contains(feed, Qt::CaseInsensitive)
                         && subject.outcome->result.project.operation == Operation::traverse) {
-                        QVERIFY2(row[at] == QStringLiteral("мм/дв.ход")
+                        const bool goesOn = row.join(u' ').contains(QStringLiteral("Непрерывная"));
+                        QVERIFY2(row[at]
+                                         == (goesOn ? QStringLiteral("мм/мин")
+                                                    : QStringLiteral("мм/дв.ход"))
                                      || row.join(u' ').contains(QStringLiteral("Диапазон")),
                                  qPrintable(row.join(u'|')));
                     }

@@ -197,6 +197,42 @@ private slots:
         QVERIFY(captions > 30);
     }
 
+    void theNamesOfAxesHaveRoom_data() { languages(); }
+    void theNamesOfAxesHaveRoom() {
+        QFETCH(QString, language);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        Bench bench(language);
+        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        int names = 0;
+        for (const int percent : {130, 100}) {
+            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            for (const char* view : {"feeds", "profiles", "constraints", "compliance", "layers",
+                                     "optimise", "compare"}) {
+                QVERIFY(bench.window->showView(QString::fromLatin1(view)));
+                wait(bench);
+                for (const auto* plot :
+                     bench.window->viewTabs().currentView()->findChildren<QCustomPlot*>()) {
+                    for (const QCPAxisRect* rect : plot->axisRects()) {
+                        const QCPAxis* axis = rect->axis(QCPAxis::atBottom);
+                        if (!plot->isVisible() || !axis || !axis->visible()) {
+                            continue;
+                        }
+                        const int middle = rect->center().x();
+                        const int room = 2 * std::min(middle, plot->width() - middle);
+                        for (const QString& line : axis->label().split(u'\n')) {
+                            names += line.isEmpty() ? 0 : 1;
+                            const int wide =
+                                QFontMetrics(axis->labelFont()).horizontalAdvance(line);
+                            QVERIFY2(wide <= room,
+                                     qPrintable(QString::fromLatin1(view) + u' ' + line));
+                        }
+                    }
+                }
+            }
+        }
+        QVERIFY2(names >= 12, qPrintable(QString::number(names)));
+    }
+
     /// Beside or below its mark, in whatever type.
     void aLongFeedWithAWarningIsReadInFull_data() { languages(); }
     void aLongFeedWithAWarningIsReadInFull() {

@@ -151,6 +151,9 @@ void CompliancePlot::refitValues() {
 
 /// The shaft at one scale along and across, as large as its rect holds.
 void CompliancePlot::afterLayouting() {
+    if (style::fitValueAxes(*m_rect, font())) {
+        replot(QCustomPlot::rpQueuedReplot);
+    }
     const QRectF area = m_shaftRect->rect();
     const double width = std::max(area.width(), 1.0), height = std::max(area.height(), 1.0);
     QCPAxis* x = m_shaftRect->axis(QCPAxis::atBottom);

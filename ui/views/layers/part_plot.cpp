@@ -18,6 +18,11 @@ constexpr int rightMargin = 14; ///< half of a number [px]
 PartPlot::PartPlot(QWidget* parent)
     : ViewPlot(parent), m_cell(addCell()), m_bands(new BandLayer(m_cell, true)) {
     m_cell->axis(QCPAxis::atBottom)->setOffset(axisHeight);
+    connect(this, &QCustomPlot::afterLayout, this, [this] {
+        if (style::fitValueAxes(*m_cell, font())) {
+            replot(rpQueuedReplot);
+        }
+    });
 }
 
 void PartPlot::fillBands() {

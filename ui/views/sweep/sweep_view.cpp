@@ -59,7 +59,8 @@ SweepView::SweepView(QWidget* parent, Settings* settings)
     setUpNotice(*m_bar->state());
     m_point->setKeyboardTracking(false);
     disableUntilDrawn({m_point, m_entry, m_side});
-    m_bar->layOut({}, {m_point, m_takeButton});
+    constexpr int letters = 30; // wide, the text on the run beside the buttons
+    m_bar->layOut({}, {m_point, m_takeButton}, letters);
     QVBoxLayout* const column = addColumn({m_axes[0], m_axes[1], m_toolBar = buildTools(), m_bar,
                                            notice(), m_add, legend(), pages(), values()},
                                           pages());
