@@ -197,6 +197,8 @@ private slots:
             QCOMPARE(late.status, RunStatus::completed);
             QCOMPARE(late.countsByStage[2],
                      prompt.countsByStage[2] + stepsOf(60, stepTime_s(prompt, 2)));
+            // Drawing the wheel back is no change of feed.
+            QCOMPARE(simulateUnchecked(delayed(p, 60, 90)).countsByStage[2], late.countsByStage[2]);
             p.cycle->stages.back().stock_mm = 0.001; // what is fed is less than the stock
             const SimulationResult stuck = simulateUnchecked(delayed(p, 60, 0));
             QCOMPARE(stuck.status, RunStatus::cannotReachSize);
