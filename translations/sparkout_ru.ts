@@ -2310,7 +2310,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Запаздывание смены подачи</translation>
         </message>
         <message>
-            <source>Time from the gauge&apos;s command to the feed of the next stage: a stage that the gauge ends goes on for the whole double strokes or revolutions that it lasts. The last command only draws the wheel back and is not delayed.</source>
+            <source>Time from the gauge&apos;s command to the feed of the next stage: one that the gauge ends goes on for as many steps. The last command only draws the wheel back, undelayed.</source>
             <translation>Время от команды прибора до подачи следующей ступени: ступень, которую заканчивает прибор, продолжается на столько целых двойных ходов или оборотов, сколько оно длится. Последняя команда только отводит круг и не запаздывает.</translation>
         </message>
         <message>

@@ -213,9 +213,8 @@ const StructInfo& tableOf<Machine>() {
             .page = Page::machine,
             .hint =
                 SPARKOUT_NOOP("Input", "Time from the gauge's command to the feed of the next "
-                                       "stage: a stage that the gauge ends goes on for the whole "
-                                       "double strokes or revolutions that it lasts. The last "
-                                       "command only draws the wheel back and is not delayed."),
+                                       "stage: one that the gauge ends goes on for as many steps. "
+                                       "The last command only draws the wheel back, undelayed."),
             .formula = "t ≥ t_m + τ_g + τ_f", .source = "MODEL-7"),
         SPARKOUT_FIELD(Machine, entry_side, .label = SPARKOUT_NOOP("Input", "Entry zone is at the"),
                        .relevant = conditions::travels, .page = Page::machine,

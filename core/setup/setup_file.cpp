@@ -26,8 +26,8 @@ constexpr const char* wearKey = "wear";
 /// Reads the parts of a file of version 2, and says where each fault stands in it.
 class SetupReader {
 public:
-    SetupReader(const json& root, Issues found, const std::stop_token& stop)
-        : m_root(root), m_stop(stop) {
+    SetupReader(const json& root, Issues found, std::stop_token stop)
+        : m_root(root), m_stop(std::move(stop)) {
         m_read.issues = std::move(found);
     }
 
@@ -207,11 +207,9 @@ private:
             }
         }
         for (const std::string& key : strange) {
-            add({IssueCode::sharedKey,
-                 Severity::error,
-                 surface + path + '/' + key,
-                 quoted(json(key)),
-                 {}});
+            std::string at = surface;
+            at.append(path).append("/").append(pathStep(key));
+            add({IssueCode::sharedKey, Severity::error, at, quoted(json(key)), {}});
             object.erase(key);
         }
     }

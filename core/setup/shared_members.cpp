@@ -38,7 +38,8 @@ bool leadsTo(std::string_view path, std::string_view longer) {
 
 void split(const nlohmann::ordered_json& object, const std::string& path, SplitProject& into) {
     for (const auto& [key, value] : object.items()) {
-        const std::string at = path + '/' + key;
+        std::string at = path;
+        at.append("/").append(key);
         if (isShared(at)) {
             into.shared[key] = value;
         } else if (holdsShared(at) && value.is_object()) {

@@ -23,7 +23,7 @@ WornProject wornProject(const Setup& setup, std::size_t surface, double removed_
 WornProject wornProject(const Setup& setup, std::size_t surface, const std::stop_token& stop) {
     double removed_mm3 = 0;
     for (std::size_t i = 0; i < surface && setup.wear.isGiven() && !stop.stop_requested(); ++i) {
-        const WornProject before = wornProject(setup, i, removed_mm3);
+        WornProject before = wornProject(setup, i, removed_mm3);
         if (!before.issues.empty()) {
             return before;
         }
