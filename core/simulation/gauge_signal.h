@@ -3,7 +3,6 @@
 
 #include "core/project/project.h"
 
-#include <optional>
 #include <vector>
 
 namespace sparkout {
