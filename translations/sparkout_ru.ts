@@ -967,6 +967,14 @@ med, µm</source>
             <source>Cycle</source>
             <translation>Цикл</translation>
         </message>
+        <message>
+            <source>Coolant</source>
+            <translation>СОЖ</translation>
+        </message>
+        <message>
+            <source>Dressing</source>
+            <translation>Правка круга</translation>
+        </message>
     </context>
     <context>
         <name>Default</name>
@@ -3608,6 +3616,46 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Loading and unloading</source>
             <translation>Установка и снятие детали</translation>
+        </message>
+        <message>
+            <source>Highest wheel speed</source>
+            <translation>Наибольшая скорость круга</translation>
+        </message>
+        <message>
+            <source>Working speed marked on the wheel, which the machine may not exceed.</source>
+            <translation>Рабочая скорость, указанная на круге; на станке её превышать нельзя.</translation>
+        </message>
+        <message>
+            <source>Dressing</source>
+            <translation>Правка круга</translation>
+        </message>
+        <message>
+            <source>Dressing tool and how it is used, for the operation card.</source>
+            <translation>Правящий инструмент и режим правки, для операционной карты.</translation>
+        </message>
+        <message>
+            <source>Coolant</source>
+            <translation>СОЖ</translation>
+        </message>
+        <message>
+            <source>Coolant and its concentration, for the operation card.</source>
+            <translation>Смазочно-охлаждающая жидкость и её концентрация, для операционной карты.</translation>
+        </message>
+        <message>
+            <source>Largest part diameter</source>
+            <translation>Наибольший диаметр детали</translation>
+        </message>
+        <message>
+            <source>Diameter up to which the machine grinds.</source>
+            <translation>Диаметр, до которого шлифует станок.</translation>
+        </message>
+        <message>
+            <source>Largest part length</source>
+            <translation>Наибольшая длина детали</translation>
+        </message>
+        <message>
+            <source>Length that the machine takes.</source>
+            <translation>Длина детали, которую принимает станок.</translation>
         </message>
     </context>
     <context>

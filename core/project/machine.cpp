@@ -104,6 +104,16 @@ const StructInfo& tableOf<MachineLimits>() {
             .label = SPARKOUT_NOOP("Input", "Range of the work speed"), .unit = "rev/min",
             .hard = {0, 1e5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 3,
             .page = Page::machine, .hint = SPARKOUT_NOOP("Input", "Lowest, highest and step.")),
+        SPARKOUT_FIELD(MachineLimits, part_diameter_mm,
+                       .label = SPARKOUT_NOOP("Input", "Largest part diameter"), .unit = "mm",
+                       .hard = {0.1, 1e4}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
+                       .page = Page::machine,
+                       .hint = SPARKOUT_NOOP("Input", "Diameter up to which the machine grinds.")),
+        SPARKOUT_FIELD(MachineLimits, part_length_mm,
+                       .label = SPARKOUT_NOOP("Input", "Largest part length"), .unit = "mm",
+                       .hard = {1, 1e5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
+                       .page = Page::machine,
+                       .hint = SPARKOUT_NOOP("Input", "Length that the machine takes.")),
     };
     static const StructInfo info =
         makeTable<MachineLimits>(SPARKOUT_NOOP("Struct", "Machine ranges"), rows);

@@ -31,6 +31,8 @@ struct MachineLimits {
     std::optional<std::vector<double>> axial_feed_mm_min;
     std::optional<std::vector<double>> plunge_feed_mm_min;
     std::optional<std::vector<double>> work_speed_rpm;
+    std::optional<double> part_diameter_mm; ///< largest; not given: not limited [mm]
+    std::optional<double> part_length_mm;   ///< largest; not given: not limited [mm]
 };
 
 /// The grinder: speeds, table travel, dwells, compliance, drives.

@@ -62,6 +62,10 @@ const StructInfo& tableOf<Project>() {
                        .hint = SPARKOUT_NOOP("Input", "Who designed the cycle.")),
         SPARKOUT_FIELD(Project, notes, .label = SPARKOUT_NOOP("Input", "Notes"), .page = Page::part,
                        .hint = SPARKOUT_NOOP("Input", "Anything worth knowing about the project.")),
+        SPARKOUT_FIELD(Project, coolant, .label = SPARKOUT_NOOP("Input", "Coolant"), .sparse = true,
+                       .page = Page::machine,
+                       .hint = SPARKOUT_NOOP("Input", "Coolant and its concentration, for the "
+                                                      "operation card.")),
         SPARKOUT_FIELD(Project, operation, .label = SPARKOUT_NOOP("Input", "Operation"),
                        .required = conditions::always, .page = Page::cycle,
                        .hint = SPARKOUT_NOOP(

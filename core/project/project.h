@@ -49,6 +49,7 @@ struct Project {
     std::string title;
     std::string author;
     std::string notes;
+    std::string coolant; ///< in words
     Operation operation;
     Indirect<Part> part;
     Indirect<Material> material;

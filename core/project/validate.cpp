@@ -22,6 +22,12 @@ namespace sparkout {
 
 namespace {
 
+double lengthOf(const Shaft& shaft) {
+    return std::accumulate(
+        shaft.segments.begin(), shaft.segments.end(), 0.0,
+        [](double sum, const ShaftSegment& segment) { return sum + segment.length_mm; });
+}
+
 /// The rules between fields; each looks at what the ranges allowed.
 class Rules {
 public:
@@ -35,6 +41,8 @@ public:
         checkCompliance();
         checkWheelContact();
         checkMachineLimits();
+        checkRoom();
+        checkWheelSpeed();
         checkStages();
         checkOptimisation();
         checkBatch();
@@ -240,12 +248,50 @@ private:
     void checkMachineLimits() {
         const MachineLimits& limits = project().machine->limits;
         for (const Field& field : tableOf<MachineLimits>().fields) {
+            if (field.kind != Kind::optionalNumberList) {
+                continue;
+            }
             const auto& range = field.as<std::optional<std::vector<double>>>(&limits);
             const std::string lowest = std::string("/machine/limits/") + field.key + "/0";
             if (range && range->size() == 3 && (*range)[1] < (*range)[0] && sound({lowest})) {
                 add(IssueCode::outOfRange, std::string("/machine/limits/") + field.key + "/1",
                     Amount{(*range)[1], field.unit}, Bounds{{(*range)[0]}, field.unit});
             }
+        }
+    }
+
+    /// Whether the part is one that the machine takes.
+    void checkRoom() {
+        const Part& part = *project().part;
+        const MachineLimits& limits = project().machine->limits;
+        const auto compare = [this](const char* path, double value, const char* key,
+                                    const std::optional<double>& largest) {
+            const std::string limit = std::string("/machine/limits/") + key;
+            if (largest && value > *largest && sound({path, limit})) {
+                warn(IssueCode::outOfRange, path, mm(value),
+                     Bounds{.range = {.high = *largest}, .unit = "mm"});
+            }
+        };
+        if (part.surface == Surface::external) {
+            compare("/part/diameter_mm", part.diameter_mm, "part_diameter_mm",
+                    limits.part_diameter_mm);
+        }
+        if (part.shaft.segments.empty()) {
+            compare("/part/length_mm", part.length_mm, "part_length_mm", limits.part_length_mm);
+        } else {
+            compare("/part/shaft/segments", lengthOf(part.shaft), "part_length_mm",
+                    limits.part_length_mm);
+        }
+    }
+
+    void checkWheelSpeed() {
+        const double speed = project().machine->wheel_speed_m_s;
+        const std::optional<double>& highest = project().wheel->max_speed_m_s;
+        if (highest && speed > *highest
+            && sound({"/machine/wheel_speed_m_s", "/wheel/max_speed_m_s"})) {
+            add(IssueCode::outOfRange, "/machine/wheel_speed_m_s", Amount{speed, "m/s"},
+                Bounds{
+                    .range = {.high = *highest}, .unit = "m/s", .field = "/wheel/max_speed_m_s"});
         }
     }
 
@@ -290,9 +336,7 @@ private:
             }
             return;
         }
-        const double length = std::accumulate(
-            shaft.segments.begin(), shaft.segments.end(), 0.0,
-            [](double sum, const ShaftSegment& segment) { return sum + segment.length_mm; });
+        const double length = lengthOf(shaft);
         const double needed = shaft.ground_from_mm + project().part->length_mm;
         if (shaft.segments.empty()) {
             add(IssueCode::complianceMissing, "/part/shaft/segments", {}, Phrase::shaftSteps);

@@ -97,6 +97,15 @@ const StructInfo& tableOf<Wheel>() {
             .nullMeaning = SPARKOUT_NOOP("Input", "from the grain lattice"), .page = Page::wheel,
             .hint = SPARKOUT_NOOP("Input", "Grains on a square millimetre of the wheel."),
             .source = "MODEL-8"),
+        SPARKOUT_FIELD(Wheel, max_speed_m_s, .label = SPARKOUT_NOOP("Input", "Highest wheel speed"),
+                       .unit = "m/s", .hard = {1, 400}, .soft = {15, 160},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .page = Page::wheel,
+                       .hint = SPARKOUT_NOOP("Input", "Working speed marked on the wheel, which "
+                                                      "the machine may not exceed.")),
+        SPARKOUT_FIELD(Wheel, dressing, .label = SPARKOUT_NOOP("Input", "Dressing"), .sparse = true,
+                       .page = Page::wheel,
+                       .hint = SPARKOUT_NOOP("Input", "Dressing tool and how it is used, for the "
+                                                      "operation card.")),
     };
     static const StructInfo info = makeTable<Wheel>(SPARKOUT_NOOP("Struct", "Wheel"), rows);
     return info;

@@ -26,6 +26,8 @@ struct Wheel {
     std::optional<double> bond_modulus_gpa;          ///< E_b [GPa]
     std::optional<double> bond_bridge_mm;            ///< D_b; not given: from the lattice [mm]
     std::optional<double> grains_per_mm2;            ///< n_g; not given: from the lattice [1/mm²]
+    std::optional<double> max_speed_m_s; ///< highest working speed; not given: not limited [m/s]
+    std::string dressing;                ///< tool and settings, in words
 };
 
 template <>

@@ -246,6 +246,9 @@ void applyMarking(const WheelMarking& marking, Wheel& wheel) {
     }
     wheel.diameter_mm = marking.diameter_mm.value_or(wheel.diameter_mm);
     wheel.width_mm = marking.width_mm.value_or(wheel.width_mm);
+    if (marking.speed_m_s) {
+        wheel.max_speed_m_s = marking.speed_m_s;
+    }
 }
 
 } // namespace sparkout

@@ -7,7 +7,12 @@
 #include "core/format/table_writer.h"
 #include "core/project/conditions.h"
 #include "core/project/optimisation.h"
+#include "core/setup/setup.h"
+#include "core/setup/setup_times.h"
+#include "core/setup/shared_members.h"
+#include "core/setup/wheel_wear.h"
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 
@@ -216,21 +221,100 @@ std::string gaps() {
            + " kB. sparkout-cli validate names each of them.";
 }
 
+/// An object of a project as a file of several surfaces has it: what they share, and the rest.
+struct Halves {
+    ordered_json shared, own;
+};
+
+/// A half of an object; an object within it must stand there when something in it must.
+class Half {
+public:
+    void add(const std::string& key, ordered_json schema, bool isRequired) {
+        m_properties[key] = std::move(schema);
+        if (isRequired) {
+            m_required.push_back(key);
+        }
+    }
+    void addObject(const std::string& key, const ordered_json& whole, ordered_json half,
+                   bool isRequired) {
+        const bool needed = isRequired && half.contains("required");
+        if (!half.at("properties").empty()) {
+            ordered_json schema = {{"title", whole.value("title", key)}};
+            schema.update(half);
+            add(key, std::move(schema), needed);
+        }
+    }
+    [[nodiscard]] ordered_json schema() const { return closedObject(m_properties, m_required); }
+
+private:
+    ordered_json m_properties = ordered_json::object(), m_required = ordered_json::array();
+};
+
+Halves halvesOf(const ordered_json& object, const std::string& path) {
+    const ordered_json required = object.value("required", ordered_json::array());
+    Half shared, own;
+    for (const auto& [key, schema] : object.at("properties").items()) {
+        const std::string at = path + "/" + key;
+        const bool isRequired = std::find(required.begin(), required.end(), key) != required.end();
+        if (isShared(at)) {
+            shared.add(key, schema, isRequired);
+        } else if (holdsShared(at)) {
+            const Halves within = halvesOf(schema, at);
+            shared.addObject(key, schema, within.shared, isRequired);
+            own.addObject(key, schema, within.own, isRequired);
+        } else {
+            own.add(key, schema, isRequired);
+        }
+    }
+    return {shared.schema(), own.schema()};
+}
+
+/// The schema of an object as that of a file: its format and version come first.
+ordered_json fileSchema(ordered_json object, int version) {
+    ordered_json properties = {{"format", {{"const", "sparkout-project"}}},
+                               {"version", {{"const", version}}}};
+    properties.update(object.at("properties"));
+    ordered_json required = {"format", "version"};
+    for (const ordered_json& key : object.value("required", ordered_json::array())) {
+        required.push_back(key);
+    }
+    return closedObject(std::move(properties), std::move(required));
+}
+
+ordered_json setupSchema(const ordered_json& project) {
+    const Halves halves = halvesOf(project, {});
+    ordered_json surface = halves.own;
+    ordered_json named = {{"name", {{"title", "Name of the surface"}, {"type", "string"}}}};
+    named.update(surface.at("properties"));
+    surface["properties"] = std::move(named);
+    ordered_json setup = halves.shared;
+    setup["properties"]["times"] = objectSchema(tableOf<SetupTimes>());
+    setup["properties"]["wear"] = objectSchema(tableOf<WheelWear>());
+    setup["properties"]["surfaces"] = {{"title", "Surfaces, in the order they are ground in"},
+                                       {"type", "array"},
+                                       {"items", std::move(surface)},
+                                       {"minItems", 1},
+                                       {"maxItems", limits::surfaces}};
+    setup["required"].push_back("surfaces");
+    return fileSchema(std::move(setup), newestVersion);
+}
+
 } // namespace
 
 std::string projectSchema() {
     const ordered_json project = objectSchema(tableOf<Project>());
-    ordered_json properties = {{"format", {{"const", "sparkout-project"}}},
-                               {"version", {{"const", projectVersion}}}};
-    properties.update(project.at("properties"));
-    ordered_json required = {"format", "version"};
-    for (const ordered_json& key : project.at("required")) {
-        required.push_back(key);
-    }
-    ordered_json root = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                         {"title", "Sparkout project"},
-                         {"description", gaps()}};
-    root.update(closedObject(std::move(properties), std::move(required)));
+    const ordered_json versionOfSetups = {{"properties", {{"version", {{"const", newestVersion}}}}},
+                                          {"required", {"version"}}};
+    const ordered_json root = {
+        {"$schema", "https://json-schema.org/draft/2020-12/schema"},
+        {"title", "Sparkout project"},
+        {"description", gaps()},
+        {"type", "object"},
+        {"if", versionOfSetups},
+        {"then", {{"$ref", "#/$defs/setup"}}},
+        {"else", {{"$ref", "#/$defs/project"}}},
+        {"$defs",
+         {{"project", fileSchema(project, projectVersion)}, {"setup", setupSchema(project)}}}};
     return printJson(root);
 }
 

@@ -60,7 +60,7 @@ compliance follows. A key in the wrong one of the two
 places is an error that names it. A set-up of one
 surface without name, times and wear is written as version 1, and a file of version 1 is read as such
 a set-up. `sparkout-cli` takes files of both versions, the window those of version 1;
-`project.schema.json` describes version 1.
+`project.schema.json` describes both.
 )";
 
 // --- conditions in words ------------------------------------------------------------------------

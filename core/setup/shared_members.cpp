@@ -10,9 +10,10 @@ namespace sparkout {
 
 namespace {
 
-constexpr std::array<std::string_view, 20> members{"/title",
+constexpr std::array<std::string_view, 21> members{"/title",
                                                    "/author",
                                                    "/notes",
+                                                   "/coolant",
                                                    "/part/name",
                                                    "/part/shaft/segments",
                                                    "/part/shaft/youngs_modulus_gpa",

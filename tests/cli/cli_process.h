@@ -56,6 +56,24 @@ inline Outcome run(const QStringList& arguments, const QStringList& environment 
     return outcomeOf(process);
 }
 
+/// Ctrl+C once a cycle is found, however slow the machine is.
+inline Outcome interruptedWithAnAnswer(QStringList arguments) {
+    arguments.prepend("optimize");
+    QProcess process;
+    process.setReadChannel(QProcess::StandardError);
+    process.start(SPARKOUT_CLI, arguments);
+    QByteArray progress;
+    while (!progress.contains("best ")) {
+        if (!process.waitForReadyRead(60'000)) {
+            qWarning("no cycle was found: %s", progress.constData());
+            break;
+        }
+        progress += process.readAllStandardError();
+    }
+    endBySignal(process, SIGINT);
+    return outcomeOf(process);
+}
+
 inline QString samplePath(const std::string& name) {
     return QString::fromStdString(
         sparkout::samples::sourcePath("tests/data/projects/" + name + ".sparkout"));

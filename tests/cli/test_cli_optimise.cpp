@@ -6,6 +6,7 @@
 #include "core/optimisation/optimise.h"
 #include "core/simulation/simulate.h"
 #include "tests/cli/cli_process.h"
+#include "tests/cli/search_samples.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
@@ -25,17 +26,6 @@ using nlohmann::json;
 
 namespace {
 
-/// The shaft 30h6 with a grid of 1143 cycles.
-json shaft() {
-    json file = json::parse(
-        samples::readText(samples::sourcePath("resources/examples/shaft-30h6-factory.sparkout")));
-    file["optimisation"] = {{"stages", json::array({1, 2})},
-                            {"stock_step_mm", 0.01},
-                            {"radial_feed_mm", {0.002, 0.004, 0.006}},
-                            {"axial_feed_mm_min", {800, 1600, 2400}}};
-    return file;
-}
-
 /// A soft shaft ground by plunging in three stages of equal stocks, with a field of 4 µm.
 json softShaft() {
     json file = json::parse(samples::readText(
@@ -47,16 +37,6 @@ json softShaft() {
     file["optimisation"] = {{"stages", json::array({3})},
                             {"stock_step_mm", file["part"]["stock_mm"].get<double>() / 3},
                             {"radial_feed_mm_min", {0.2, 0.6, 1.6}}};
-    return file;
-}
-
-/// The same with so many cycles that no search comes to its end.
-json endless() {
-    json file = shaft();
-    file["optimisation"]["stages"] = json::array({5});
-    file["optimisation"]["stock_step_mm"] = 0.001;
-    file["optimisation"]["radial_feed_mm"] = {{"from", 0.001}, {"to", 0.012}, {"step", 0.0005}};
-    file["optimisation"]["axial_feed_mm_min"] = {{"from", 300}, {"to", 3600}, {"step", 100}};
     return file;
 }
 
@@ -432,24 +412,6 @@ private:
     static Outcome optimize(QStringList arguments) {
         arguments.prepend("optimize");
         return run(arguments);
-    }
-
-    /// Ctrl+C once a cycle is found, however slow the machine is.
-    static Outcome interruptedWithAnAnswer(QStringList arguments) {
-        arguments.prepend("optimize");
-        QProcess process;
-        process.setReadChannel(QProcess::StandardError);
-        process.start(SPARKOUT_CLI, arguments);
-        QByteArray progress;
-        while (!progress.contains("best ")) {
-            if (!process.waitForReadyRead(60'000)) {
-                qWarning("no cycle was found: %s", progress.constData());
-                break;
-            }
-            progress += process.readAllStandardError();
-        }
-        endBySignal(process, SIGINT);
-        return outcomeOf(process);
     }
 
     QString save(const QString& name, const json& file) {

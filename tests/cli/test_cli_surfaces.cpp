@@ -3,6 +3,7 @@
 #include "core/setup/setup_file.h"
 #include "core/setup/worn_project.h"
 #include "tests/cli/cli_bench.h"
+#include "tests/cli/search_samples.h"
 #include "tests/core/setup/setup_samples.h"
 #include "tests/registry.h"
 
@@ -112,6 +113,23 @@ private slots:
         const json saved = json::parse(samples::readText(out.toStdString())).at("surfaces");
         QVERIFY(saved.at(0).at("cycle") != m_one.at("cycle"));
         QVERIFY(saved.at(1).at("cycle") == strict.at("cycle"));
+    }
+
+    /// What was found of the surface that it interrupts is written, the next one is not begun.
+    void ctrlCEndsWithTheSurfaceThatItInterrupts() {
+        const json first = endless();
+        json second = first;
+        second["part"]["stock_mm"] = 0.14;
+        const QString file =
+            save("endless.sparkout", setup_samples::setupOf({first, second}).dump());
+        const QString out = m_folder.filePath("found.sparkout");
+        const Outcome stopped = interruptedWithAnAnswer({file, "-o", out});
+        QCOMPARE(stopped.status, 0);
+        QVERIFY(stopped.out.find("surface 1  surface A") != std::string::npos);
+        QVERIFY(stopped.out.find("surface 2  surface B") == std::string::npos);
+        const json saved = json::parse(samples::readText(out.toStdString())).at("surfaces");
+        QVERIFY(saved.at(0).at("cycle") != first.at("cycle"));
+        QVERIFY(saved.at(1).at("cycle") == second.at("cycle"));
     }
 
     /// A name or times make a set-up even of one surface.

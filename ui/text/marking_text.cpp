@@ -10,6 +10,8 @@
 #include <QLocale>
 #include <QStringList>
 
+#include <optional>
+
 namespace sparkout {
 
 namespace {
@@ -50,6 +52,12 @@ QString bondMeaning(const std::string& bond) {
     }
 }
 
+std::optional<double> numberIn(const Field& field, const Wheel& wheel) {
+    return field.kind == Kind::number           ? std::optional(field.as<double>(&wheel))
+           : field.kind == Kind::optionalNumber ? field.as<std::optional<double>>(&wheel)
+                                                : std::nullopt;
+}
+
 } // namespace
 
 QString markingExplained(const WheelMarking& marking) {
@@ -88,14 +96,12 @@ QString markingChanges(const WheelMarking& marking, const Wheel& wheel) {
     applyMarking(marking, filled);
     QStringList changes;
     for (const Field& field : tableOf<Wheel>().fields) {
-        if (field.kind != Kind::number) {
-            continue;
-        }
-        const double now = field.as<double>(&wheel), then = field.as<double>(&filled);
-        if (now != then) {
+        const auto now = numberIn(field, wheel), then = numberIn(field, filled);
+        if (now != then && then) {
             const QString unit = *field.unit ? u'\u00a0' + unitText(field.unit) : QString();
             changes += QStringLiteral("%1 %2 → %3%4")
-                           .arg(inputText(field.label), number(now), number(then), unit);
+                           .arg(inputText(field.label), now ? number(*now) : QStringLiteral("—"),
+                                number(*then), unit);
         }
     }
     return changes.join(QStringLiteral("; "));

@@ -171,7 +171,8 @@ private slots:
             Project project = fixtures::plunge();
             applyEntry(entry, project);
             QVERIFY2(!hasErrors(validate(project)), entry.name.c_str());
-            QCOMPARE(project.material->grade, entry.name);
+            // One grade may stand there in several heat treatments: "40Х 28 HRC".
+            QCOMPARE(project.material->grade, entry.name.substr(0, entry.name.find(' ')));
         }
         for (const MachineEntry& entry : shipped<MachineEntry>()) {
             Project project = fixtures::plunge();

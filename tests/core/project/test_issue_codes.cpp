@@ -199,6 +199,17 @@ private:
             plunge, {{"/part/lower_deviation_um", 0}});
         row("machine range reversed", IssueCode::outOfRange, "/machine/limits/work_speed_rpm/1",
             traverse, {{"/machine/limits/work_speed_rpm", {300, 50, 1}}});
+        row("part wider than the machine takes", IssueCode::outOfRange, "/part/diameter_mm",
+            traverse, {{"/machine/limits/part_diameter_mm", 29}}, warning);
+        row("part longer than the machine takes", IssueCode::outOfRange, "/part/length_mm",
+            traverse, {{"/machine/limits/part_length_mm", 90}}, warning);
+        row("shaft longer than the machine takes", IssueCode::outOfRange, "/part/shaft/segments",
+            traverse,
+            {{"/machine/limits/part_length_mm", 249},
+             {"/part/shaft/segments", {{{"length_mm", 250}, {"diameter_mm", 30}}}}},
+            warning);
+        row("faster than the wheel may run", IssueCode::outOfRange, "/machine/wheel_speed_m_s",
+            plunge, {{"/wheel/max_speed_m_s", 29.9}});
         row("no part left", IssueCode::outOfRange, "/part/lower_deviation_um", plunge,
             {{"/part/diameter_mm", 2}, {"/part/lower_deviation_um", -4000}});
         row("runout larger than the part", IssueCode::outOfRange, "/part/initial_runout_mm", plunge,

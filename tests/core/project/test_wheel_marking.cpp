@@ -159,6 +159,11 @@ private slots:
         applyMarking(*readWheelMarking("25А F60 L V"), wheel);
         QCOMPARE(wheel.diameter_mm, 600.0); // the marking says nothing of it
         QCOMPARE(wheel.grain_share, 0.46);
+        QVERIFY(!wheel.max_speed_m_s);
+        applyMarking(*readWheelMarking("25А F60 L 6 V 50 м/с"), wheel);
+        QCOMPARE(wheel.max_speed_m_s, std::optional(50.0));
+        applyMarking(*readWheelMarking("25А F60 L 6 V"), wheel);
+        QCOMPARE(wheel.max_speed_m_s, std::optional(50.0));
     }
 };
 

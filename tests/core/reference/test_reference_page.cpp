@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reference/json_schema.h"
 #include "core/reference/reference_page.h"
+#include "tests/core/setup/setup_samples.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
@@ -17,7 +18,14 @@ namespace {
 /// As much of JSON Schema as projectSchema() uses. The fault found, or nothing.
 class SchemaCheck {
 public:
-    static std::string fault(const json& schema, const json& value, const std::string& path = {}) {
+    static std::string fault(const json& root, const json& value) {
+        const bool then = fault(root.at("if"), value, "").empty();
+        const std::string ref = root.at(then ? "then" : "else").at("$ref");
+        return fault(root.at(json::json_pointer(ref.substr(1))), value, "");
+    }
+
+private:
+    static std::string fault(const json& schema, const json& value, const std::string& path) {
         if (const auto list = schema.find("anyOf"); list != schema.end()) {
             const bool one = std::any_of(list->begin(), list->end(), [&](const json& item) {
                 return fault(item, value, path).empty();
@@ -42,7 +50,6 @@ public:
         return found.empty() && value.is_object() ? objectFault(schema, value, path) : found;
     }
 
-private:
     static bool hasType(const json& type, const json& value) {
         if (type.is_array()) {
             return std::any_of(type.begin(), type.end(),
@@ -90,7 +97,10 @@ private:
         const json& properties = schema.at("properties");
         for (const auto& [key, item] : value.items()) {
             if (!properties.contains(key)) {
-                return path + ": knows no " + key;
+                if (schema.contains("additionalProperties")) {
+                    return path + ": knows no " + key;
+                }
+                continue;
             }
             std::string found = fault(properties.at(key), item, path + "/" + key);
             if (!found.empty()) {
@@ -246,6 +256,52 @@ private slots:
             }
         }
         QVERIFY(refused > 1000 / step);
+    }
+
+    /// What the surfaces share stands once, the rest in each of them, and neither elsewhere.
+    void schemaAndReaderAgreeOnSetups() {
+        const json schema = json::parse(projectSchema());
+        json other = samples::sample("everything");
+        other["part"]["shaft"]["ground_from_mm"] = 1;
+        const json good = setup_samples::setupOf({samples::sample("everything"), other});
+        const ReadSetup read = readSetup(good.dump());
+        QVERIFY2(read.setup, samples::listed(read.issues).c_str());
+        QCOMPARE(SchemaCheck::fault(schema, good), std::string());
+        QCOMPARE(SchemaCheck::fault(schema, json::parse(writeSetup(*read.setup))), std::string());
+        const auto bothRefuse = [&schema](const json& file, const std::string& fault) {
+            QCOMPARE(SchemaCheck::fault(schema, file), fault);
+            QVERIFY(hasErrors(readSetup(file.dump()).issues));
+        };
+        for (const char* shared : setup_samples::sharedPlaces) {
+            const json::json_pointer place(shared);
+            if (!good.contains(place)) {
+                continue;
+            }
+            json file = good;
+            file["surfaces"][1][place] = good.at(place);
+            bothRefuse(file, "/surfaces/1" + place.parent_pointer().to_string() + ": knows no "
+                                 + place.back());
+        }
+        for (const auto& [key, value] : good.at("surfaces")[0].items()) {
+            if (good.contains(key) || key == "name") {
+                continue;
+            }
+            json file = good;
+            file[key] = value;
+            bothRefuse(file, ": knows no " + key);
+        }
+        json file = good;
+        file.erase("wheel");
+        bothRefuse(file, ": misses wheel");
+        file = good;
+        file["surfaces"][1].erase("cycle");
+        bothRefuse(file, "/surfaces/1: misses cycle");
+        file = good;
+        file["times"] = {{"handling_s", -1}};
+        bothRefuse(file, "/times/handling_s: range");
+        file = good;
+        file["surfaces"] = json::array();
+        bothRefuse(file, "/surfaces: count");
     }
 
     /// What the reader refuses and the schema passes is named in its description.

@@ -17,6 +17,7 @@ namespace setup_samples {
 inline const char* const sharedPlaces[] = {"/title",
                                            "/author",
                                            "/notes",
+                                           "/coolant",
                                            "/material",
                                            "/wheel",
                                            "/part/name",

@@ -45,10 +45,11 @@ std::vector<std::string> mainKeys(CatalogueKind kind) {
         return {"hardness_hrc", "flow_stress_mpa", "conductivity_w_mk", "diffusivity_mm2_s",
                 "burn_rise_k"};
     case CatalogueKind::wheels:
-        return {"diameter_mm", "width_mm", "grain_mm", "grain_share", "bond_share"};
+        return {"diameter_mm", "width_mm", "max_speed_m_s", "grain_mm", "grain_share"};
     case CatalogueKind::machines:
-        return {"wheel_speed_m_s", "wheel_drive_kw", "stiffness_n_um/headstock",
-                "stiffness_n_um/tailstock", "stiffness_n_um/wheel_head"};
+        return {"limits/part_diameter_mm",  "limits/part_length_mm",    "wheel_speed_m_s",
+                "wheel_drive_kw",           "stiffness_n_um/headstock", "stiffness_n_um/tailstock",
+                "stiffness_n_um/wheel_head"};
     }
     return {};
 }

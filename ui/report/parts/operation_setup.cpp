@@ -83,6 +83,12 @@ Facts OperationSetup::settings(const Outcome& outcome) {
                                     "mm"));
     }
     facts.facts.emplace_back(tr("Size control"), control);
+    if (!project.coolant.empty()) {
+        facts.facts.emplace_back(tr("Coolant"), cell(oneLine(project.coolant)));
+    }
+    if (!wheel.dressing.empty()) {
+        facts.facts.emplace_back(tr("Dressing"), cell(oneLine(wheel.dressing)));
+    }
     return facts;
 }
 
