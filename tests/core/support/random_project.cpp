@@ -77,7 +77,7 @@ struct Plan {
 Plan choosePlan(Random& random) {
     Plan plan;
     plan.traverse = random.chance(0.5);
-    plan.internal = !plan.traverse && random.chance(0.35);
+    plan.internal = random.chance(plan.traverse ? 0.3 : 0.35);
     plan.positionControl = random.chance(0.25);
     plan.noFriction = random.chance(0.15);
     const int stages = random.integer(1, 5);
@@ -237,8 +237,14 @@ void chooseLengths(Random& random, const Plan& plan, double B, json& part, json&
         part["length_mm"] = random.chance(0.1) ? B : random.uniform(0.3 * B, B, 1);
         return;
     }
-    const double o1 = random.chance(0.1) ? 0 : random.uniform(0, 0.7 * B, 1);
-    const double o2 = random.chance(0.1) ? 0 : random.uniform(0, 0.7 * B, 1);
+    double o1 = random.chance(0.1) ? 0 : random.uniform(0, 0.7 * B, 1);
+    double o2 = random.chance(0.1) ? 0 : random.uniform(0, 0.7 * B, 1);
+    if (plan.internal && random.chance(0.4)) { // the wall is at the headstock
+        part["blind_bore"] = true;
+        const bool entry = random.chance(0.5);
+        machine["entry_side"] = entry ? "headstock" : "tailstock";
+        (entry ? o1 : o2) = random.chance(0.5) ? 0 : -random.uniform(0.1, 0.3 * B, 1);
+    }
     machine["overrun_entry_mm"] = o1;
     machine["overrun_exit_mm"] = o2;
     part["length_mm"] = rounded((B - o1) + (B - o2) + random.uniform(2, 150), 1);
