@@ -77,7 +77,7 @@ struct Plan {
 Plan choosePlan(Random& random) {
     Plan plan;
     plan.traverse = random.chance(0.5);
-    plan.internal = random.chance(plan.traverse ? 0.3 : 0.35);
+    plan.internal = !plan.traverse && random.chance(0.35);
     plan.positionControl = random.chance(0.25);
     plan.noFriction = random.chance(0.15);
     const int stages = random.integer(1, 5);
@@ -454,6 +454,9 @@ void addPractice(std::uint64_t seed, bool traverse, json& project) {
 json randomProject(std::uint64_t seed) {
     Random random(seed);
     Plan plan = choosePlan(random);
+    if (plan.traverse) { // drawn apart, so that shafts are as ever
+        plan.internal = Random(seed ^ 0x7f4a7c15U).chance(0.3);
+    }
     chooseFeeds(random, plan);
     json project = {{"format", "sparkout-project"},
                     {"version", 1},
