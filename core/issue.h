@@ -47,7 +47,8 @@ enum class IssueCode {
     stocksDoNotSumUp,
     tooManyStages,
     notUsedHere,
-    internalTraverse,
+    wallOverrun,
+    stripAtWall,
     shaftTooShort,
     targetOutsideField,
     sparkOutLeaves,
@@ -88,8 +89,6 @@ enum class Phrase {
     anotherInput,
     pathOfInput,
     plunge,
-    internal,
-    external,
 };
 
 /// A number in its unit.

@@ -840,6 +840,10 @@ med, µm</source>
             <translation>Круглое наружное шлифование с осевой подачей</translation>
         </message>
         <message>
+            <source>Internal traverse grinding</source>
+            <translation>Внутреннее шлифование с осевой подачей</translation>
+        </message>
+        <message>
             <source>Internal plunge grinding</source>
             <translation>Внутреннее врезное шлифование</translation>
         </message>
@@ -2766,8 +2770,16 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Поверхность</translation>
         </message>
         <message>
-            <source>External or internal; internal surfaces are ground by plunge.</source>
-            <translation>Наружная или внутренняя; внутренние шлифуют врезанием.</translation>
+            <source>External: a shaft. Internal: a bore, ground by a wheel on a quill.</source>
+            <translation>Наружная — вал; внутренняя — отверстие, его шлифуют кругом на оправке.</translation>
+        </message>
+        <message>
+            <source>Blind bore</source>
+            <translation>Глухое отверстие</translation>
+        </message>
+        <message>
+            <source>A bore with a wall at its headstock end, where the wheel cannot leave it: the overrun there is 0, or negative where the wheel turns before the wall.</source>
+            <translation>У торца со стороны передней бабки отверстие закрыто стенкой, круг там не выходит: перебег равен 0 или отрицателен, если круг разворачивается не доходя до стенки.</translation>
         </message>
         <message>
             <source>Diameter</source>
@@ -3773,8 +3785,12 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>{value} здесь не используется; относится к {limit}</translation>
         </message>
         <message>
-            <source>{value} surfaces are ground by plunge only; allowed: {limit}</source>
-            <translation>{value} поверхность шлифуется только врезанием; допускается: {limit}</translation>
+            <source>{value} runs the wheel into the wall of the blind bore; allowed: {limit}</source>
+            <translation>{value}: круг упрётся в стенку глухого отверстия; допускается: {limit}</translation>
+        </message>
+        <message>
+            <source>the wheel turns {value} before the wall of the blind bore: what it does not reach must be relieved</source>
+            <translation>круг разворачивается за {value} до стенки глухого отверстия: там, куда он не доходит, нужна канавка</translation>
         </message>
         <message>
             <source>the shaft is {value} long; needed: {limit}</source>
@@ -3983,14 +3999,6 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>plunge</source>
             <translation>врезному шлифованию</translation>
-        </message>
-        <message>
-            <source>internal</source>
-            <translation>внутренняя</translation>
-        </message>
-        <message>
-            <source>external</source>
-            <translation>наружная</translation>
         </message>
     </context>
     <context>

@@ -142,10 +142,14 @@ IssueWords wordsOf(IssueCode code) {
     case IssueCode::notUsedHere:
         return {"not_used_here",
                 SPARKOUT_NOOP("Issue", "{value} is not used here; it applies to {limit}")};
-    case IssueCode::internalTraverse:
-        return {
-            "internal_traverse",
-            SPARKOUT_NOOP("Issue", "{value} surfaces are ground by plunge only; allowed: {limit}")};
+    case IssueCode::wallOverrun:
+        return {"wall_overrun",
+                SPARKOUT_NOOP("Issue", "{value} runs the wheel into the wall of the blind bore; "
+                                       "allowed: {limit}")};
+    case IssueCode::stripAtWall:
+        return {"strip_at_wall",
+                SPARKOUT_NOOP("Issue", "the wheel turns {value} before the wall of the blind bore: "
+                                       "what it does not reach must be relieved")};
     case IssueCode::shaftTooShort:
         return {"shaft_too_short",
                 SPARKOUT_NOOP("Issue", "the shaft is {value} long; needed: {limit}")};
@@ -221,8 +225,6 @@ const char* wordsOf(Phrase phrase) {
     case Phrase::pathOfInput:
         return SPARKOUT_NOOP("Limit", "the path of an input, as /wheel/dullness");
     case Phrase::plunge: return SPARKOUT_NOOP("Limit", "plunge");
-    case Phrase::internal: return SPARKOUT_NOOP("Limit", "internal");
-    case Phrase::external: return SPARKOUT_NOOP("Limit", "external");
     }
     return "";
 }

@@ -95,7 +95,7 @@ std::vector<double> lengths(const Project& project) {
         return std::vector<double>(sections, project.part->length_mm / project.sections);
     }
     const ZoneLengths zones = zoneLengths(project);
-    return {zones.rz1, zones.nz, zones.rz2};
+    return {plungeWidth(project, zones.rz1), zones.nz, plungeWidth(project, zones.rz2)};
 }
 
 std::vector<double> givenGammas(const GivenCompliance& given) {
@@ -111,6 +111,10 @@ ZoneLengths zoneLengths(const Project& project) {
     const double rz1 = project.wheel->width_mm - project.machine->overrun_entry_mm;
     const double rz2 = project.wheel->width_mm - project.machine->overrun_exit_mm;
     return {rz1, project.part->length_mm - rz1 - rz2, rz2};
+}
+
+double plungeWidth(const Project& project, double zoneLength_mm) {
+    return std::min(zoneLength_mm, project.wheel->width_mm);
 }
 
 std::vector<CompliantPoint> compliantPoints(const Project& project, const std::stop_token& stop) {

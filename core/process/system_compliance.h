@@ -16,6 +16,10 @@ struct ZoneLengths {
 };
 [[nodiscard]] ZoneLengths zoneLengths(const Project& project);
 
+/// Width of cut while the wheel stands at a reversal [mm]: the zone, but at most B before the wall
+/// of a blind bore [MODEL-5].
+[[nodiscard]] double plungeWidth(const Project& project, double zoneLength_mm);
+
 /// A place along the ground length and the compliance there.
 struct CompliantPoint {
     double position_mm = 0; ///< from the headstock end of the ground length [mm]

@@ -155,14 +155,14 @@ const StructInfo& tableOf<Machine>() {
                        .formula = "S_1 + S_2 = S_t", .source = "MODEL-5"),
         SPARKOUT_FIELD(
             Machine, overrun_entry_mm, .label = SPARKOUT_NOOP("Input", "Overrun at the entry"),
-            .symbol = "o_1", .unit = "mm", .hard = {0, 1000}, .soft = {0, 100},
+            .symbol = "o_1", .unit = "mm", .hard = {-1000, 1000}, .soft = {0, 100},
             .required = conditions::travels, .relevant = conditions::travels, .page = Page::machine,
             .hint = SPARKOUT_NOOP("Input", "How far the wheel runs past the entry end; the entry "
                                            "reversal zone is B − o1 long."),
             .source = "MODEL-5"),
         SPARKOUT_FIELD(
             Machine, overrun_exit_mm, .label = SPARKOUT_NOOP("Input", "Overrun at the exit"),
-            .symbol = "o_2", .unit = "mm", .hard = {0, 1000}, .soft = {0, 100},
+            .symbol = "o_2", .unit = "mm", .hard = {-1000, 1000}, .soft = {0, 100},
             .required = conditions::travels, .relevant = conditions::travels, .page = Page::machine,
             .hint = SPARKOUT_NOOP("Input",
                                   "How far the wheel runs past the exit end; the exit reversal "

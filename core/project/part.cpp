@@ -14,6 +14,9 @@ bool lobed(const Project& p, const void*) {
 bool measured(const Project& p, const void*) {
     return p.part->profile == ProfileForm::measured;
 }
+bool boreWithTravel(const Project& p, const void*) {
+    return p.part->surface == Surface::internal && p.operation->travels;
+}
 bool notMeasured(const Project& p, const void*) {
     return !measured(p, nullptr);
 }
@@ -200,9 +203,16 @@ const StructInfo& tableOf<Part>() {
             .hint = SPARKOUT_NOOP("Input", "Name of the part, as it stands in the drawing.")),
         SPARKOUT_FIELD(
             Part, surface, .label = SPARKOUT_NOOP("Input", "Surface"), .page = Page::part,
-            .hint = SPARKOUT_NOOP("Input",
-                                  "External or internal; internal surfaces are ground by plunge."),
+            .hint = SPARKOUT_NOOP("Input", "External: a shaft. Internal: a bore, ground by a "
+                                           "wheel on a quill."),
             .source = "MODEL-3"),
+        SPARKOUT_FIELD(Part, blind_bore, .label = SPARKOUT_NOOP("Input", "Blind bore"),
+                       .relevant = boreWithTravel, .sparse = true, .page = Page::part,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "A bore with a wall at its headstock end, where the wheel "
+                                    "cannot leave it: the overrun there is 0, or negative where "
+                                    "the wheel turns before the wall."),
+                       .source = "MODEL-5"),
         SPARKOUT_FIELD(Part, diameter_mm, .label = SPARKOUT_NOOP("Input", "Diameter"),
                        .symbol = "d", .unit = "mm", .hard = {1, 2000}, .soft = {3, 500},
                        .required = conditions::always, .page = Page::part,

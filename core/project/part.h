@@ -54,6 +54,7 @@ struct Shaft {
 struct Part {
     std::string name;
     Surface surface = Surface::external;
+    bool blind_bore = false;         ///< a bore with a wall at its headstock end
     double diameter_mm = 30;         ///< d, nominal [mm]
     double upper_deviation_um = 0;   ///< of the diameter, from nominal [µm]
     double lower_deviation_um = -16; ///< of the diameter, from nominal [µm]

@@ -113,10 +113,6 @@ private:
             }
         }
         if (part.surface == Surface::internal) {
-            if (project().operation->travels) {
-                add(IssueCode::internalTraverse, "/part/surface", Phrase::internal,
-                    Phrase::external);
-            }
             const bool known = fieldIsSound() && runoutIsSound()
                                && sound({"/part/target_diameter_mm", "/part/stock_mm"});
             if (known && project().wheel->diameter_mm >= smallestBore()) {
@@ -216,6 +212,8 @@ private:
                        .unit = "mm",
                        .formula = "2·B − o_1 − o_2"});
         }
+        checkOverrun("/machine/overrun_entry_mm", machine.overrun_entry_mm, EntrySide::headstock);
+        checkOverrun("/machine/overrun_exit_mm", machine.overrun_exit_mm, EntrySide::tailstock);
         if (project().gauge->position_mm) {
             warn(IssueCode::notUsedHere, "/gauge/position_mm", mm(*project().gauge->position_mm),
                  Phrase::plunge);
@@ -223,6 +221,21 @@ private:
         if (project().gauge->section) {
             warn(IssueCode::notUsedHere, "/gauge/section", Count{*project().gauge->section},
                  Phrase::plunge);
+        }
+    }
+
+    /// The wheel cannot leave a blind bore at its wall, and has no reason to turn short of an end
+    /// elsewhere. The overrun is at the headstock when the entry is at the given side.
+    void checkOverrun(const char* path, double overrun_mm, EntrySide atHeadstock) {
+        const Part& part = *project().part;
+        const bool wall = part.surface == Surface::internal && part.blind_bore
+                          && project().machine->entry_side == atHeadstock;
+        if (wall && overrun_mm > 0) {
+            add(IssueCode::wallOverrun, path, mm(overrun_mm), Bounds{{.high = 0}, "mm"});
+        } else if (wall && overrun_mm < 0) {
+            warn(IssueCode::stripAtWall, path, mm(-overrun_mm), {});
+        } else if (overrun_mm < 0) {
+            add(IssueCode::outOfRange, path, mm(overrun_mm), Bounds{{.low = 0}, "mm"});
         }
     }
 

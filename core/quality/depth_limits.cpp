@@ -52,7 +52,7 @@ double effectiveWidth(const Project& project, const Place& place) {
     }
     if (wheelStands(place)) {
         const ZoneLengths lengths = zoneLengths(project);
-        return place.zone == Zone::rz1 ? lengths.rz1 : lengths.rz2;
+        return plungeWidth(project, place.zone == Zone::rz1 ? lengths.rz1 : lengths.rz2);
     }
     const Stage& stage = project.cycle->stages[static_cast<std::size_t>(place.stage - 1)];
     return std::min((stage.*axial->value).value_or(0) / project.machine->work_speed_rpm,

@@ -49,8 +49,8 @@ public:
         : CycleSteps(Run(project, compliantPoints(project, stop), trajectory, stop),
                      static_cast<std::size_t>(gaugeZone))
         , m_project(project)
-        , m_plunge1(sharedCut(zoneLengths(project).rz1))
-        , m_plunge2(sharedCut(zoneLengths(project).rz2))
+        , m_plunge1(sharedCut(plungeWidth(project, zoneLengths(project).rz1)))
+        , m_plunge2(sharedCut(plungeWidth(project, zoneLengths(project).rz2)))
         , m_entryDwell(dwellRevolutions(project.machine->dwell_entry_s, rpm()))
         , m_exitDwell(dwellRevolutions(project.machine->dwell_exit_s, rpm()))
         , m_travel_mm(project.part->length_mm - project.wheel->width_mm
@@ -265,8 +265,9 @@ private:
     std::array<double, zoneCount> fedInStroke(double fed, const StrokeFeed& feed,
                                               bool there) const {
         const Machine& machine = *m_project.machine;
-        const std::array<double, zoneCount> way_mm{machine.overrun_entry_mm / 2, m_travel_mm / 2,
-                                                   m_travel_mm - machine.overrun_exit_mm / 2};
+        const std::array<double, zoneCount> way_mm{
+            std::max(machine.overrun_entry_mm, 0.0) / 2, m_travel_mm / 2,
+            m_travel_mm - std::max(machine.overrun_exit_mm, 0.0) / 2};
         std::array<double, zoneCount> fedAt{};
         for (std::size_t zone = 0; zone < zoneCount; ++zone) {
             const double share = way_mm[zone] / m_travel_mm;

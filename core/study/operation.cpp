@@ -96,11 +96,24 @@ void makePlunge(Project& project) {
     project = fitted(std::move(project), Operation::plunge);
 }
 
+/// The wheel turns at the wall of a blind bore, or before it; no other overrun is negative.
+void keepOffTheWall(Project& project) {
+    Machine& machine = *project.machine;
+    const bool wall = project.part->surface == Surface::internal && project.part->blind_bore;
+    const bool atEntry = machine.entry_side == EntrySide::headstock;
+    const auto kept = [wall](double overrun, bool atHeadstock) {
+        return wall && atHeadstock ? std::min(overrun, 0.0) : std::max(overrun, 0.0);
+    };
+    machine.overrun_entry_mm = kept(machine.overrun_entry_mm, atEntry);
+    machine.overrun_exit_mm = kept(machine.overrun_exit_mm, !atEntry);
+}
+
 /// Leaves a zone between the reversals: L_p > (B − o1) + (B − o2), each bracket above zero.
 void fitZones(Project& project) {
     const double length = project.part->length_mm;
     double& width = project.wheel->width_mm;
     Machine& machine = *project.machine;
+    keepOffTheWall(project);
     const auto zones = [&] {
         return 2 * width - machine.overrun_entry_mm - machine.overrun_exit_mm;
     };
@@ -111,6 +124,7 @@ void fitZones(Project& project) {
         width = std::max(rounded(std::min(width, length / 2)), narrowest);
         machine.overrun_entry_mm = rounded(width / 4);
         machine.overrun_exit_mm = rounded(width / 4);
+        keepOffTheWall(project);
     }
 }
 
@@ -128,16 +142,10 @@ void makeTraverse(Project& project) {
             stage.axial_feed_mm_min = roughing ? 1800 : 300;
         }
     }
-    project.part->surface = Surface::external;
     project.gauge->section.reset();
     project.gauge->position_mm.reset();
     project.gauge->compliance_mm_per_n.reset();
     project = fitted(std::move(project), Operation::traverse);
-    const bool computed =
-        std::holds_alternative<std::monostate>(project.machine->compliance_mm_per_n);
-    if (computed && !complianceComputable(project)) { // a bore has no shaft
-        project.machine->compliance_mm_per_n = zoneCompliance(project);
-    }
 }
 
 /// A plain shaft: the ground length with an overhang at both ends.
@@ -161,13 +169,6 @@ Quill usualQuill(const Project& project) {
 }
 
 } // namespace
-
-bool complianceComputable(const Project& project) {
-    const bool body = project.part->surface == Surface::internal
-                          ? project.part->shaft.quill.has_value()
-                          : !project.part->shaft.segments.empty();
-    return body && project.machine->stiffness_n_um;
-}
 
 Project fitted(Project project, Operation operation) {
     operation.match([&](Traverse) { fitZones(project); },

@@ -30,7 +30,4 @@ namespace sparkout {
 /// The project with a measured profile as the form of its blank, a radius a value.
 [[nodiscard]] Project withRadii(Project project, std::vector<double> radii_um);
 
-/// Whether stiffness and shaft are there to compute the compliance from.
-[[nodiscard]] bool complianceComputable(const Project& project);
-
 } // namespace sparkout

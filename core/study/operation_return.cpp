@@ -92,7 +92,6 @@ Project withOperation(const Project& project, Operation operation, const Project
     const Project thence = withOperation(*last, project.operation);
     giveBackFeeds(made, project, thence, *last);
     giveBackGauge(*made.gauge, *project.gauge, *thence.gauge, *last->gauge);
-    giveBack(made.part->surface, project.part->surface, thence.part->surface, last->part->surface);
     giveBack(made.part->length_mm, project.part->length_mm, thence.part->length_mm,
              last->part->length_mm);
     giveBack(made.wheel->width_mm, project.wheel->width_mm, thence.wheel->width_mm,

@@ -30,7 +30,7 @@ QString switchedText(const ConstMember& member) {
 QStringList changesOfOperation(const Project& before, const Project& after) {
     QStringList changes;
     for (const char* path :
-         {"/part/surface", "/part/length_mm", "/wheel/width_mm", "/machine/overrun_entry_mm",
+         {"/part/length_mm", "/wheel/width_mm", "/machine/overrun_entry_mm",
           "/machine/overrun_exit_mm", "/machine/compliance_mm_per_n", "/gauge/section",
           "/gauge/position_mm", "/gauge/compliance_mm_per_n", "/least_steps"}) {
         const ConstMember was = findMember(before, path);

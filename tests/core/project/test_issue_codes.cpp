@@ -71,10 +71,10 @@ private slots:
 
     void everyPhraseHasItsWords() {
         std::set<std::string> words;
-        for (int i = 0; i <= static_cast<int>(Phrase::external); ++i) {
+        for (int i = 0; i <= static_cast<int>(Phrase::plunge); ++i) {
             words.insert(wordsOf(static_cast<Phrase>(i)));
         }
-        QCOMPARE(words.size(), static_cast<std::size_t>(Phrase::external) + 1);
+        QCOMPARE(words.size(), static_cast<std::size_t>(Phrase::plunge) + 1);
         QVERIFY(!words.contains(""));
     }
 
@@ -232,8 +232,21 @@ private:
             {{"/wheel/width_mm", 39.999}});
         row("wheel fills the bore", IssueCode::wheelTooLarge, "/wheel/diameter_mm", bore,
             {{"/wheel/diameter_mm", 60}});
-        row("internal traverse", IssueCode::internalTraverse, "/part/surface", traverse,
-            {{"/part/surface", "internal"}});
+        row("overrun of a blind bore's wall", IssueCode::wallOverrun, "/machine/overrun_entry_mm",
+            traverse,
+            {{"/part/surface", "internal"},
+             {"/part/blind_bore", true},
+             {"/wheel/diameter_mm", 20}});
+        row("wheel that turns before the wall", IssueCode::stripAtWall, "/machine/overrun_entry_mm",
+            traverse,
+            {{"/part/surface", "internal"},
+             {"/part/blind_bore", true},
+             {"/wheel/diameter_mm", 20},
+             {"/part/length_mm", 150},
+             {"/machine/overrun_entry_mm", -2}},
+            warning);
+        row("no wall to turn before", IssueCode::outOfRange, "/machine/overrun_exit_mm", traverse,
+            {{"/part/length_mm", 150}, {"/machine/overrun_exit_mm", -2}});
         row("shaft too short", IssueCode::shaftTooShort, "/part/shaft/segments",
             "stiffness-traverse", {{"/part/shaft/ground_from_mm", 61}});
         row("rest beside the shaft", IssueCode::outOfRange,

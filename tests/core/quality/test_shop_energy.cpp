@@ -33,8 +33,8 @@ double lengthOf(const Project& p, const Place& place) {
     const double rz1 = p.wheel->width_mm - p.machine->overrun_entry_mm;
     const double rz2 = p.wheel->width_mm - p.machine->overrun_exit_mm;
     switch (place.zone) {
-    case Zone::rz1: return rz1;
-    case Zone::rz2: return rz2;
+    case Zone::rz1: return std::min(rz1, p.wheel->width_mm); // all it reaches before a wall
+    case Zone::rz2: return std::min(rz2, p.wheel->width_mm);
     case Zone::nz: return p.part->length_mm - rz1 - rz2;
     case Zone::section: break;
     }

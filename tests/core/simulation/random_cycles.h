@@ -119,11 +119,14 @@ inline Project anyPlunge(int leastSections = 1) {
 inline Project anyTraverse() {
     Project p;
     p.operation = Operation::traverse;
-    p.part->diameter_mm = between(12, 130);
+    p.part->surface = oneIn(3) ? Surface::internal : Surface::external;
+    p.part->diameter_mm = between(25, 130);
     anyBlank(*p.part);
     anyForce(p);
     p.wheel->width_mm = between(15, 70);
-    p.wheel->diameter_mm = between(250, 750);
+    p.wheel->diameter_mm = p.part->surface == Surface::internal
+                               ? between(0.3, 0.9) * p.part->diameter_mm
+                               : between(250, 750);
     p.machine->overrun_entry_mm = between(0, 0.7) * p.wheel->width_mm;
     p.machine->overrun_exit_mm = between(0, 0.7) * p.wheel->width_mm;
     p.part->length_mm = 2 * p.wheel->width_mm - p.machine->overrun_entry_mm

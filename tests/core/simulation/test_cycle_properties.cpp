@@ -91,9 +91,11 @@ private slots:
             const double off = rounding(0.5, passes) + radiusRounding_mm;
             RC_ASSERT(a.countsByStage == b.countsByStage);
             RC_ASSERT(b.time_s >= a.time_s);
+            const double side = p.part->surface == Surface::external ? 1 : -1;
             for (const std::size_t zone : {std::size_t(0), std::size_t(2)}) {
                 for (std::size_t k = 0; k < a.sections[zone].radii_mm.size(); ++k) {
-                    RC_ASSERT(b.sections[zone].radii_mm[k] <= a.sections[zone].radii_mm[k] + off);
+                    RC_ASSERT(side * (b.sections[zone].radii_mm[k] - a.sections[zone].radii_mm[k])
+                              <= off);
                 }
             }
         }));

@@ -209,6 +209,12 @@ std::set<std::string> features(const json& p) {
         const json& machine = p["machine"];
         const std::string infeed = machine.value("reversal_infeed", "entry");
         found.insert("reversal infeed, " + infeed);
+        if (part.value("blind_bore", false)) {
+            const bool entry = machine["entry_side"] == "headstock";
+            found.insert(entry ? "wall at the entry" : "wall at the exit");
+            const double overrun = machine[entry ? "overrun_entry_mm" : "overrun_exit_mm"];
+            found.insert(overrun < 0 ? "turns before the wall" : "turns at the wall");
+        }
         for (const json& stage : p["cycle"]["stages"]) {
             if (stage.value("continuous_feed_mm_min", 0.0) > 0) {
                 found.insert("continuous infeed, " + infeed);
@@ -262,6 +268,11 @@ private slots:
             }
         }
         const char* const options[] = {"traverse, external",
+                                       "traverse, internal",
+                                       "wall at the entry",
+                                       "wall at the exit",
+                                       "turns before the wall",
+                                       "turns at the wall",
                                        "plunge, external",
                                        "plunge, internal",
                                        "external, profile ellipse",

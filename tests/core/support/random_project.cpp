@@ -237,8 +237,14 @@ void chooseLengths(Random& random, const Plan& plan, double B, json& part, json&
         part["length_mm"] = random.chance(0.1) ? B : random.uniform(0.3 * B, B, 1);
         return;
     }
-    const double o1 = random.chance(0.1) ? 0 : random.uniform(0, 0.7 * B, 1);
-    const double o2 = random.chance(0.1) ? 0 : random.uniform(0, 0.7 * B, 1);
+    double o1 = random.chance(0.1) ? 0 : random.uniform(0, 0.7 * B, 1);
+    double o2 = random.chance(0.1) ? 0 : random.uniform(0, 0.7 * B, 1);
+    if (plan.internal && random.chance(0.4)) { // the wall is at the headstock
+        part["blind_bore"] = true;
+        const bool entry = random.chance(0.5);
+        machine["entry_side"] = entry ? "headstock" : "tailstock";
+        (entry ? o1 : o2) = random.chance(0.5) ? 0 : -random.uniform(0.1, 0.3 * B, 1);
+    }
     machine["overrun_entry_mm"] = o1;
     machine["overrun_exit_mm"] = o2;
     part["length_mm"] = rounded((B - o1) + (B - o2) + random.uniform(2, 150), 1);
@@ -448,6 +454,9 @@ void addPractice(std::uint64_t seed, bool traverse, json& project) {
 json randomProject(std::uint64_t seed) {
     Random random(seed);
     Plan plan = choosePlan(random);
+    if (plan.traverse) { // drawn apart, so that shafts are as ever
+        plan.internal = Random(seed ^ 0x7f4a7c15U).chance(0.3);
+    }
     chooseFeeds(random, plan);
     json project = {{"format", "sparkout-project"},
                     {"version", 1},

@@ -175,9 +175,15 @@ void placeBodies(Cycle& c, const json& project, const std::vector<Real>& radius)
         for (const char* zone : {"rz1", "nz", "rz2"}) {
             c.bodies.push_back({number(compliance, zone), radius, true});
         }
-        c.bodies[0].length = c.B - c.o1;
-        c.bodies[2].length = c.B - c.o2;
-        c.bodies[1].length = c.length - c.bodies[0].length - c.bodies[2].length;
+        const Real ends[] = {0, c.B - c.o1, c.length - (c.B - c.o2), c.length};
+        for (int zone = 0; zone < 3; ++zone) {
+            Body& body = c.bodies[zone];
+            body.middle = (ends[zone] + ends[zone + 1]) / 2;
+            body.length = ends[zone + 1] - ends[zone];
+        }
+        for (const int reversal : {0, 2}) { // the wheel does not reach the wall of a blind bore
+            c.bodies[reversal].length = std::min(c.bodies[reversal].length, c.B);
+        }
         c.gauge = 1;
         return;
     }

@@ -33,6 +33,7 @@ struct Body {
     std::vector<Real> radius; // R_k [mm]
     bool reported = true;     // false: the extra section of a gauge in a free position
     Real length = 0;          // of the surface it stands for [mm]
+    Real middle = 0;          // from the entry end, traverse only [mm]
 };
 
 /// What a stage adds up to; energy in N·m, time in min.

@@ -116,14 +116,12 @@ void plungeIn(Cycle& c, Body& body, Real b, Real S) {
 void stroke(Cycle& c, Real b, bool there) {
     const Real speed = c.stages[c.z].axial_feed;
     const Real first = c.B / 2 - c.o1, last = c.length + c.o2 - c.B / 2; // of the wheel's middle
-    Real start = 0;
     for (Body& body : c.bodies) {
-        const Real middle = std::clamp(start + body.length / 2, first, last);
+        const Real middle = std::clamp(body.middle, first, last);
         const Real t = fedLater(c, c.t_P, (there ? middle - first : last - middle) / speed);
         for (int k = 0; k < c.K; ++k) {
             visit(c, body, k, b, t);
         }
-        start += body.length;
     }
     c.t_P = fedLater(c, c.t_P, (last - first) / speed);
 }
@@ -132,8 +130,8 @@ void doubleStroke(Cycle& c) {
     const Stage& stage = c.stages[c.z];
     const Real S_t = infeedOfThisPass(c);
     const Real S_1 = S_t * c.entry_share;
-    const Real b1 = c.B - c.o1;                           // plunge passes in РЗ1
-    const Real b2 = c.B - c.o2;                           // plunge passes in РЗ2
+    const Real b1 = std::min(c.B - c.o1, c.B);            // plunge passes in РЗ1
+    const Real b2 = std::min(c.B - c.o2, c.B);            // plunge passes in РЗ2
     const Real b = std::min(stage.axial_feed / c.n, c.B); // traverse passes
     Body& rz1 = c.bodies[0];
     Body& rz2 = c.bodies[2];

@@ -166,7 +166,6 @@ private slots:
             count += member != now ? 1 : 0;
             member = now;
         };
-        take(told.part->surface, after.part->surface);
         take(told.part->length_mm, after.part->length_mm);
         take(told.wheel->width_mm, after.wheel->width_mm);
         take(told.machine->overrun_entry_mm, after.machine->overrun_entry_mm);

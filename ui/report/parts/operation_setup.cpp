@@ -21,12 +21,14 @@
 namespace sparkout::report {
 
 QString OperationSetup::operation(const Project& project) {
-    return project.operation.match([](Traverse) { return tr("Cylindrical traverse grinding"); },
-                                   [&project](Plunge) {
-                                       return project.part->surface == Surface::internal
-                                                  ? tr("Internal plunge grinding")
-                                                  : tr("Cylindrical plunge grinding");
-                                   });
+    const bool bore = project.part->surface == Surface::internal;
+    return project.operation.match(
+        [bore](Traverse) {
+            return bore ? tr("Internal traverse grinding") : tr("Cylindrical traverse grinding");
+        },
+        [bore](Plunge) {
+            return bore ? tr("Internal plunge grinding") : tr("Cylindrical plunge grinding");
+        });
 }
 
 Facts OperationSetup::header(const Project& project, const QDate& date) {
