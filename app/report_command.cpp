@@ -5,9 +5,14 @@
 #include "app/stop_signals.h"
 #include "app/window_io.h"
 #include "core/project/batch.h"
+#include "core/setup/setup_run.h"
 #include "core/study/evaluate.h"
 #include "ui/report/format/report_text.h"
 #include "ui/session/document.h"
+
+#include <memory>
+#include <utility>
+#include <variant>
 
 namespace sparkout {
 
@@ -43,18 +48,33 @@ QString readHandoutOption(const QString& option, const QString& value, ReportReq
     return value == u"on" || value == u"off" ? QString() : QStringLiteral("--answers is on or off");
 }
 
-int writeReport(const ReportRequest& request) {
+namespace {
+
+/// What is to be reported of a file; else the exit status that says why there is nothing.
+std::variant<report::Subject, int> subjectOf(const ReportRequest& request) {
+    report::Subject subject;
+    subject.file = request.file;
+    subject.date = QDate::currentDate();
+    subject.handout = request.handout;
+    subject.company = request.company;
+    if (report::rowOf(request.kind).takesSetup) {
+        auto setup = openSetupOrSay(request.file);
+        if (!setup) {
+            return exitRefused;
+        }
+        auto run = runSetup(*setup);
+        if (hasErrors(run.issues)) {
+            return refuse(run.issues);
+        }
+        subject.setup = std::make_shared<report::SetupSubject>(
+            report::SetupSubject{std::move(*setup), std::move(run)});
+        return subject;
+    }
     Document document;
     if (!openOrSay(document, request.file)) {
         return exitRefused;
     }
-    const report::KindRow& row = report::rowOf(request.kind);
-    report::Subject subject{evaluate(document.project(), {}),
-                            nullptr,
-                            nullptr,
-                            request.file,
-                            QDate::currentDate(),
-                            request.handout};
+    subject.outcome = evaluate(document.project(), {});
     if (!subject.outcome->ran()) {
         return refuse(subject.outcome->issues);
     }
@@ -62,18 +82,35 @@ int writeReport(const ReportRequest& request) {
         say(stderr, QStringLiteral("sparkout: no step of this cycle is as --at says"));
         return exitUsage;
     }
-    if (row.takesBatch && document.project().batch) {
+    if (report::rowOf(request.kind).takesBatch && document.project().batch) {
         subject.batch = runWatched(document.project());
         if (!subject.batch->ran()) {
             return refuse(subject.batch->issues);
         }
     }
+    return subject;
+}
+
+bool isCompleted(const report::Subject& subject) {
+    return subject.setup ? subject.setup->run.isCompleted(subject.setup->setup)
+                         : subject.outcome->result.status == RunStatus::completed;
+}
+
+} // namespace
+
+int writeReport(const ReportRequest& request) {
+    auto read = subjectOf(request);
+    if (const int* status = std::get_if<int>(&read)) {
+        return *status;
+    }
+    auto& subject = std::get<report::Subject>(read);
     QByteArray bytes;
     if (cli::caughtSignal() == 0) {
         if (subject.batch) {
             subject.worst = report::runWorstPart(*subject.batch);
         }
-        bytes = report::bytesOf(row.make(subject), *report::formatOf(request.output));
+        bytes = report::bytesOf(report::rowOf(request.kind).make(subject),
+                                *report::formatOf(request.output));
     }
     if (cli::caughtSignal() != 0) {
         say(stderr, QStringLiteral("sparkout: ended, nothing was written"));
@@ -86,7 +123,7 @@ int writeReport(const ReportRequest& request) {
     if (!writeBytes(bytes, request.output)) {
         return exitRefused;
     }
-    return subject.outcome->result.status == RunStatus::completed ? 0 : exitCannotReachSize;
+    return isCompleted(subject) ? 0 : exitCannotReachSize;
 }
 
 QString reportKeys() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/report/documents/report_kinds.h"
+#include "ui/session/company.h"
 
 namespace sparkout {
 
@@ -10,6 +11,7 @@ struct ReportRequest {
     report::Kind kind = report::Kind::card;
     QString file;
     QString output;
+    Company company; ///< of the heads
     report::HandoutOptions handout;
     bool stepAsked = false; ///< by --at
 };

@@ -2,12 +2,19 @@
 #include "app/window_io.h"
 
 #include "core/files/safe_file.h"
+#include "core/format/project_file.h"
+#include "core/setup/setup_file.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/session/document.h"
+#include "ui/session/project_io.h"
 #include "ui/text/file_error_text.h"
 #include "ui/text/texts.h"
 
 #include <QFile>
+
+#include <string>
+#include <utility>
+#include <variant>
 
 namespace sparkout {
 
@@ -46,6 +53,19 @@ bool writeBytes(const QByteArray& bytes, const QString& path) {
         say(stderr, QStringLiteral("sparkout: %1").arg(saveErrorText(*error)));
     }
     return !error;
+}
+
+std::optional<Setup> openSetupOrSay(const QString& path) {
+    auto content = readFile(systemPath(path), limits::fileBytes);
+    if (const auto* error = std::get_if<FileError>(&content)) {
+        say(stderr, QStringLiteral("sparkout: %1").arg(readErrorText(*error)));
+        return {};
+    }
+    ReadSetup read = readSetup(std::get<std::string>(content));
+    if (!read.setup) {
+        (void)refuse(read.issues);
+    }
+    return std::move(read.setup);
 }
 
 bool openOrSay(Document& document, const QString& path) {

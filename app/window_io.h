@@ -2,11 +2,13 @@
 #pragma once
 
 #include "core/issue.h"
+#include "core/setup/setup.h"
 
 #include <QByteArray>
 #include <QString>
 
 #include <cstdio>
+#include <optional>
 
 namespace sparkout {
 
@@ -27,6 +29,9 @@ void passOverPlatformNotices();
 
 /// Writes a file safely; a failure is said.
 [[nodiscard]] bool writeBytes(const QByteArray& bytes, const QString& path);
+
+/// Reads a file of one surface or of several; what is wrong with it is said.
+[[nodiscard]] std::optional<Setup> openSetupOrSay(const QString& path);
 
 /// Reads a project; what is wrong with it is said.
 [[nodiscard]] bool openOrSay(Document& document, const QString& path);

@@ -157,6 +157,241 @@
         </message>
     </context>
     <context>
+        <name>CardForm</name>
+        <message>
+            <source>Copy</source>
+            <translation>Дубл.</translation>
+        </message>
+        <message>
+            <source>Repl.</source>
+            <translation>Взам.</translation>
+        </message>
+        <message>
+            <source>Orig.</source>
+            <translation>Подл.</translation>
+        </message>
+        <message>
+            <source>Rev.</source>
+            <translation>Изм.</translation>
+        </message>
+        <message>
+            <source>Sheet</source>
+            <translation>Лист</translation>
+        </message>
+        <message>
+            <source>Doc. no.</source>
+            <translation>№ докум.</translation>
+        </message>
+        <message>
+            <source>Sign.</source>
+            <translation>Подпись</translation>
+        </message>
+        <message>
+            <source>Date</source>
+            <translation>Дата</translation>
+        </message>
+        <message>
+            <source>Sheets</source>
+            <translation>Листов</translation>
+        </message>
+        <message>
+            <source>Prepared</source>
+            <translation>Разраб.</translation>
+        </message>
+        <message>
+            <source>Checked</source>
+            <translation>Пров.</translation>
+        </message>
+        <message>
+            <source>Agreed</source>
+            <translation>Согл.</translation>
+        </message>
+        <message>
+            <source>Standards</source>
+            <translation>Н. контр.</translation>
+        </message>
+        <message>
+            <source>Approved</source>
+            <translation>Утв.</translation>
+        </message>
+        <message>
+            <source>Company, department</source>
+            <translation>Организация, подразделение</translation>
+        </message>
+        <message>
+            <source>Part number</source>
+            <translation>Обозначение изделия</translation>
+        </message>
+        <message>
+            <source>Document number</source>
+            <translation>Обозначение документа</translation>
+        </message>
+        <message>
+            <source>Name of the part</source>
+            <translation>Наименование изделия</translation>
+        </message>
+        <message>
+            <source>Letter</source>
+            <translation>Литера</translation>
+        </message>
+        <message>
+            <source>Shop</source>
+            <translation>Цех</translation>
+        </message>
+        <message>
+            <source>Area</source>
+            <translation>Уч.</translation>
+        </message>
+        <message>
+            <source>Place</source>
+            <translation>РМ</translation>
+        </message>
+        <message>
+            <source>Oper.</source>
+            <translation>Опер.</translation>
+        </message>
+        <message>
+            <source>Name of the operation</source>
+            <translation>Наименование операции</translation>
+        </message>
+        <message>
+            <source>Material</source>
+            <translation>Материал</translation>
+        </message>
+        <message>
+            <source>Hardness</source>
+            <translation>Твёрдость</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>ЕВ</translation>
+        </message>
+        <message>
+            <source>Part mass</source>
+            <translation>МД</translation>
+        </message>
+        <message>
+            <source>Blank, profile and sizes</source>
+            <translation>Профиль и размеры</translation>
+        </message>
+        <message>
+            <source>Blank mass</source>
+            <translation>МЗ</translation>
+        </message>
+        <message>
+            <source>At once</source>
+            <translation>КОИД</translation>
+        </message>
+        <message>
+            <source>Equipment, NC control</source>
+            <translation>Оборудование, устройство ЧПУ</translation>
+        </message>
+        <message>
+            <source>NC program</source>
+            <translation>Обозначение программы</translation>
+        </message>
+        <message>
+            <source>Main, min</source>
+            <translation>То, мин</translation>
+        </message>
+        <message>
+            <source>Auxil., min</source>
+            <translation>Тв, мин</translation>
+        </message>
+        <message>
+            <source>Setting, min</source>
+            <translation>Тпз, мин</translation>
+        </message>
+        <message>
+            <source>Piece, min</source>
+            <translation>Тшт, мин</translation>
+        </message>
+        <message>
+            <source>Coolant</source>
+            <translation>СОЖ</translation>
+        </message>
+        <message>
+            <source>R</source>
+            <translation>Р</translation>
+        </message>
+        <message>
+            <source>Transition, regime</source>
+            <translation>Содержание перехода, режим</translation>
+        </message>
+        <message>
+            <source>Pos.</source>
+            <translation>ПИ</translation>
+        </message>
+        <message>
+            <source>D or B, mm</source>
+            <translation>D или B, мм</translation>
+        </message>
+        <message>
+            <source>L, mm</source>
+            <translation>L, мм</translation>
+        </message>
+        <message>
+            <source>t, mm</source>
+            <translation>t, мм</translation>
+        </message>
+        <message>
+            <source>i</source>
+            <translation>i</translation>
+        </message>
+        <message>
+            <source>S</source>
+            <translation>S</translation>
+        </message>
+        <message>
+            <source>n, rev/min</source>
+            <translation>n, об/мин</translation>
+        </message>
+        <message>
+            <source>V, m/min</source>
+            <translation>V, м/мин</translation>
+        </message>
+        <message>
+            <source>OC</source>
+            <translation>ОК</translation>
+        </message>
+        <message>
+            <source>Operation card, machining</source>
+            <translation>Операционная карта механической обработки</translation>
+        </message>
+        <message>
+            <source>after GOST 3.1404-86, form 2</source>
+            <translation>по образцу ГОСТ 3.1404-86, форма 2</translation>
+        </message>
+        <message>
+            <source>after GOST 3.1404-86, form 2a</source>
+            <translation>по образцу ГОСТ 3.1404-86, форма 2а</translation>
+        </message>
+        <message>
+            <source>The form is modelled on GOST 3.1404-86 and 3.1103: check it against the current edition. The numbers are predictions of a model, to be confirmed at the machine.</source>
+            <translation>Форма составлена по образцу ГОСТ 3.1404-86 и ГОСТ 3.1103, сверьте с действующей редакцией. Числа предсказаны моделью и подлежат проверке на станке.</translation>
+        </message>
+        <message>
+            <source>SK</source>
+            <translation>КЭ</translation>
+        </message>
+        <message>
+            <source>Sketch sheet</source>
+            <translation>Карта эскизов</translation>
+        </message>
+        <message>
+            <source>after GOST 3.1105-84, form 7</source>
+            <translation>по образцу ГОСТ 3.1105-84, форма 7</translation>
+        </message>
+        <message>
+            <source>after GOST 3.1105-84, form 7a</source>
+            <translation>по образцу ГОСТ 3.1105-84, форма 7а</translation>
+        </message>
+        <message>
+            <source>The form is modelled on GOST 3.1105-84 and 3.1103: check it against the current edition. Not to scale.</source>
+            <translation>Форма составлена по образцу ГОСТ 3.1105-84 и ГОСТ 3.1103, сверьте с действующей редакцией. Эскиз не в масштабе.</translation>
+        </message>
+    </context>
+    <context>
         <name>Catalogue</name>
         <message>
             <source>There are too many damaged files already.</source>
@@ -604,6 +839,212 @@ med, µm</source>
         </message>
     </context>
     <context>
+        <name>OperationCard</name>
+        <message>
+            <source>Cylindrical grinding, several surfaces</source>
+            <translation>Круглое шлифование нескольких поверхностей</translation>
+        </message>
+        <message>
+            <source>%1 (%2)</source>
+            <translation>%1 («%2»)</translation>
+        </message>
+        <message>
+            <source>radial runout</source>
+            <translation>радиальное биение</translation>
+        </message>
+        <message>
+            <source>total runout</source>
+            <translation>полное радиальное биение</translation>
+        </message>
+        <message>
+            <source>roundness</source>
+            <translation>отклонение от круглости</translation>
+        </message>
+        <message>
+            <source>cylindricity</source>
+            <translation>отклонение от цилиндричности</translation>
+        </message>
+        <message>
+            <source>Chuck</source>
+            <translation>Патрон</translation>
+        </message>
+        <message>
+            <source>Centres</source>
+            <translation>Центры</translation>
+        </message>
+        <message>
+            <source>driving carrier</source>
+            <translation>хомутик поводковый</translation>
+        </message>
+        <message>
+            <source>steady rests: %1</source>
+            <translation>люнеты: %1</translation>
+        </message>
+        <message>
+            <source>Grind surface %1 by traverse grinding to %2</source>
+            <translation>Шлифовать поверхность %1 с продольной подачей в размер %2</translation>
+        </message>
+        <message>
+            <source>Grind surface %1 by plunge grinding to %2</source>
+            <translation>Шлифовать поверхность %1 врезанием в размер %2</translation>
+        </message>
+        <message>
+            <source>Grind bore %1 to %2</source>
+            <translation>Шлифовать отверстие %1 в размер %2</translation>
+        </message>
+        <message>
+            <source> over a length of %1</source>
+            <translation> на длине %1</translation>
+        </message>
+        <message>
+            <source>, holding: %1</source>
+            <translation>, выдержать: %1</translation>
+        </message>
+        <message>
+            <source>. Stock per side %1; wheel speed %2 m/s</source>
+            <translation>. Припуск на сторону %1; скорость круга %2 м/с</translation>
+        </message>
+        <message>
+            <source>Wheel %1</source>
+            <translation>Круг %1</translation>
+        </message>
+        <message>
+            <source>Wheel %1, %2</source>
+            <translation>Круг %1, %2</translation>
+        </message>
+        <message>
+            <source>in-process gauge</source>
+            <translation>прибор активного контроля</translation>
+        </message>
+        <message>
+            <source>overrun at the entry %1, at the exit %2 mm</source>
+            <translation>перебег на входе %1, на выходе %2 мм</translation>
+        </message>
+        <message>
+            <source>dwell at the entry %1, at the exit %2 s</source>
+            <translation>выстой на входе %1, на выходе %2 с</translation>
+        </message>
+        <message>
+            <source>plunge-in at a reversal %1 mm/min</source>
+            <translation>врезание на реверсе %1 мм/мин</translation>
+        </message>
+        <message>
+            <source>stages end by the position of the wheel head</source>
+            <translation>ступени заканчиваются по положению шлифовальной бабки</translation>
+        </message>
+        <message>
+            <source>gauge commands at a stock per side of %1 mm</source>
+            <translation>команды прибора при припуске на сторону %1 мм</translation>
+        </message>
+        <message>
+            <source>This cycle was not run.</source>
+            <translation>Цикл не рассчитан.</translation>
+        </message>
+        <message>
+            <source>Stage %1: </source>
+            <translation>Ступень %1: </translation>
+        </message>
+        <message>
+            <source>i in double strokes</source>
+            <translation>i в дв. ходах</translation>
+        </message>
+        <message>
+            <source>i in revolutions</source>
+            <translation>i в оборотах</translation>
+        </message>
+        <message>
+            <source>spark-out until size, %1</source>
+            <translation>выхаживание до размера, %1</translation>
+        </message>
+        <message>
+            <source>spark-out, %1</source>
+            <translation>выхаживание, %1</translation>
+        </message>
+        <message>
+            <source>S radial, mm/min</source>
+            <translation>S радиальная, мм/мин</translation>
+        </message>
+        <message>
+            <source>S radial, mm per double stroke</source>
+            <translation>S радиальная, мм/дв. ход</translation>
+        </message>
+        <message>
+            <source>retraction, mm/min</source>
+            <translation>отвод, мм/мин</translation>
+        </message>
+        <message>
+            <source> / axial, mm/min</source>
+            <translation> / осевая, мм/мин</translation>
+        </message>
+        <message>
+            <source>; continuous %1 mm/min</source>
+            <translation>; непрерывная %1 мм/мин</translation>
+        </message>
+        <message>
+            <source>Bore gauge</source>
+            <translation>Нутромер индикаторный</translation>
+        </message>
+        <message>
+            <source>Indicating snap gauge</source>
+            <translation>Скоба индикаторная</translation>
+        </message>
+        <message>
+            <source>dial indicator with stand</source>
+            <translation>индикатор со стойкой</translation>
+        </message>
+        <message>
+            <source>roundness tester</source>
+            <translation>кругломер</translation>
+        </message>
+        <message>
+            <source>roughness tester</source>
+            <translation>профилометр</translation>
+        </message>
+        <message>
+            <source>Load the part and clamp it in the chuck</source>
+            <translation>Установить и закрепить деталь в патроне</translation>
+        </message>
+        <message>
+            <source>Load the part between centres and clamp it</source>
+            <translation>Установить и закрепить деталь в центрах</translation>
+        </message>
+        <message>
+            <source>Dress the wheel as its dullness requires</source>
+            <translation>Править круг по мере затупления</translation>
+        </message>
+        <message>
+            <source>Check surface %1: %2</source>
+            <translation>Контролировать поверхность %1: %2</translation>
+        </message>
+        <message>
+            <source>Take the part off</source>
+            <translation>Снять деталь</translation>
+        </message>
+        <message>
+            <source>O</source>
+            <comment>service symbol of a transition</comment>
+            <translation>О</translation>
+        </message>
+        <message>
+            <source>T</source>
+            <comment>service symbol of tooling</comment>
+            <translation>Т</translation>
+        </message>
+        <message>
+            <source>R</source>
+            <comment>service symbol of regimes</comment>
+            <translation>Р</translation>
+        </message>
+        <message>
+            <source>kg</source>
+            <translation>кг</translation>
+        </message>
+        <message>
+            <source>Operation card</source>
+            <translation>Операционная карта</translation>
+        </message>
+    </context>
+    <context>
         <name>StepFormulas</name>
         <message>
             <source>%1, eq. %2</source>
@@ -787,7 +1228,7 @@ med, µm</source>
         </message>
         <message>
             <source>Cycle card of a grinding operation</source>
-            <translation>Операционная карта шлифования (карта цикла)</translation>
+            <translation>Карта цикла шлифования</translation>
         </message>
         <message>
             <source>Tooling and settings</source>
@@ -5338,7 +5779,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         <name>ReportKind</name>
         <message>
             <source>Cycle car&amp;d</source>
-            <translation>Операционная &amp;карта</translation>
+            <translation>&amp;Карта цикла</translation>
         </message>
         <message>
             <source>Accuracy &amp;passport</source>
@@ -5347,6 +5788,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Course &amp;hand-out</source>
             <translation>&amp;Раздаточный материал</translation>
+        </message>
+        <message>
+            <source>&amp;Operation card</source>
+            <translation>&amp;Операционная карта</translation>
         </message>
     </context>
     <context>

@@ -26,7 +26,7 @@ namespace sparkout {
 namespace {
 
 void setUp(QPrinter& printer, const report::Report& report) {
-    report::setUpPaper(printer);
+    report::setUpPaper(printer, report);
     printer.setDocName(fileNameOf({report.title, report.subject}));
     printer.setCreator(report.program);
 }
@@ -63,7 +63,10 @@ std::optional<report::Report> ReportCommands::reportOfNow(report::Kind kind) {
         return {};
     }
     const report::KindRow& row = report::rowOf(kind);
-    report::Subject subject{now.outcome, nullptr, nullptr, now.file, QDate::currentDate(), {}};
+    report::Subject subject;
+    subject.outcome = now.outcome;
+    subject.file = now.file;
+    subject.date = QDate::currentDate();
     if (kind == report::Kind::handout && now.cycle && !chooseHandout(subject, *now.cycle)) {
         return {};
     }

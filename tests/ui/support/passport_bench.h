@@ -34,8 +34,10 @@ inline Project example(const char* name) {
 }
 
 inline report::Subject subjectOf(const Project& project) {
-    report::Subject subject{
-        fixtures::run(project), nullptr, nullptr, QStringLiteral("/tmp/part.sparkout"), day, {}};
+    report::Subject subject;
+    subject.outcome = fixtures::run(project);
+    subject.file = QStringLiteral("/tmp/part.sparkout");
+    subject.date = day;
     if (project.batch) {
         subject.batch = runWholeBatch(project, {});
         subject.worst = report::runWorstPart(*subject.batch);

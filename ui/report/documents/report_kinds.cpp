@@ -2,7 +2,10 @@
 #include "ui/report/documents/report_kinds.h"
 
 #include "core/batch/scenario_source.h"
+#include "core/setup/piece_time.h"
 #include "core/study/evaluate.h"
+#include "core/units.h"
+#include "ui/report/card/operation_card_report.h"
 #include "ui/report/documents/cycle_card.h"
 #include "ui/report/documents/passport.h"
 
@@ -24,13 +27,22 @@ Report makeHandout(const Subject& subject) {
                          subject.breathe);
 }
 
+Report makeOperationCard(const Subject& subject) {
+    const SetupSubject of = subject.setup ? *subject.setup : setupOf(*subject.outcome);
+    return OperationCardReport::write(of.setup, of.run, subject.company, subject.file,
+                                      subject.date);
+}
+
 constexpr std::array allKinds{
     KindRow{Kind::card, "card", "the cycle card", QT_TRANSLATE_NOOP("ReportKind", "Cycle car&d"),
-            false, makeCard},
+            false, false, makeCard},
     KindRow{Kind::passport, "passport", "the accuracy passport, with the batch",
-            QT_TRANSLATE_NOOP("ReportKind", "Accuracy &passport"), true, passport},
+            QT_TRANSLATE_NOOP("ReportKind", "Accuracy &passport"), true, false, passport},
     KindRow{Kind::handout, "handout", "the hand-out of a course, a step of the cycle worked out",
-            QT_TRANSLATE_NOOP("ReportKind", "Course &hand-out"), false, makeHandout},
+            QT_TRANSLATE_NOOP("ReportKind", "Course &hand-out"), false, false, makeHandout},
+    KindRow{Kind::operationCard, "operation-card",
+            "the operation card in the form of the standard, with every surface of the set-up",
+            QT_TRANSLATE_NOOP("ReportKind", "&Operation card"), false, true, makeOperationCard},
 };
 
 } // namespace
@@ -51,6 +63,17 @@ std::optional<Kind> kindOf(const QString& key) {
 
 QString menuText(Kind kind) {
     return QCoreApplication::translate("ReportKind", rowOf(kind).menu);
+}
+
+SetupSubject setupOf(const Outcome& outcome) {
+    SetupSubject of;
+    of.setup.surfaces = {GroundSurface{{}, outcome.result.project}};
+    of.run.surfaces = {
+        SurfaceRun{{}, outcome.result, outcome.constraints, outcome.shop.cycle.removedVolume_mm3}};
+    if (of.run.isCompleted(of.setup)) {
+        of.run.time = pieceTime(of.setup.times, 1, outcome.result.time_s / units::secondsPerMinute);
+    }
+    return of;
 }
 
 OutcomePtr runWorstPart(const BatchOutcome& batch) {

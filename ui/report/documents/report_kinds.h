@@ -1,19 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/setup/setup.h"
+#include "core/setup/setup_run.h"
 #include "core/study/outcome.h"
 #include "ui/report/format/report.h"
 #include "ui/report/handout/course_handout.h"
 #include "ui/session/batch_runner.h"
+#include "ui/session/company.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 
 /// The kinds of reports, each described once: command line, menus and help go by this table.
 namespace sparkout::report {
 
-enum class Kind { card, passport, handout };
+enum class Kind { card, passport, handout, operationCard };
+
+/// A set-up that was run.
+struct SetupSubject {
+    Setup setup;
+    SetupRun run;
+};
 
 /// What is reported.
 struct Subject {
@@ -22,7 +32,9 @@ struct Subject {
     OutcomePtr worst;      ///< run of the batch's worst part, beside a batch
     QString file;          ///< path of the project, or empty
     QDate date;
-    HandoutOptions handout;                ///< what the course hand-out is to have
+    std::shared_ptr<const SetupSubject> setup; ///< null: the outcome alone
+    Company company;                           ///< of the heads
+    HandoutOptions handout;                    ///< what the course hand-out is to have
     std::function<void()> breathe = [] {}; ///< called between figures, so that a window may live
 };
 
@@ -32,6 +44,7 @@ struct KindRow {
     const char* description; ///< there, in English
     const char* menu;        ///< its menu, to be translated in the context ReportKind
     bool takesBatch;         ///< it is about the project's batch, when there is one
+    bool takesSetup;         ///< it is about all surfaces of a set-up
     Report (*make)(const Subject& subject);
 };
 
@@ -39,6 +52,9 @@ struct KindRow {
 [[nodiscard]] const KindRow& rowOf(Kind kind);
 [[nodiscard]] std::optional<Kind> kindOf(const QString& key);
 [[nodiscard]] QString menuText(Kind kind); ///< with its mnemonic
+
+/// An outcome as the set-up of its one surface.
+[[nodiscard]] SetupSubject setupOf(const Outcome& outcome);
 
 /// Runs the part of the batch with the least margin as a cycle of its own.
 [[nodiscard]] OutcomePtr runWorstPart(const BatchOutcome& batch);

@@ -6,6 +6,7 @@
 
 #include <QBuffer>
 #include <QMarginsF>
+#include <QPageLayout>
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
@@ -67,6 +68,13 @@ bool paintRange(const Pages& pages, QPagedPaintDevice& device, int first, int la
 } // namespace
 
 Pages::Pages(const Report& report, QSizeF area_units, const KeepGoing& keepGoing) {
+    if (!report.sheets.empty()) {
+        for (const FormSheet& sheet : report.sheets) {
+            m_marks.push_back({sheet.title, count(), 0});
+            m_pages.push_back({[sheet](QPainter& painter) { sheet.paint(painter); }});
+        }
+        return;
+    }
     PageFlow flow(report, area_units, [&keepGoing](double share) {
         return !keepGoing || keepGoing(share * layoutShare);
     });
@@ -84,10 +92,13 @@ void Pages::paint(QPainter& painter, int page) const {
     }
 }
 
-void setUpPaper(QPagedPaintDevice& device) {
-    device.setPageSize(QPageSize(QPageSize::A4));
-    device.setPageOrientation(QPageLayout::Portrait);
-    device.setPageMargins(margins_mm, QPageLayout::Millimeter);
+void setUpPaper(QPagedPaintDevice& device, const Report& report) {
+    const bool isForm = !report.sheets.empty();
+    QPageLayout layout(QPageSize(QPageSize::A4),
+                       isForm ? QPageLayout::Landscape : QPageLayout::Portrait,
+                       isForm ? QMarginsF() : margins_mm, QPageLayout::Millimeter);
+    layout.setMode(isForm ? QPageLayout::FullPageMode : QPageLayout::StandardMode);
+    device.setPageLayout(layout);
 }
 
 QSizeF areaOf(const QPagedPaintDevice& device) {
@@ -115,10 +126,10 @@ QByteArray pdf(const Report& report, const KeepGoing& keepGoing) {
     {
         QPdfWriter writer(&buffer);
         writer.setResolution(pdfResolution);
-        setUpPaper(writer);
+        setUpPaper(writer, report);
         writer.setDocumentXmpMetadata(xmp(report));
         const Pages pages(report, areaOf(writer), keepGoing);
-        const double top_pt = writer.pageLayout().margins(QPageLayout::Point).top();
+        const double top_pt = writer.pageLayout().paintRect(QPageLayout::Point).top();
         for (const Pages::Mark& mark : pages.marks()) {
             details.outline.push_back(
                 {mark.text, mark.page, top_pt + mark.y * pointsPerInch / Pages::unitsPerInch});

@@ -55,8 +55,8 @@ private:
     std::vector<Box> m_boxes;
 };
 
-/// A4 upright with the margins of the report.
-void setUpPaper(QPagedPaintDevice& device);
+/// A4: upright with the margins of the report, or landscape and whole for the sheets of a form.
+void setUpPaper(QPagedPaintDevice& device, const Report& report);
 /// What a device has within its margins [units].
 [[nodiscard]] QSizeF areaOf(const QPagedPaintDevice& device);
 /// Paints the pages, or those of them the printer is asked for; false when it fails. In any thread.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/report/format/form_sheet.h"
 #include "ui/report/format/formula_node.h"
 
 #include <QDate>
@@ -70,6 +71,9 @@ struct Report {
     QString language; ///< "en"
     QDate date;
     std::vector<Block> blocks;
+    /// A form that is printed in place of the blocks, on A4 landscape; the other formats have
+    /// those.
+    std::vector<FormSheet> sheets;
 
     /// The line at the foot of every page.
     [[nodiscard]] QString origin() const;

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/card/card_sheets.h"
+
+#include "ui/report/card/logo.h"
+#include "ui/text/number_text.h"
+
+#include <algorithm>
+#include <span>
+
+namespace sparkout::report {
+
+namespace {
+
+constexpr double signersTop = form::top + 3 * form::halfPitch;
+constexpr double operationTop = signersTop + 5 * form::halfPitch;
+constexpr double captioned =
+    form::halfPitch + form::pitch; ///< height of a cell with its caption above
+constexpr double columnsFirst = operationTop + 2 * captioned;
+constexpr double columnsFollowing = signersTop + captioned;
+constexpr double signersWidth = 80, changesFrom = form::left + 67, sheetsFrom = changesFrom + 136;
+
+void caption(FormSheet& sheet, const QRectF& cell, const char* text) {
+    sheet.texts.push_back(fitted(cell.adjusted(form::pad / 2, 0, -form::pad / 2, 0),
+                                 form::text(text), form::captionPoints, Qt::AlignHCenter));
+}
+
+void value(FormSheet& sheet, const QRectF& cell, const QString& text,
+           Qt::Alignment align = Qt::AlignLeft, double points = form::valuePoints) {
+    if (!text.isEmpty()) {
+        sheet.texts.push_back(
+            fitted(cell.adjusted(form::pad, 0, -form::pad, 0), text, points, align));
+    }
+}
+
+/// Cells beside each other: the caption above, the value below.
+void captionedRow(FormSheet& sheet, std::span<const form::Cell> cells, const QStringList& values,
+                  double x, double y, double height = captioned) {
+    const double captionHeight = height == captioned ? form::halfPitch : height - 5.2;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const QRectF cell(x, y, cells[i].width_mm, height);
+        sheet.frame(cell, form::thin);
+        caption(sheet, {cell.topLeft(), QSizeF(cell.width(), captionHeight)}, cells[i].caption);
+        value(sheet, cell.adjusted(0, captionHeight, 0, 0), values.value(static_cast<qsizetype>(i)),
+              cell.width() > 30 ? Qt::AlignLeft : Qt::AlignHCenter);
+        x += cells[i].width_mm;
+    }
+}
+
+void columnHead(FormSheet& sheet, double y) {
+    double x = form::left;
+    for (const form::Cell& column : form::columns) {
+        const QRectF cell(x, y, column.width_mm, form::pitch);
+        sheet.frame(cell, form::thin);
+        caption(sheet, cell, column.caption);
+        x += column.width_mm;
+    }
+    sheet.lines.push_back(
+        {QLineF(form::left, y + form::pitch, form::right, y + form::pitch), form::thick});
+}
+
+double columnsTop(bool first) {
+    return first ? columnsFirst : columnsFollowing;
+}
+
+std::size_t roomOf(bool first) {
+    return static_cast<std::size_t>((form::footTop - columnsTop(first) - form::pitch) / form::pitch
+                                    + 1e-9);
+}
+
+double contentWidth(bool hasCells) {
+    double wide = 0;
+    for (std::size_t i = form::contentColumn; i < (hasCells ? form::firstValue : form::mainColumn);
+         ++i) {
+        wide += form::columns.at(i).width_mm;
+    }
+    return wide;
+}
+
+} // namespace
+
+std::vector<CardSheets::Line> CardSheets::wrapped(const std::vector<CardRow>& rows) {
+    std::vector<Line> lines;
+    for (const CardRow& row : rows) {
+        const QRectF cell(0, 0, contentWidth(!row.cells.isEmpty()) - 2 * form::pad, form::pitch);
+        const QStringList texts = SheetText{cell, row.text, form::valuePoints}.box().texts();
+        for (qsizetype i = 0; i < texts.size(); ++i) {
+            const bool last = i + 1 == texts.size();
+            CardRow part = i == 0 ? row : CardRow{{}, {}, {}, {}, {}, row.keeps};
+            part.text = texts[i];
+            lines.push_back({part, last ? row.keeps : true});
+        }
+    }
+    return lines;
+}
+
+std::size_t CardSheets::taken(const std::vector<Line>& lines, std::size_t from, std::size_t room) {
+    const std::size_t most = std::min(room, lines.size() - from);
+    if (from + most == lines.size()) {
+        return most;
+    }
+    std::size_t count = most;
+    while (count > 0 && lines[from + count - 1].keeps) {
+        --count;
+    }
+    return count > 0 ? count : most; // it is longer than a sheet
+}
+
+std::vector<FormSheet> CardSheets::card(const std::vector<CardRow>& rows) const {
+    const std::vector<Line> lines = wrapped(rows);
+    std::vector<std::size_t> counts;
+    for (std::size_t from = 0; from < lines.size() || counts.empty();) {
+        counts.push_back(taken(lines, from, roomOf(counts.empty())));
+        from += counts.back();
+    }
+    std::vector<FormSheet> sheets;
+    std::size_t next = 0;
+    for (std::size_t s = 0; s < counts.size(); ++s) {
+        const bool first = s == 0;
+        FormSheet sheet =
+            begun(form::card, static_cast<int>(s) + 1, static_cast<int>(counts.size()));
+        if (first) {
+            captionedRow(sheet, form::operationRow, m_head.operation, form::left, operationTop);
+            captionedRow(sheet, form::equipmentRow, m_head.equipment, form::left,
+                         operationTop + captioned);
+            sheet.lines.push_back(
+                {QLineF(form::left, operationTop, form::right, operationTop), form::thick});
+        }
+        columnHead(sheet, columnsTop(first));
+        double y = columnsTop(first) + form::pitch;
+        for (std::size_t i = 0; i < roomOf(first); ++i, y += form::pitch) {
+            const bool filled = i < counts[s];
+            addLine(sheet, filled ? lines[next + i] : Line{{}, false}, y,
+                    filled ? next + i + 1 : 0);
+        }
+        next += counts[s];
+        sheets.push_back(std::move(sheet));
+    }
+    return sheets;
+}
+
+QRectF CardSheets::sketchRoom(bool first) {
+    const double from = first ? operationTop : columnsFollowing;
+    return {form::left, from, form::width, form::footTop - from};
+}
+
+FormSheet CardSheets::sketch(int number, int count) const {
+    return begun(form::sketch, number, count);
+}
+
+FormSheet CardSheets::begun(const form::Kind& kind, int number, int count) const {
+    FormSheet sheet;
+    sheet.title = form::text(kind.name) + QStringLiteral(", ") + QString::number(number);
+    const bool first = number == 1;
+    addInventory(sheet, number, count);
+    if (first) {
+        addSigners(sheet);
+        addDesignations(sheet);
+    } else {
+        captionedRow(sheet, form::continued,
+                     {m_head.part, m_head.company.part, m_head.company.designation,
+                      m_head.company.operation},
+                     form::left, signersTop);
+    }
+    addFoot(sheet, kind);
+    sheet.texts.push_back(fitted({form::right - 120, form::top - 3.6, 120, 3.4},
+                                 form::text(first ? kind.first : kind.following),
+                                 form::captionPoints, Qt::AlignRight));
+    sheet.frame({form::left, form::top, form::width, form::bottom - form::top}, form::thick);
+    const double from = first ? operationTop : columnsFollowing;
+    sheet.lines.push_back({QLineF(form::left, from, form::right, from), form::thick});
+    return sheet;
+}
+
+void CardSheets::addInventory(FormSheet& sheet, int number, int count) const {
+    for (std::size_t row = 0; row < form::inventory.size(); ++row) {
+        double x = form::left;
+        const double y = form::top + static_cast<double>(row) * form::halfPitch;
+        for (std::size_t i = 0; i < form::inventoryWidths.size(); ++i) {
+            const QRectF cell(x, y, form::inventoryWidths.at(i), form::halfPitch);
+            sheet.frame(cell, form::thin);
+            if (i == 0) {
+                caption(sheet, cell, form::inventory.at(row));
+            }
+            x += form::inventoryWidths.at(i);
+        }
+        x = changesFrom;
+        for (std::size_t i = 0; i < 2 * form::changes.size(); ++i) {
+            const form::Cell& column = form::changes.at(i % form::changes.size());
+            const QRectF cell(x, y, column.width_mm, form::halfPitch);
+            sheet.frame(cell, form::thin);
+            if (row + 1 == form::inventory.size()) { // below what is entered by hand
+                caption(sheet, cell, column.caption);
+            }
+            x += column.width_mm;
+        }
+    }
+    const double half = (form::right - sheetsFrom) / 2;
+    const std::array<form::Cell, 2> cells{{{QT_TRANSLATE_NOOP("CardForm", "Sheets"), half},
+                                           {QT_TRANSLATE_NOOP("CardForm", "Sheet"), half}}};
+    captionedRow(sheet, cells, {QString::number(count), QString::number(number)}, sheetsFrom,
+                 form::top);
+}
+
+void CardSheets::addSigners(FormSheet& sheet) const {
+    const Company& of = m_head.company;
+    const QStringList all{of.developed.isEmpty() ? m_head.author : of.developed, of.checked,
+                          of.agreed, of.standards, of.approved};
+    for (std::size_t row = 0; row < form::signers.size(); ++row) {
+        double x = form::left;
+        const double y = signersTop + static_cast<double>(row) * form::halfPitch;
+        for (std::size_t i = 0; i < form::signerWidths.size(); ++i) {
+            const QRectF cell(x, y, form::signerWidths.at(i), form::halfPitch);
+            sheet.frame(cell, form::thin);
+            if (i == 0) {
+                sheet.texts.push_back(fitted(cell.adjusted(form::pad, 0, 0, 0),
+                                             form::text(form::signers.at(row)), form::smallPoints));
+            } else if (i == 1) {
+                value(sheet, cell, all.value(static_cast<qsizetype>(row)), Qt::AlignLeft,
+                      form::smallPoints);
+            } else if (i + 1 == form::signerWidths.size() && row == 0) {
+                value(sheet, cell, m_head.date.toString(QStringLiteral("dd.MM.yy")),
+                      Qt::AlignHCenter, form::smallPoints);
+            }
+            x += form::signerWidths.at(i);
+        }
+    }
+}
+
+void CardSheets::addDesignations(FormSheet& sheet) const {
+    const Company& of = m_head.company;
+    const double x = form::left + signersWidth;
+    captionedRow(sheet, form::designations, {QString(), of.part, of.designation}, x, signersTop,
+                 form::pitch);
+    addCompany(sheet,
+               {x, signersTop + form::pitch - 5.2, form::designations.front().width_mm, 5.2});
+    captionedRow(sheet, form::names,
+                 {m_head.part, QString(), of.shop, of.area, of.place, of.operation}, x,
+                 signersTop + form::pitch);
+}
+
+void CardSheets::addCompany(FormSheet& sheet, const QRectF& cell) const {
+    QRectF rest = cell;
+    const QImage logo = logoImage(m_head.company.logo);
+    if (!logo.isNull()) {
+        constexpr double most_mm = 24;
+        const double wide = std::min(most_mm, (cell.height() - 0.8) * logo.width() / logo.height());
+        sheet.pictures.push_back(
+            {{cell.left() + form::pad, cell.top() + 0.2, wide, cell.height() - 0.8}, logo});
+        rest.setLeft(cell.left() + wide + form::pad);
+    }
+    QStringList all{m_head.company.name, m_head.company.department};
+    all.removeAll(QString());
+    value(sheet, rest, all.join(QStringLiteral(", ")));
+}
+
+void CardSheets::addFoot(FormSheet& sheet, const form::Kind& kind) {
+    constexpr double symbolWidth = 20;
+    sheet.lines.push_back(
+        {QLineF(form::left, form::footTop, form::right, form::footTop), form::thick});
+    const double height = form::footBottom - form::footTop;
+    const QRectF symbol(form::left, form::footTop, symbolWidth, height);
+    sheet.frame(symbol, form::thin);
+    sheet.texts.push_back(fitted(symbol, form::text(kind.symbol), 12, Qt::AlignHCenter));
+    const QRectF name(form::left + symbolWidth, form::footTop, form::width - symbolWidth, height);
+    sheet.frame(name, form::thin);
+    value(sheet, name, form::text(kind.name), Qt::AlignLeft, 10);
+    value(sheet, {form::left, form::footBottom, form::width, form::bottom - form::footBottom},
+          form::text(kind.note), Qt::AlignLeft, form::captionPoints);
+}
+
+void CardSheets::addLine(FormSheet& sheet, const Line& line, double y, std::size_t number) {
+    const CardRow& row = line.row;
+    sheet.lines.push_back(
+        {QLineF(form::left, y + form::pitch, form::right, y + form::pitch), form::thin});
+    double x = form::left;
+    for (std::size_t i = 0; i < form::columns.size(); ++i) {
+        const QRectF cell(x, y, form::columns.at(i).width_mm, form::pitch);
+        const bool joined =
+            row.cells.isEmpty() && number > 0 && i > form::firstValue - 1 && i < form::mainColumn;
+        if (!joined) { // of a text the cells are one
+            sheet.lines.push_back({QLineF(x, y, x, y + form::pitch), form::thin});
+        }
+        if (i == 0 && number > 0) {
+            const QString count = QStringLiteral("%1").arg(number, 2, 10, QChar(u'0'));
+            value(sheet, {cell.topLeft(), QSizeF(cell.width() / 2, form::pitch)}, row.symbol,
+                  Qt::AlignLeft, form::valuePoints);
+            value(sheet, cell.adjusted(cell.width() / 2 - form::pad, 0, 0, 0), count,
+                  Qt::AlignRight, form::smallPoints);
+        } else if (i == form::contentColumn && !row.text.isEmpty()) {
+            sheet.texts.push_back(
+                {{x + form::pad, y, contentWidth(!row.cells.isEmpty()) - 2 * form::pad,
+                  form::pitch},
+                 row.text,
+                 form::valuePoints,
+                 Qt::AlignLeft});
+        } else if (i >= form::firstValue && i < form::mainColumn) {
+            value(sheet, cell, row.cells.value(static_cast<qsizetype>(i - form::firstValue)),
+                  Qt::AlignHCenter);
+        } else if (i >= form::mainColumn) {
+            value(sheet, cell, i == form::mainColumn ? row.main : row.auxiliary, Qt::AlignHCenter);
+        }
+        x += form::columns.at(i).width_mm;
+    }
+}
+
+} // namespace sparkout::report

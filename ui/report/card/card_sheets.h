@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/report/card/card_form.h"
+#include "ui/report/card/card_rows.h"
+#include "ui/report/format/form_sheet.h"
+#include "ui/session/company.h"
+
+#include <QDate>
+#include <QStringList>
+
+#include <vector>
+
+namespace sparkout::report {
+
+/// What the head of card and sketch have.
+struct CardHead {
+    Company company;
+    QString part;   ///< its name
+    QString author; ///< of the project, who prepared it unless the company says who
+    QDate date;
+    QStringList operation; ///< values of form::operationRow
+    QStringList equipment; ///< values of form::equipmentRow
+};
+
+/// The form: its sheets with head and foot, and the rows of an operation card on them.
+class CardSheets {
+public:
+    explicit CardSheets(CardHead head) : m_head(std::move(head)) {}
+
+    /// Rows wrapped to their cells, on as many sheets as it takes.
+    [[nodiscard]] std::vector<FormSheet> card(const std::vector<CardRow>& rows) const;
+    /// A sheet of the sketch, empty between head and foot.
+    [[nodiscard]] FormSheet sketch(int number, int count) const;
+    /// Where there is room on it [mm].
+    [[nodiscard]] static QRectF sketchRoom(bool first);
+
+private:
+    /// A row as wrapped: one line of the form.
+    struct Line {
+        CardRow row;
+        bool keeps; ///< with the next
+    };
+    [[nodiscard]] static std::vector<Line> wrapped(const std::vector<CardRow>& rows);
+    /// How many of the lines from one on a sheet takes without parting what belongs together.
+    [[nodiscard]] static std::size_t taken(const std::vector<Line>& lines, std::size_t from,
+                                           std::size_t room);
+    [[nodiscard]] FormSheet begun(const form::Kind& kind, int number, int count) const;
+    void addInventory(FormSheet& sheet, int number, int count) const;
+    void addSigners(FormSheet& sheet) const;
+    void addDesignations(FormSheet& sheet) const;
+    void addCompany(FormSheet& sheet, const QRectF& cell) const;
+    static void addFoot(FormSheet& sheet, const form::Kind& kind);
+    static void addLine(FormSheet& sheet, const Line& line, double y, std::size_t number);
+
+    CardHead m_head;
+};
+
+} // namespace sparkout::report

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/card/operation_card_report.h"
+
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "ui/report/parts/begun_report.h"
+#include "ui/report/parts/cell_text.h"
+#include "ui/text/number_text.h"
+
+namespace sparkout::report {
+
+CardHead OperationCardReport::head(const Setup& setup, const OperationCard& card,
+                                   const Company& company, const QDate& date) {
+    const Project& project = setup.surfaces.front().project;
+    CardHead head;
+    head.company = company;
+    head.part = oneLine(project.part->name);
+    head.author = oneLine(project.author);
+    head.date = date;
+    const QString hardness =
+        project.material->hardness_hrc
+            ? QStringLiteral("HRC ") + printedNumber(*project.material->hardness_hrc)
+            : QString();
+    head.operation = {CardRows::operation(setup),
+                      oneLine(project.material->grade),
+                      hardness,
+                      tr("kg"),
+                      {},
+                      {},
+                      {},
+                      QStringLiteral("1")};
+    const auto time = [&card](double PieceTime::*value) {
+        return card.time ? CardRows::minutes((*card.time).*value) : QString();
+    };
+    const auto given = [](const QString& text, bool isGiven) { return isGiven ? text : QString(); };
+    const bool auxiliary = card.time && card.time->auxiliary_min > 0;
+    head.equipment = {
+        oneLine(project.machine->name),
+        {},
+        time(&PieceTime::main_min),
+        given(time(&PieceTime::auxiliary_min), auxiliary),
+        given(time(&PieceTime::preparation_min), card.time && card.time->preparation_min > 0),
+        given(time(&PieceTime::piece_min), auxiliary),
+        {}};
+    return head;
+}
+
+Facts OperationCardReport::facts(const CardHead& head) {
+    Facts all;
+    const auto add = [&all](const char* caption, const QString& value) {
+        if (!value.isEmpty()) {
+            all.facts.emplace_back(form::text(caption), value);
+        }
+    };
+    add(form::names.front().caption, head.part);
+    add(form::designations[0].caption, head.company.name);
+    add(form::designations[1].caption, head.company.part);
+    add(form::designations[2].caption, head.company.designation);
+    for (std::size_t i = 0; i < form::operationRow.size(); ++i) {
+        add(form::operationRow.at(i).caption, head.operation.value(static_cast<qsizetype>(i)));
+    }
+    for (std::size_t i = 0; i < form::equipmentRow.size(); ++i) {
+        add(form::equipmentRow.at(i).caption, head.equipment.value(static_cast<qsizetype>(i)));
+    }
+    add(form::signers.front(),
+        head.company.developed.isEmpty() ? head.author : head.company.developed);
+    return all;
+}
+
+Table OperationCardReport::table(const std::vector<CardRow>& rows) {
+    Table table;
+    for (const form::Cell& column : form::columns) {
+        table.head << form::text(column.caption);
+    }
+    table.texts = {true, true};
+    for (const CardRow& row : rows) {
+        QStringList cells{cell(row.symbol), row.text};
+        for (std::size_t i = form::firstValue; i < form::mainColumn; ++i) {
+            cells << cell(row.cells.value(static_cast<qsizetype>(i - form::firstValue)));
+        }
+        table.rows.push_back(cells << cell(row.main) << cell(row.auxiliary));
+    }
+    return table;
+}
+
+Report OperationCardReport::write(const Setup& setup, const SetupRun& run, const Company& company,
+                                  const QString& file, const QDate& date) {
+    const OperationCard card = operationCard(setup, run);
+    const std::vector<CardRow> rows = CardRows::of(card, setup, run);
+    const CardHead head = OperationCardReport::head(setup, card, company, date);
+    Report report = begunReport(tr("Operation card"), setup.surfaces.front().project, file, date);
+    report.blocks = {facts(head), table(rows), Paragraph{form::text(form::card.note)}};
+    report.sheets = CardSheets(head).card(rows);
+    return report;
+}
+
+} // namespace sparkout::report

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/setup/setup.h"
+#include "core/setup/setup_run.h"
+#include "ui/report/card/card_sheets.h"
+#include "ui/report/format/report.h"
+#include "ui/session/company.h"
+
+#include <QCoreApplication>
+
+namespace sparkout::report {
+
+/// The operation card of a set-up: the sheets of the form, and the same as tables for other
+/// formats.
+class OperationCardReport {
+    Q_DECLARE_TR_FUNCTIONS(OperationCard)
+public:
+    [[nodiscard]] static Report write(const Setup& setup, const SetupRun& run,
+                                      const Company& company, const QString& file,
+                                      const QDate& date);
+
+    static CardHead head(const Setup& setup, const OperationCard& card, const Company& company,
+                         const QDate& date);
+
+private:
+    static Facts facts(const CardHead& head);
+    static Table table(const std::vector<CardRow>& rows);
+};
+
+} // namespace sparkout::report
