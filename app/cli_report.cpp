@@ -46,6 +46,9 @@ std::string accuracyText(const SimulationResult& result, const PartAccuracy& acc
                 + um(accuracy.sections[i].minimumZone.deviation()) + ", "
                 + um(accuracy.sections[i].leastSquares.deviation()) + '\n';
     }
+    if (const double engaged = engagedShare(*result.project.part); engaged < 1) {
+        text += "interrupted surface  " + fixed(engaged * 100, 1) + " % of the turn is ground\n";
+    }
     return text + "cylindricity, µm     " + um(accuracy.minimumZone.deviation())
            + " by minimum zone, " + um(accuracy.leastSquares.deviation())
            + " by least squares\ntotal runout, µm     " + um(accuracy.totalRunout_mm)
@@ -186,8 +189,9 @@ std::string traceCsv(const SimulationResult& result, const Trajectory& trajector
             csv += numberText(visit.time_s / units::secondsPerMinute) + where + ','
                    + std::to_string(k) + ',' + numberText(visit.programmed_mm) + ','
                    + numberText(visit.actual_mm) + ',' + numberText(visit.accumulated_mm) + ','
-                   + numberText((visit.radius_mm - nominal) * units::umPerMm) + ','
-                   + numberText(visit.normalForce_n) + '\n';
+                   + (visit.isGap() ? std::string()
+                                    : numberText((visit.radius_mm - nominal) * units::umPerMm))
+                   + ',' + numberText(visit.normalForce_n) + '\n';
         }
     }
     return csv;

@@ -47,6 +47,9 @@ enum class IssueCode {
     stocksDoNotSumUp,
     tooManyStages,
     notUsedHere,
+    tooMuchGap,
+    gapBetweenRadii,
+    gaugeDropsIn,
     wallOverrun,
     stripAtWall,
     shaftTooShort,
@@ -88,6 +91,7 @@ enum class Phrase {
     positiveDefinite,
     anotherInput,
     pathOfInput,
+    ruleMax,
     plunge,
 };
 

@@ -36,6 +36,16 @@
         </message>
     </context>
     <context>
+        <name>OperationSetup</name>
+        <message numerus="yes">
+            <source>%n gap(s), %1 % of the turn is ground</source>
+            <translation>
+                <numerusform>%n gap, %1 % of the turn is ground</numerusform>
+                <numerusform>%n gaps, %1 % of the turn is ground</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>OptimiseText</name>
         <message numerus="yes">
             <source>%n stage(s)</source>

@@ -728,6 +728,14 @@ med, µm</source>
             <source>the stage is a spark-out</source>
             <translation>ступень выхаживания</translation>
         </message>
+        <message>
+            <source>surface without gaps</source>
+            <translation>сплошная поверхность</translation>
+        </message>
+        <message>
+            <source>interrupted surface</source>
+            <translation>прерывистая поверхность</translation>
+        </message>
     </context>
     <context>
         <name>CouplingCurves</name>
@@ -1419,6 +1427,18 @@ med, µm</source>
         <message>
             <source>Dressing</source>
             <translation>Правка круга</translation>
+        </message>
+        <message>
+            <source>Interrupted surface</source>
+            <translation>Прерывистая поверхность</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n gap(s), %1 % of the turn is ground</source>
+            <translation>
+                <numerusform>%n разрыв, шлифуется %1 % оборота</numerusform>
+                <numerusform>%n разрыва, шлифуется %1 % оборота</numerusform>
+                <numerusform>%n разрывов, шлифуется %1 % оборота</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -3643,10 +3663,6 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Программная врезная подача; S_p/n за оборот заготовки. Сверх источников: ступень между другими может отводить бабку (отрицательная подача), пока не снят её припуск или пока не прекратится съём.</translation>
         </message>
         <message>
-            <source>Out-of-roundness of the blank: ellipse R = pq/√((q·cos φ)² + (p·sin φ)²), eccentric circle, n lobes, or a measured profile. Interrupted surfaces (keyways, splines) are beyond the model: the wheel is taken to meet metal at every angle.</source>
-            <translation>Отклонение заготовки от круглости: овальность R = pq/√((q·cos φ)² + (p·sin φ)²), эксцентричная окружность, огранка из n граней или измеренный профиль. Прерывистые поверхности (шпоночные пазы, шлицы) модель не описывает: считается, что круг встречает металл под любым углом.</translation>
-        </message>
-        <message>
             <source>Rows of force and contact stiffness, beyond the sources: 0 50; 200 80.</source>
             <translation>Строки «сила, жёсткость контакта», сверх источников: 0 50; 200 80.</translation>
         </message>
@@ -4110,6 +4126,46 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Length that the machine takes.</source>
             <translation>Длина детали, которую принимает станок.</translation>
         </message>
+        <message>
+            <source>Gap begins at</source>
+            <translation>Разрыв начинается под углом</translation>
+        </message>
+        <message>
+            <source>Angle of the gap's first edge, counted as the radii are, from radius 0 on.</source>
+            <translation>Угол первой кромки разрыва; отсчитывается, как и радиусы, от радиуса 0.</translation>
+        </message>
+        <message>
+            <source>Gap width</source>
+            <translation>Ширина разрыва</translation>
+        </message>
+        <message>
+            <source>Width</source>
+            <translation>Ширина</translation>
+        </message>
+        <message>
+            <source>Angle from edge to edge; of a keyway of width w about 2·arcsin(w/d). The radii within are not ground.</source>
+            <translation>Угол от кромки до кромки; у шпоночного паза шириной w — около 2·arcsin(w/d). Радиусы внутри не шлифуются.</translation>
+        </message>
+        <message>
+            <source>Gaps of the surface</source>
+            <translation>Разрывы поверхности</translation>
+        </message>
+        <message>
+            <source>Keyways, splines, flats: ranges of angle without a surface, the same all along the ground length. Their radii are not ground, gauged or judged.</source>
+            <translation>Шпоночные пазы, шлицы, лыски: участки угла без поверхности, одинаковые по всей длине шлифования. Их радиусы не шлифуются, не измеряются и не оцениваются.</translation>
+        </message>
+        <message>
+            <source>Gauge spans the gaps</source>
+            <translation>Прибор перекрывает разрывы</translation>
+        </message>
+        <message>
+            <source>A gauge for interrupted surfaces, with wide contacts or a reading held over the gaps. Any other drops into them, so that only the largest diameter (in a bore the smallest) is of use.</source>
+            <translation>Прибор для прерывистых поверхностей: с широкими наконечниками или с удержанием показания над разрывом. Любой другой проваливается в них, и пригоден только наибольший диаметр (в отверстии — наименьший).</translation>
+        </message>
+        <message>
+            <source>Out-of-roundness of the blank: ellipse R = pq/√((q·cos φ)² + (p·sin φ)²), eccentric circle, n lobes, or a measured profile.</source>
+            <translation>Отклонение заготовки от круглости: овальность R = pq/√((q·cos φ)² + (p·sin φ)²), эксцентричная окружность, огранка из n граней или измеренный профиль.</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>
@@ -4289,6 +4345,18 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>{value} is the same for all surfaces and stands outside them</source>
             <translation>{value} — общее для всех поверхностей и стоит вне их</translation>
         </message>
+        <message>
+            <source>the gaps leave too little of the surface: {value} radii stand outside them; needed: {limit}, two of them opposite each other</source>
+            <translation>разрывы оставляют слишком мало поверхности: вне их радиусов {value}; нужно: {limit}, из них два напротив друг друга</translation>
+        </message>
+        <message>
+            <source>a gap of {value} lies between two radii, which stand {limit} apart: it leaves nothing out</source>
+            <translation>разрыв {value} лежит между двумя радиусами, шаг которых {limit}: он ничего не исключает</translation>
+        </message>
+        <message>
+            <source>a gauge that does not span the gaps drops into them; needed: {limit}</source>
+            <translation>прибор, не перекрывающий разрывы, проваливается в них; нужно: {limit}</translation>
+        </message>
     </context>
     <context>
         <name>KeptRuns</name>
@@ -4440,6 +4508,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>plunge</source>
             <translation>врезному шлифованию</translation>
+        </message>
+        <message>
+            <source>one that reads the largest diameter</source>
+            <translation>прибор, читающий наибольший диаметр</translation>
         </message>
     </context>
     <context>
@@ -5751,6 +5823,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <comment>deviations of the diameter in µm, short; then ✓ or ✗</comment>
             <translation>ΔD %1 %2</translation>
         </message>
+        <message>
+            <source>%1, φ = %2° (k = %3): in a gap of the surface</source>
+            <translation>%1, φ = %2° (k = %3): в разрыве поверхности</translation>
+        </message>
+        <message>
+            <source>%1, φ = %2° (k = %3): radius %4 µm from target, %5 µm from its mean; opposite a gap</source>
+            <translation>%1, φ = %2° (k = %3): радиус %4 мкм от целевого, %5 мкм от среднего; напротив разрыва</translation>
+        </message>
     </context>
     <context>
         <name>Range</name>
@@ -6772,6 +6852,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Wheel wear</source>
             <translation>Износ круга</translation>
+        </message>
+        <message>
+            <source>Gap of the surface</source>
+            <translation>Разрыв поверхности</translation>
         </message>
     </context>
     <context>

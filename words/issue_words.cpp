@@ -142,6 +142,19 @@ IssueWords wordsOf(IssueCode code) {
     case IssueCode::notUsedHere:
         return {"not_used_here",
                 SPARKOUT_NOOP("Issue", "{value} is not used here; it applies to {limit}")};
+    case IssueCode::tooMuchGap:
+        return {"too_much_gap",
+                SPARKOUT_NOOP("Issue", "the gaps leave too little of the surface: {value} radii "
+                                       "stand outside them; needed: {limit}, two of them opposite "
+                                       "each other")};
+    case IssueCode::gapBetweenRadii:
+        return {"gap_between_radii",
+                SPARKOUT_NOOP("Issue", "a gap of {value} lies between two radii, which stand "
+                                       "{limit} apart: it leaves nothing out")};
+    case IssueCode::gaugeDropsIn:
+        return {"gauge_drops_in",
+                SPARKOUT_NOOP("Issue", "a gauge that does not span the gaps drops into them; "
+                                       "needed: {limit}")};
     case IssueCode::wallOverrun:
         return {"wall_overrun",
                 SPARKOUT_NOOP("Issue", "{value} runs the wheel into the wall of the blind bore; "
@@ -224,6 +237,7 @@ const char* wordsOf(Phrase phrase) {
     case Phrase::anotherInput: return SPARKOUT_NOOP("Limit", "another input");
     case Phrase::pathOfInput:
         return SPARKOUT_NOOP("Limit", "the path of an input, as /wheel/dullness");
+    case Phrase::ruleMax: return SPARKOUT_NOOP("Limit", "one that reads the largest diameter");
     case Phrase::plunge: return SPARKOUT_NOOP("Limit", "plunge");
     }
     return "";

@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace sparkout {
 
@@ -124,10 +123,14 @@ bool isOfSurface(const Characteristic& characteristic) {
 }
 
 double meanDeviation_um(const SectionResult& section, double nominal_mm) {
-    const double sum =
-        std::accumulate(section.radii_mm.begin(), section.radii_mm.end(), 0.0,
-                        [nominal_mm](double s, double R) { return s + (R - nominal_mm / 2); });
-    return 2 * sum / static_cast<double>(section.radii_mm.size()) * units::umPerMm;
+    double sum = 0;
+    std::size_t ground = 0;
+    for (const double radius : section.radii_mm) {
+        const bool gap = std::isnan(radius);
+        sum += gap ? 0 : radius - nominal_mm / 2;
+        ground += gap ? 0 : 1;
+    }
+    return 2 * sum / static_cast<double>(ground) * units::umPerMm;
 }
 
 std::vector<Characteristic> characteristicsOf(const Project& project) {

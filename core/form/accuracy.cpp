@@ -11,12 +11,18 @@ namespace sparkout {
 
 namespace {
 
+/// Of those that are numbers: in a gap none is.
 double mean(std::span<const double> values) {
+    const auto first = std::ranges::find_if(values, [](double v) { return !std::isnan(v); });
     double sum = 0;
+    std::size_t count = 0;
     for (const double value : values) {
-        sum += value - values[0];
+        if (!std::isnan(value)) {
+            sum += value - *first;
+            ++count;
+        }
     }
-    return values[0] + sum / static_cast<double>(values.size());
+    return *first + sum / static_cast<double>(count);
 }
 
 /// Σ weight·value / Σ weight².
@@ -45,10 +51,10 @@ double runout(std::span<const SectionShape> sections, double geometricRunout_mm,
               FormulaSheet* sheet) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const SectionShape& section : sections) {
-        const auto [least, most] =
-            std::minmax_element(section.radii_mm.begin(), section.radii_mm.end());
-        low = std::min(low, *least);
-        high = std::max(high, *most);
+        for (const double radius : section.radii_mm) { // in a gap no number, and no extreme
+            low = std::min(low, radius);
+            high = std::max(high, radius);
+        }
     }
     const double found = high - low + geometricRunout_mm;
     state(sheet, "{Δ} = {R_max} − {R_min} + {Δ_m}", {"Δ", found, "mm"},

@@ -4,6 +4,8 @@
 #include "core/form/chebyshev_fit.h"
 #include "core/form/value_range.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -98,6 +100,9 @@ public:
         const double share = 2 / static_cast<double>(c.size());
         const auto J = static_cast<double>(m_sections.size());
         Axis axis;
+        if (!m_directions.areEven()) { // the machine's own axis is near enough
+            return axis;
+        }
         for (std::size_t j = 0; j < m_sections.size(); ++j) {
             double x = 0, y = 0;
             for (std::size_t k = 0; k < c.size(); ++k) {
@@ -170,6 +175,56 @@ AxisFit leastSquaresStep(const AxisView& view, const Surface3d& surface, const A
         by.v += lean * (view.zeta[j] * y + v);
     }
     return by;
+}
+
+/// The same of directions that are not even: Σ(d − r − n·(shift + ζ·lean))² least, ζ of the foot.
+AxisFit leastSquaresOfSome(const AxisView& view, const Surface3d& surface, const Axis& axis) {
+    using Vector5 = Eigen::Matrix<double, 5, 1>;
+    const double perReach = 1 / surface.reach();
+    const double tx = axis.u * perReach * perReach, ty = axis.v * perReach * perReach;
+    Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Zero();
+    Vector5 right = Vector5::Zero();
+    for (std::size_t i = 0; i < view.d.size(); ++i) {
+        const double nx = view.nx[i], ny = view.ny[i];
+        const double zeta = view.zetaOf(i) + view.d[i] * (nx * tx + ny * ty);
+        const Vector5 row{{1, nx, ny, zeta * nx, zeta * ny}};
+        normal += row * row.transpose();
+        right += row * (view.d[i] - view.d[0]);
+    }
+    const Vector5 found = normal.partialPivLu().solve(right);
+    return {view.d[0] + found[0], found[1], found[2], found[3], found[4], 0};
+}
+
+/// What is left of interrupted sections, which have their gaps alike.
+class GroundSections {
+public:
+    GroundSections(std::span<const SectionShape> sections, const Directions& directions)
+        : m_ground(sections.front().radii_mm), m_directions(directions, m_ground.indices()) {
+        for (const SectionShape& section : sections) {
+            m_radii.push_back(m_ground.of(section.radii_mm));
+        }
+        for (std::size_t j = 0; j < sections.size(); ++j) {
+            m_shapes.push_back({sections[j].position_mm, m_radii[j]});
+        }
+    }
+    [[nodiscard]] std::span<const SectionShape> shapes() const { return m_shapes; }
+    [[nodiscard]] const Directions& directions() const { return m_directions; }
+    [[nodiscard]] CylinderZone withRadii(CylinderZone zone) const {
+        for (CylinderContact& contact : zone.contacts) {
+            contact.radius = m_ground.indices()[contact.radius];
+        }
+        return zone;
+    }
+
+private:
+    GroundRadii m_ground;
+    Directions m_directions;
+    std::vector<std::vector<double>> m_radii;
+    std::vector<SectionShape> m_shapes;
+};
+
+bool isInterrupted(std::span<const SectionShape> sections) {
+    return !GroundRadii(sections.front().radii_mm).areAll();
 }
 
 Axis moved(const Axis& axis, const AxisFit& fit, double share) {
@@ -252,6 +307,10 @@ CylinderZone leastSquaresCylinder(std::span<const SectionShape> sections,
     if (sections.size() == 1) {
         return fromCircles(sections[0], leastSquaresCircle(sections[0].radii_mm, directions));
     }
+    if (isInterrupted(sections)) {
+        const GroundSections ground(sections, directions);
+        return leastSquaresCylinder(ground.shapes(), ground.directions());
+    }
     constexpr int mostSteps = 200;
     const Surface3d surface(sections, directions);
     AxisView view = surface.emptyView();
@@ -260,7 +319,8 @@ CylinderZone leastSquaresCylinder(std::span<const SectionShape> sections,
     double last = std::numeric_limits<double>::infinity();
     for (int step = 0; step < mostSteps; ++step) {
         surface.look(axis, view);
-        const AxisFit by = leastSquaresStep(view, surface, axis);
+        const AxisFit by = directions.areEven() ? leastSquaresStep(view, surface, axis)
+                                                : leastSquaresOfSome(view, surface, axis);
         r = by.r;
         const double size = std::abs(by.x) + std::abs(by.y) + std::abs(by.u) + std::abs(by.v);
         if (size <= 256 * epsilon * r || step + 1 == mostSteps) {
@@ -289,6 +349,11 @@ CylinderZone minimumZoneCylinder(std::span<const SectionShape> sections,
             found.contacts.push_back({0, circles.contacts[m], m % 2 == 0});
         }
         return found;
+    }
+    if (isInterrupted(sections)) {
+        const GroundSections ground(sections, directions);
+        return ground.withRadii(
+            minimumZoneCylinder(ground.shapes(), ground.directions(), leastSquares));
     }
     const Surface3d surface(sections, directions);
     ZoneSearch search(surface, leastSquares);

@@ -5,9 +5,31 @@
 
 namespace sparkout {
 
+namespace {
+
+/// Straight across the gaps, whose radii are no number.
+std::vector<double> bridged(std::span<const double> given) {
+    std::vector<double> radii(given.begin(), given.end());
+    const std::size_t K = radii.size();
+    const GroundRadii ground(given);
+    const std::vector<std::size_t>& at = ground.indices();
+    for (std::size_t i = 0; i < at.size() && !ground.areAll(); ++i) {
+        const std::size_t from = at[i], to = at[(i + 1) % at.size()];
+        const std::size_t apart = (to + K - from - 1) % K + 1;
+        for (std::size_t step = 1; step < apart; ++step) {
+            const double share = static_cast<double>(step) / static_cast<double>(apart);
+            radii[(from + step) % K] = given[from] + share * (given[to] - given[from]);
+        }
+    }
+    return radii;
+}
+
+} // namespace
+
 // cos(n·φ_k) is the direction n·k mod K; the mean goes first, so that small lobes on a large radius
 // keep their digits.
-std::vector<Harmonic> harmonics(std::span<const double> radii, const Directions& directions) {
+std::vector<Harmonic> harmonics(std::span<const double> given, const Directions& directions) {
+    const std::vector<double> radii = bridged(given);
     const std::size_t K = radii.size();
     const auto count = static_cast<double>(K);
     const std::vector<double>& cosines = directions.cosines();

@@ -21,6 +21,7 @@ struct Harmonic {
 ///
 /// Lobe number 1 is the eccentricity. Of lobe number K/2 the samples see the cosine only.
 /// Parseval: (1/K)·ΣR_k² = A_0² + ½·ΣA_n² + A_(K/2)².
+/// Radii that are no number, in gaps, are bridged by straight lines.
 [[nodiscard]] std::vector<Harmonic> harmonics(std::span<const double> radii_mm,
                                               const Directions& directions);
 

@@ -23,6 +23,31 @@ Directions::Directions(std::size_t K) : m_cos(K), m_sin(K) {
     }
 }
 
+Directions::Directions(const Directions& all, std::span<const std::size_t> radii)
+    : m_even(radii.size() == all.size()) {
+    assert(radii.size() >= 4);
+    for (const std::size_t k : radii) {
+        m_cos.push_back(all.m_cos[k]);
+        m_sin.push_back(all.m_sin[k]);
+    }
+}
+
+GroundRadii::GroundRadii(std::span<const double> radii) : m_count(radii.size()) {
+    for (std::size_t k = 0; k < radii.size(); ++k) {
+        if (!std::isnan(radii[k])) {
+            m_ground.push_back(k);
+        }
+    }
+}
+
+std::vector<double> GroundRadii::of(std::span<const double> radii) const {
+    std::vector<double> ground;
+    for (const std::size_t k : m_ground) {
+        ground.push_back(radii[k]);
+    }
+    return ground;
+}
+
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -180,6 +205,19 @@ struct Step {
     double r = 0, x = 0, y = 0;
 };
 
+/// Of directions that are not even: Σ(e − r − x·nx − y·ny)² least.
+Step leastSquaresOfSome(const CentreView& view) {
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < view.d.size(); ++k) {
+        const Eigen::Vector3d row(1, view.nx[k], view.ny[k]);
+        normal += row * row.transpose();
+        right += row * (view.d[k] - view.d[0]);
+    }
+    const Eigen::Vector3d found = normal.partialPivLu().solve(right);
+    return {view.d[0] + found[0], found[1], found[2]};
+}
+
 Step leastSquaresStep(const CentreView& view) {
     const double* __restrict d = view.d.data();
     const double* __restrict nx = view.nx.data();
@@ -200,16 +238,35 @@ Step leastSquaresStep(const CentreView& view) {
     return {d[0] + mean, 2 / count * (x - mean * sumX), 2 / count * (y - mean * sumY)};
 }
 
+bool isInterrupted(std::span<const double> radii) {
+    return std::any_of(radii.begin(), radii.end(), [](double R) { return std::isnan(R); });
+}
+
+/// What `zoneOf` makes of the ground radii and their directions.
+template <class ZoneOf>
+RoundnessZone ofGround(std::span<const double> radii, const Directions& directions,
+                       const ZoneOf& zoneOf) {
+    const GroundRadii ground(radii);
+    RoundnessZone found = zoneOf(ground.of(radii), Directions(directions, ground.indices()));
+    for (std::size_t& contact : found.contacts) {
+        contact = ground.indices()[contact];
+    }
+    return found;
+}
+
 } // namespace
 
 RoundnessZone leastSquaresCircle(std::span<const double> radii, const Directions& directions) {
+    if (isInterrupted(radii)) {
+        return ofGround(radii, directions, leastSquaresCircle);
+    }
     constexpr int mostSteps = 200;
     CentreView view(radii.size());
     double x = 0, y = 0, r = 0, share = 1;
     double last = std::numeric_limits<double>::infinity();
     for (int step = 0; step < mostSteps; ++step) {
         view.take(radii, directions, x, y);
-        const Step by = leastSquaresStep(view);
+        const Step by = directions.areEven() ? leastSquaresStep(view) : leastSquaresOfSome(view);
         const double size = std::abs(by.x) + std::abs(by.y);
         r = by.r;
         if (size <= 32 * epsilon * r || step + 1 == mostSteps) {
@@ -229,6 +286,12 @@ RoundnessZone leastSquaresCircle(std::span<const double> radii, const Directions
 // about the last centre, halved until the true zone gets narrower.
 RoundnessZone minimumZoneCircles(std::span<const double> radii, const Directions& directions,
                                  const RoundnessZone& leastSquares) {
+    if (isInterrupted(radii)) {
+        return ofGround(radii, directions,
+                        [&](const std::vector<double>& some, const Directions& theirs) {
+                            return minimumZoneCircles(some, theirs, leastSquares);
+                        });
+    }
     constexpr int mostSteps = 50;
     const double tolerance = roundings * leastSquares.outer_mm;
     RoundnessZone best = leastSquares;
@@ -260,6 +323,12 @@ RoundnessZone minimumZoneCircles(std::span<const double> radii, const Directions
 
 RoundnessZone minimumZoneCircles(std::span<const double> radii, const Directions& directions,
                                  ZoneModel model) {
+    if (isInterrupted(radii)) {
+        return ofGround(radii, directions,
+                        [model](const std::vector<double>& some, const Directions& theirs) {
+                            return minimumZoneCircles(some, theirs, model);
+                        });
+    }
     return model == ZoneModel::limacons
                ? limaconZone(radii, directions)
                : minimumZoneCircles(radii, directions, leastSquaresCircle(radii, directions));

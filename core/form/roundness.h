@@ -13,12 +13,30 @@ namespace sparkout {
 class Directions {
 public:
     explicit Directions(std::size_t K);
+    /// Of some of the radii, by rising k; 4 at least.
+    Directions(const Directions& all, std::span<const std::size_t> radii);
     [[nodiscard]] std::size_t size() const { return m_cos.size(); }
+    [[nodiscard]] bool areEven() const { return m_even; } ///< all K: Σ cos = Σ sin = 0 and so on
     [[nodiscard]] const std::vector<double>& cosines() const { return m_cos; }
     [[nodiscard]] const std::vector<double>& sines() const { return m_sin; }
 
 private:
     std::vector<double> m_cos, m_sin;
+    bool m_even = true;
+};
+
+/// The radii of sections that are interrupted alike, without those that are no number for they
+/// stand in a gap: a form is that of what is there.
+class GroundRadii {
+public:
+    explicit GroundRadii(std::span<const double> radii_mm); ///< of one of the sections
+    [[nodiscard]] bool areAll() const { return m_ground.size() == m_count; }
+    [[nodiscard]] const std::vector<std::size_t>& indices() const { return m_ground; } ///< k
+    [[nodiscard]] std::vector<double> of(std::span<const double> radii_mm) const;
+
+private:
+    std::size_t m_count;
+    std::vector<std::size_t> m_ground;
 };
 
 /// Two circles about one centre that hold a section's points between them [ISO12181]. x points at
@@ -40,8 +58,9 @@ struct RoundnessZone {
 /// at most between the roundness values of the two: 0.01 µm for e = 17 µm, R = 15 mm.
 enum class ZoneModel { circles, limacons };
 
-/// Least-squares circle: the centre and radius with the smallest Σ(distance − radius)². Gauss's
-/// conditions are met for the true distances; a few steps, each smaller by max(e, form)/R.
+/// Least-squares circle: the centre and radius with the smallest Σ(distance − radius)². Here and
+/// below radii that are no number, in gaps, are left out. Gauss's conditions are met for the true
+/// distances; a few steps, each smaller by max(e, form)/R.
 [[nodiscard]] RoundnessZone leastSquaresCircle(std::span<const double> radii_mm,
                                                const Directions& directions);
 

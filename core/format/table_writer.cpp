@@ -86,8 +86,10 @@ ordered_json writeByTable(const StructInfo& table, const void* owner,
     ordered_json object = ordered_json::object();
     for (const Field& field : table.fields) {
         // The table's defaults are written in full: reference page and schema read them.
-        const bool isDefault =
-            field.sparse && owner != table.defaults && field.same(owner, table.defaults);
+        const bool isDefault = field.sparse && owner != table.defaults
+                               && (field.kind == Kind::objectList // empty unless given
+                                       ? field.size(owner) == 0
+                                       : field.same(owner, table.defaults));
         if (isDefault || std::find(skip.begin(), skip.end(), field.key) != skip.end()) {
             continue;
         }

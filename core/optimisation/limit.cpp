@@ -138,7 +138,10 @@ double limitOf(const Project& project, bool sparksOut, const std::stop_token& st
     // a last step cut short still takes its dwells and strokes
     double limit_s = (steps + (sparksOut ? 1 : 0)) * times.least_s();
     if (project.gauge->control == Control::gauge && !project.gauge->position_mm) {
-        const double deepest = *std::max_element(blank.depth_mm.begin(), blank.depth_mm.end());
+        double deepest = 0;
+        for (std::size_t k = 0; k < blank.depth_mm.size(); ++k) {
+            deepest = blank.isGap(k) ? deepest : std::max(deepest, blank.depth_mm[k]);
+        }
         const double cell = (all - deepest) / stockCells;
         double sum_s = 0;
         for (int i = 1; i <= stockCells && cell > 0 && !stop.stop_requested(); ++i) {

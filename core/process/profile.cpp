@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/process/profile.h"
 
+#include "core/field.h"
 #include "core/project/part.h"
 #include "core/units.h"
 
@@ -24,8 +25,8 @@ double initialRunout(const Part& part) {
         return part.initial_runout_mm;
     }
     assert(part.radii_um && !part.radii_um->empty());
-    const auto [low, high] = std::minmax_element(part.radii_um->begin(), part.radii_um->end());
-    return (*high - *low) / units::umPerMm;
+    const Range range = measuredRange(part);
+    return (range.high - range.low) / units::umPerMm;
 }
 
 std::vector<double> profileRadii(const Part& part, double largestRadius_mm) {
@@ -51,7 +52,7 @@ std::vector<double> profileRadii(const Part& part, double largestRadius_mm) {
         case ProfileForm::lobes: R = largestRadius_mm - e * (1 - std::cos(part.lobes * phi)); break;
         case ProfileForm::measured: {
             const auto& deviations = *part.radii_um;
-            const double highest = *std::max_element(deviations.begin(), deviations.end());
+            const double highest = measuredRange(part).high;
             R = largestRadius_mm
                 + (deviations[static_cast<std::size_t>(k)] - highest) / units::umPerMm;
             break;
@@ -70,10 +71,12 @@ Blank makeBlank(const Part& part) {
     blank.firstTouchRadius_mm =
         blank.targetRadius_mm + (external ? blank.totalInfeed_mm : -blank.totalInfeed_mm);
     const double largest = blank.firstTouchRadius_mm + (external ? 0 : dR);
-    for (const double R : profileRadii(part, largest)) {
+    const std::vector<bool> gaps = inGaps(part);
+    const std::vector<double> radii = profileRadii(part, largest);
+    for (std::size_t k = 0; k < radii.size(); ++k) {
         const double depth =
-            external ? blank.firstTouchRadius_mm - R : R - blank.firstTouchRadius_mm;
-        blank.depth_mm.push_back(std::max(0.0, depth));
+            external ? blank.firstTouchRadius_mm - radii[k] : radii[k] - blank.firstTouchRadius_mm;
+        blank.depth_mm.push_back(gaps[k] ? beyondReach_mm : std::max(0.0, depth));
     }
     return blank;
 }

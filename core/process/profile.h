@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace sparkout {
 
 struct Part;
+
+/// A depth that no wheel is fed to: of the radii in the gaps of an interrupted surface.
+inline constexpr double beyondReach_mm = 1000;
 
 /// The blank's geometry [MODEL-4]. Radii are followed as depths below first touch: external
 /// R_k = R_first − depth_k, internal R_k = R_first + depth_k, with R_first the largest radius
@@ -14,7 +18,10 @@ struct Blank {
     double targetRadius_mm = 0;     ///< R_t, middle of the field unless set
     double firstTouchRadius_mm = 0; ///< R_max0 external, R_min0 internal
     double totalInfeed_mm = 0;      ///< |R_first − R_t| = Π + ΔR
-    std::vector<double> depth_mm;   ///< of the K radii, ≥ 0, K values
+    /// Whether a radius stands in a gap: nothing is there to grind.
+    [[nodiscard]] bool isGap(std::size_t k) const { return depth_mm[k] >= beyondReach_mm; }
+
+    std::vector<double> depth_mm; ///< of the K radii, ≥ 0, K values; beyondReach_mm in a gap
 };
 
 /// R_t [mm]: half the target diameter, else the middle of the tolerance field.

@@ -3,6 +3,7 @@
 
 #include "core/project/conditions.h"
 #include "core/project/cycle.h"
+#include "core/project/part.h"
 #include "core/text.h"
 
 namespace sparkout {
@@ -18,6 +19,9 @@ bool byPosition(const Project& p, const void*) {
 bool gaugeEndsAStage(const Project& p, const void*) {
     const auto& stages = p.cycle->stages;
     return p.gauge->control == Control::gauge || (!stages.empty() && stages.back().waitsForSize());
+}
+bool gaugeMeetsGaps(const Project& p, const void*) {
+    return !p.part->gaps.empty() && gaugeEndsAStage(p, nullptr);
 }
 bool gaugeFree(const Project& p, const void*) {
     return !p.operation->hasZones && p.gauge->position_mm;
@@ -92,6 +96,14 @@ const StructInfo& tableOf<Gauge>() {
                                   "a batch it is where the wheel touches the nominal blank: a "
                                   "larger blank is cut deeper at once, a smaller one later."),
             .formula = "R_max0 − R_t", .source = "MODEL-7"),
+        SPARKOUT_FIELD(Gauge, spans_gaps, .label = SPARKOUT_NOOP("Input", "Gauge spans the gaps"),
+                       .relevant = gaugeMeetsGaps, .sparse = true, .page = Page::gauge,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "A gauge for interrupted surfaces, with wide contacts or a "
+                                    "reading held over the gaps. Any other drops into them, so "
+                                    "that only the largest diameter (in a bore the smallest) is "
+                                    "of use."),
+                       .source = "MODEL-7"),
         SPARKOUT_FIELD(Gauge, commands, .label = SPARKOUT_NOOP("Input", "Gauge commands"),
                        .hard = {1, 5}, .page = Page::gauge,
                        .hint = SPARKOUT_NOOP("Input", "How many stages the gauge can switch."),

@@ -4,6 +4,10 @@
 #include "core/project/conditions.h"
 #include "core/text.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace sparkout {
 
 namespace {
@@ -22,6 +26,40 @@ bool notMeasured(const Project& p, const void*) {
 }
 
 } // namespace
+
+double engagedShare(const Part& part) {
+    const std::vector<bool> inside = inGaps(part);
+    const auto ground = std::count(inside.begin(), inside.end(), false);
+    return static_cast<double>(ground) / static_cast<double>(inside.size());
+}
+
+Range measuredRange(const Part& part) {
+    const std::vector<bool> inside = inGaps(part);
+    Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (std::size_t k = 0; part.radii_um && k < part.radii_um->size(); ++k) {
+        if (k >= inside.size() || !inside[k]) {
+            range.low = std::min(range.low, (*part.radii_um)[k]);
+            range.high = std::max(range.high, (*part.radii_um)[k]);
+        }
+    }
+    return range;
+}
+
+std::vector<bool> inGaps(const Part& part) {
+    constexpr double turn_deg = 360, same_deg = 1e-9;
+    constexpr int mostRadii = 360; // a file may ask for any number, before it is refused
+    std::vector<bool> inside(
+        static_cast<std::size_t>(std::clamp(part.radii_per_section, 0, mostRadii)));
+    for (const SurfaceGap& gap : part.gaps) {
+        for (std::size_t k = 0; k < inside.size(); ++k) {
+            const double phi = turn_deg * static_cast<double>(k) / part.radii_per_section;
+            double beyond = std::fmod(phi - gap.from_deg + turn_deg, turn_deg);
+            beyond = beyond > turn_deg - same_deg ? 0 : beyond;
+            inside[k] = inside[k] || beyond < gap.width_deg - same_deg;
+        }
+    }
+    return inside;
+}
 
 template <>
 std::span<const Choice> choicesOf<Surface>() {
@@ -129,6 +167,29 @@ const StructInfo& tableOf<SteadyRest>() {
     };
     static const StructInfo info =
         makeTable<SteadyRest>(SPARKOUT_NOOP("Struct", "Steady rest"), rows);
+    return info;
+}
+
+template <>
+const StructInfo& tableOf<SurfaceGap>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(SurfaceGap, from_deg, .label = SPARKOUT_NOOP("Input", "Gap begins at"),
+                       .symbol = "φ_0", .unit = "°", .hard = {0, 360},
+                       .required = conditions::always, .page = Page::part,
+                       .hint = SPARKOUT_NOOP("Input", "Angle of the gap's first edge, counted as "
+                                                      "the radii are, from radius 0 on."),
+                       .column = SPARKOUT_NOOP("Input", "From"), .source = "MODEL-4"),
+        SPARKOUT_FIELD(
+            SurfaceGap, width_deg, .label = SPARKOUT_NOOP("Input", "Gap width"), .symbol = "Δφ",
+            .unit = "°", .hard = {0, 350}, .soft = {0, 120}, .required = conditions::always,
+            .page = Page::part,
+            .hint = SPARKOUT_NOOP("Input", "Angle from edge to edge; of a keyway of width w about "
+                                           "2·arcsin(w/d). The radii within are not ground."),
+            .formula = "φ_0 ≤ φ_k < φ_0 + Δφ", .column = SPARKOUT_NOOP("Input", "Width"),
+            .source = "MODEL-4"),
+    };
+    static const StructInfo info =
+        makeTable<SurfaceGap>(SPARKOUT_NOOP("Struct", "Gap of the surface"), rows);
     return info;
 }
 
@@ -262,9 +323,7 @@ const StructInfo& tableOf<Part>() {
                        .hint = SPARKOUT_NOOP(
                            "Input", "Out-of-roundness of the blank: ellipse "
                                     "R = pq/√((q·cos φ)² + (p·sin φ)²), eccentric circle, n lobes, "
-                                    "or a measured profile. Interrupted surfaces (keyways, "
-                                    "splines) are beyond the model: the wheel is taken to meet "
-                                    "metal at every angle."),
+                                    "or a measured profile."),
                        .source = "MODEL-4"),
         SPARKOUT_FIELD(
             Part, lobes, .label = SPARKOUT_NOOP("Input", "Lobes"), .symbol = "n_l",
@@ -279,6 +338,13 @@ const StructInfo& tableOf<Part>() {
                 SPARKOUT_NOOP("Input", "Deviations from the largest radius at equal angles, one a "
                                        "radius; only their differences matter."),
             .source = "MODEL-4"),
+        SPARKOUT_FIELD(Part, gaps, .label = SPARKOUT_NOOP("Input", "Gaps of the surface"),
+                       .hard = {0, 60}, .sparse = true, .page = Page::part,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Keyways, splines, flats: ranges of angle without a surface, "
+                                    "the same all along the ground length. Their radii are not "
+                                    "ground, gauged or judged."),
+                       .source = "MODEL-4"),
         SPARKOUT_FIELD(Part, target_diameter_mm, .label = SPARKOUT_NOOP("Input", "Target diameter"),
                        .symbol = "2R_t", .unit = "mm", .hard = {1, 2000},
                        .nullMeaning = SPARKOUT_NOOP("Input", "middle of the tolerance field"),

@@ -35,6 +35,12 @@ struct SteadyRest {
     double stiffness_n_um = 50; ///< [N/µm]
 };
 
+/// A range of angle where there is no surface: a keyway, the space between two splines.
+struct SurfaceGap {
+    double from_deg = 0;  ///< counted as φ_k is [°]
+    double width_deg = 0; ///< [°]
+};
+
 /// The wheel's spindle extension in internal grinding, a cantilever.
 struct Quill {
     double length_mm = 60;   ///< [mm]
@@ -65,10 +71,20 @@ struct Part {
     ProfileForm profile = ProfileForm::ellipse;
     int lobes = 3;                               ///< n of an n-lobe form
     std::optional<std::vector<double>> radii_um; ///< measured profile, from the largest radius [µm]
+    std::vector<SurfaceGap> gaps;                ///< the same all along the ground length
     std::optional<double> target_diameter_mm;    ///< 2·R_t [mm]; not given: middle of the field
     Tolerance tolerance;
     Shaft shaft;
 };
+
+/// The share of the K radii that stand in no gap.
+[[nodiscard]] double engagedShare(const Part& part);
+
+/// Least and most of a measured profile outside the gaps [µm].
+[[nodiscard]] Range measuredRange(const Part& part);
+
+/// Of the K radii, whether each stands in a gap: φ_k in [from, from + width), to 1e-9°.
+[[nodiscard]] std::vector<bool> inGaps(const Part& part);
 
 template <>
 std::span<const Choice> choicesOf<Surface>();
@@ -82,6 +98,8 @@ template <>
 const StructInfo& tableOf<ShaftSegment>();
 template <>
 const StructInfo& tableOf<SteadyRest>();
+template <>
+const StructInfo& tableOf<SurfaceGap>();
 template <>
 const StructInfo& tableOf<Quill>();
 template <>

@@ -36,6 +36,7 @@ public:
     void check() {
         checkPart();
         checkProfile();
+        checkGaps();
         checkBlank();
         project().operation->hasZones ? checkZones() : checkSections();
         checkCompliance();
@@ -132,8 +133,7 @@ private:
         if (part.profile != ProfileForm::measured || !part.radii_um || part.radii_um->empty()) {
             return part.initial_runout_mm;
         }
-        const auto [low, high] = std::minmax_element(part.radii_um->begin(), part.radii_um->end());
-        return (*high - *low) / units::umPerMm;
+        return (measuredRange(part).high - measuredRange(part).low) / units::umPerMm;
     }
 
     /// The smallest diameter of a bore's blank, which the wheel must fit into [mm].
@@ -162,6 +162,45 @@ private:
                 add(IssueCode::wrongCount, "/part/radii_um", countOf(given),
                     Count{part.radii_per_section, {}, "/part/radii_per_section"});
             }
+        }
+    }
+
+    /// Some of the surface must be left, across which a diameter can be measured.
+    void checkGaps() {
+        constexpr int leastRadii = 4;
+        const Part& part = *project().part;
+        if (part.gaps.empty() || part.radii_per_section % 2 != 0
+            || !sound({"/part/radii_per_section", "/part/gaps"})) {
+            return;
+        }
+        const std::vector<bool> inside = inGaps(part);
+        const std::size_t half = inside.size() / 2;
+        const auto ground = std::count(inside.begin(), inside.end(), false);
+        bool across = false;
+        for (std::size_t k = 0; k < half; ++k) {
+            across = across || (!inside[k] && !inside[k + half]);
+        }
+        if (ground < leastRadii || !across) {
+            add(IssueCode::tooMuchGap, "/part/gaps", Count{ground}, Bounds{{leastRadii}});
+        }
+        for (std::size_t i = 0; i < part.gaps.size(); ++i) {
+            Part alone = part;
+            alone.gaps = {part.gaps[i]};
+            const std::vector<bool> within = inGaps(alone);
+            if (part.gaps[i].width_deg > 0
+                && std::find(within.begin(), within.end(), true) == within.end()) {
+                warn(IssueCode::gapBetweenRadii, "/part/gaps/" + std::to_string(i) + "/width_deg",
+                     Amount{part.gaps[i].width_deg, "°"},
+                     Amount{360.0 / part.radii_per_section, "°"});
+            }
+        }
+        const Gauge& gauge = *project().gauge;
+        const auto& stages = project().cycle->stages;
+        const bool reads =
+            gauge.control == Control::gauge || (!stages.empty() && stages.back().waitsForSize());
+        if (!gauge.spans_gaps && reads && gauge.rule != GaugeRule::max
+            && std::find(inside.begin(), inside.end(), true) != inside.end()) {
+            add(IssueCode::gaugeDropsIn, "/gauge/spans_gaps", {}, Phrase::ruleMax);
         }
     }
 

@@ -6,16 +6,12 @@
 #include "core/project/part.h"
 #include "core/units.h"
 
-#include <numeric>
-
 namespace sparkout {
 
 DiameterShares diameterShares(const SimulationResult& result, std::size_t section,
                               DiameterEnd end) {
     const SectionResult& about = result.sections.at(section);
-    const double K = static_cast<double>(about.radii_mm.size());
-    const double mean_mm =
-        2 * std::accumulate(about.radii_mm.begin(), about.radii_mm.end(), 0.0) / K;
+    const double mean_mm = 2 * meanOfGround(about.radii_mm);
     const double nominal_mm = result.project.part->diameter_mm;
     const double deviation_mm = end == DiameterEnd::smallest ? about.diameterDeviationMin_mm
                                                              : about.diameterDeviationMax_mm;

@@ -178,6 +178,9 @@ std::string resultJson(const SimulationResult& result,
         root["strips_uncut"] = true;
     }
     const PartAccuracy accuracy = accuracyOf(result);
+    if (const double engaged = engagedShare(*result.project.part); engaged < 1) {
+        root["engaged_share"] = engaged; // of the turn; radii in the gaps are null
+    }
     root[operation->hasZones ? "zones" : "sections"] = sectionsJson(result, accuracy);
     root["part"] = partJson(accuracy, surface);
     root["peak"] = {{"normal_force_n", result.peakNormalForce_n},

@@ -126,6 +126,9 @@ ZoneSummary zoneSummary(const SectionResult& section, const SectionAccuracy& acc
     zone.roundness_um = accuracy.minimumZone.deviation() * umPerMm;
     zone.peak_normal_force_n = section.peakNormalForce_n;
     for (const double radius_mm : section.radii_mm) {
+        if (std::isnan(radius_mm)) { // in a gap
+            continue;
+        }
         zone.radii_um.push_back((radius_mm - nominal_mm) * umPerMm);
     }
     return zone;

@@ -32,6 +32,10 @@ FormulaSheet visitSheet(const SimulationResult& result, const Trajectory& trajec
     const double b = of.effectiveWidth_mm;
 
     FormulaSheet sheet{SPARKOUT_NOOP("Formula", "Elastic balance of one radius"), "MODEL-3", {}};
+    if (visit.isGap()) { // no surface is there
+        state(&sheet, "{a}", {"a", 0, "mm"}, {});
+        return sheet;
+    }
     const FormulaTerm infeed{"t_П", visit.programmed_mm, "mm"};
     const FormulaTerm touch{external ? "R_max0" : "R_min0", first, "mm"};
     const FormulaTerm R{"R_k", before, "mm"};

@@ -71,8 +71,8 @@ struct Question {
     void (*answer)(Project& project, Stage& stage, std::size_t choice);
 };
 
-const std::array<Question, 7>& questions() {
-    static const std::array<Question, 7> all{{
+const std::array<Question, 8>& questions() {
+    static const std::array<Question, 8> all{{
         {{SPARKOUT_NOOP("Condition", "traverse"), SPARKOUT_NOOP("Condition", "plunge")},
          [](Project& p, Stage&, std::size_t i) { p.operation = Operation::ofIndex(i); }},
         {{SPARKOUT_NOOP("Condition", "external"), SPARKOUT_NOOP("Condition", "internal")},
@@ -92,6 +92,9 @@ const std::array<Question, 7>& questions() {
         {{SPARKOUT_NOOP("Condition", "gauge control"),
           SPARKOUT_NOOP("Condition", "position control")},
          [](Project& p, Stage&, std::size_t i) { p.gauge->control = static_cast<Control>(i); }},
+        {{SPARKOUT_NOOP("Condition", "surface without gaps"),
+          SPARKOUT_NOOP("Condition", "interrupted surface")},
+         [](Project& p, Stage&, std::size_t i) { p.part->gaps = std::vector<SurfaceGap>(i); }},
         {{SPARKOUT_NOOP("Condition", "the stage feeds"),
           SPARKOUT_NOOP("Condition", "the stage is a spark-out")},
          [](Project&, Stage& stage, std::size_t i) {

@@ -95,7 +95,7 @@ void FeedColumnBuilder::add(std::size_t index, const Pass& pass, const Visit* vi
     for (std::size_t k = 0; k < m_radii; ++k) {
         const Visit& v = visits[k];
         if (!finite(v)) {
-            ++m_dropped;
+            m_dropped += v.isGap() ? 0 : 1;
             continue;
         }
         force.add(v.normalForce_n);
@@ -135,6 +135,9 @@ void FeedColumnBuilder::closeStroke() {
     }
     SpreadSum programmed, actual, came;
     for (std::size_t k = 0; k < m_radii; ++k) {
+        if (m_last[k].isGap()) {
+            continue;
+        }
         programmed.add(m_fed_mm[k] - m_strokeFed_mm[k]);
         actual.add(m_strokeCut_mm[k]);
         came.add(m_strokeCame_mm[k] - m_series.target_mm);

@@ -86,10 +86,13 @@ private:
         const Blank blank = makeBlank(*m_result.project.part);
         const auto k = static_cast<std::size_t>(m_scene.radius);
         for (std::size_t i = 0; i < last.size(); ++i) {
-            const double untouched = m_first_mm - m_scene.removalSign * blank.depth_mm[k];
+            // In a gap nothing is left to grind: the surface stands at its target.
+            const double depth = blank.isGap(k) ? blank.totalInfeed_mm : blank.depth_mm[k];
+            const double untouched = m_first_mm - m_scene.removalSign * depth;
+            const bool ground = last[i][k] && !last[i][k]->isGap();
             m_scene.surfaces.push_back({m_result.sections[i].zone, static_cast<int>(i),
-                                        stretches[i],
-                                        last[i][k] ? last[i][k]->radius_mm : untouched, 0});
+                                        stretches[i], ground ? last[i][k]->radius_mm : untouched,
+                                        0});
         }
     }
 

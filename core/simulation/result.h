@@ -3,6 +3,8 @@
 
 #include "core/project/project.h"
 
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -73,12 +75,24 @@ struct BurnVisit {
     Place at;
 };
 
+/// Mean of the radii that are numbers: those in gaps are none.
+[[nodiscard]] inline double meanOfGround(const std::vector<double>& radii_mm) {
+    double sum = 0;
+    std::size_t count = 0;
+    for (const double radius : radii_mm) {
+        const bool gap = std::isnan(radius);
+        sum += gap ? 0 : radius;
+        count += gap ? 0 : 1;
+    }
+    return sum / static_cast<double>(count);
+}
+
 /// One zone or section at the end of the cycle.
 struct SectionResult {
     Zone zone = Zone::section;
     double position_mm = 0;             ///< its middle, from the headstock end of the ground length
     double compliance_mm_per_n = 0;     ///< γ used
-    std::vector<double> radii_mm;       ///< R_k, K values
+    std::vector<double> radii_mm;       ///< R_k, K values; not a number in a gap
     double diameterDeviationMin_mm = 0; ///< min of D_k less the nominal diameter
     double diameterDeviationMax_mm = 0; ///< max of D_k less the nominal diameter
     double radialRunout_mm = 0;         ///< R_max − R_min plus the machine's geometric runout

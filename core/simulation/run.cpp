@@ -24,6 +24,18 @@ namespace sparkout {
 
 namespace {
 
+/// Diameters with no end in a gap; empty where there are no gaps.
+std::vector<std::size_t> wholeDiameters(const Blank& blank) {
+    const std::size_t half = blank.depth_mm.size() / 2;
+    std::vector<std::size_t> whole;
+    for (std::size_t k = 0; k < half; ++k) {
+        if (!blank.isGap(k) && !blank.isGap(k + half)) {
+            whole.push_back(k);
+        }
+    }
+    return whole.size() < half ? whole : std::vector<std::size_t>();
+}
+
 /// A load that is taken to bear evenly on both sides of a steady rest may press a section near it
 /// against the wheel: it has no balance of its own.
 bool isLifted(const CompliantPoint& point) {
@@ -36,6 +48,7 @@ Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory*
          std::stop_token stop)
     : m_project(project)
     , m_blank(makeBlank(*project.part))
+    , m_diameters(wholeDiameters(m_blank))
     , m_radii(project.part->radii_per_section)
     , m_points(std::move(points))
     , m_law(forceLaw(project))
@@ -191,15 +204,19 @@ void Run::record(std::size_t point, const CutWidth& width, const PassFeed& feed,
         visit.actual_mm = u * u;
         visit.accumulated_mm =
             m_lanes.depth_mm[lane] - m_blank.depth_mm[static_cast<std::size_t>(k)];
-        visit.radius_mm = radiusAt(m_lanes.depth_mm[lane]);
+        visit.radius_mm = finalRadius(m_lanes.depth_mm[lane]);
         visit.normalForce_n = m_law.normal(width.width_mm, u);
         trajectory.visits.push_back(visit);
     }
 }
 
 double Run::remaining(std::size_t point) const {
-    return remainingStock(m_lanes.depth_mm.data() + point * static_cast<std::size_t>(m_radii),
-                          m_radii, m_project.gauge->rule, m_blank.totalInfeed_mm);
+    const double* const depth_mm =
+        m_lanes.depth_mm.data() + point * static_cast<std::size_t>(m_radii);
+    const GaugeRule rule = m_project.gauge->rule;
+    return m_diameters.empty()
+               ? remainingStock(depth_mm, m_radii, rule, m_blank.totalInfeed_mm)
+               : remainingStock(depth_mm, m_radii, m_diameters, rule, m_blank.totalInfeed_mm);
 }
 
 double Run::takeLargestRoot() {
@@ -228,13 +245,16 @@ SectionResult Run::sectionResult(std::size_t point, Zone zone) const {
     section.position_mm = m_points[point].position_mm;
     section.compliance_mm_per_n = m_points[point].gamma_mm_n;
     for (std::size_t k = 0; k < K; ++k) {
-        section.radii_mm.push_back(radiusAt(m_lanes.depth_mm[point * K + k]));
+        section.radii_mm.push_back(finalRadius(m_lanes.depth_mm[point * K + k]));
         section.peakNormalForce_n =
             std::max(section.peakNormalForce_n, m_lanes.peakForce_n[point * K + k]);
     }
-    const auto [low, high] = std::minmax_element(section.radii_mm.begin(), section.radii_mm.end());
-    section.radialRunout_mm =
-        *high - *low + m_project.machine->geometric_runout_um / units::umPerMm;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const double radius : section.radii_mm) { // of a gap it is no number, and no extreme
+        low = std::min(low, radius);
+        high = std::max(high, radius);
+    }
+    section.radialRunout_mm = high - low + m_project.machine->geometric_runout_um / units::umPerMm;
     std::tie(section.diameterDeviationMin_mm, section.diameterDeviationMax_mm) =
         diameterDeviations(point);
     return section;
@@ -244,17 +264,21 @@ std::pair<double, double> Run::diameterDeviations(std::size_t point) const {
     const auto K = static_cast<std::size_t>(m_radii);
     const double* depth_mm = m_lanes.depth_mm.data() + point * K;
     double least = std::numeric_limits<double>::infinity(), most = -least;
-    for (std::size_t k = 0; k < K / 2; ++k) {
+    forDiameters([&](std::size_t k) {
         const double deviation = diameterDeviation(depth_mm[k], depth_mm[k + K / 2]);
         least = std::min(least, deviation);
         most = std::max(most, deviation);
-    }
+    });
     return {least, most};
 }
 
 std::size_t Run::deepestLane(std::size_t point) const {
     const auto begin = m_lanes.depth_mm.begin() + static_cast<std::ptrdiff_t>(point) * m_radii;
-    return static_cast<std::size_t>(std::max_element(begin, begin + m_radii)
+    const auto reached = [](double a, double b) { // a gap is no radius
+        return (a < beyondReach_mm ? a : -beyondReach_mm)
+               < (b < beyondReach_mm ? b : -beyondReach_mm);
+    };
+    return static_cast<std::size_t>(std::max_element(begin, begin + m_radii, reached)
                                     - m_lanes.depth_mm.begin());
 }
 
@@ -263,13 +287,14 @@ std::pair<std::size_t, std::size_t> Run::deepestDiameter() const {
     std::size_t deepest = 0;
     double most = 0;
     for (std::size_t point = 0; point < m_points.size(); ++point) {
-        for (std::size_t lane = point * K; lane < point * K + K / 2; ++lane) {
+        forDiameters([&](std::size_t k) {
+            const std::size_t lane = point * K + k;
             const double both = m_lanes.depth_mm[lane] + m_lanes.depth_mm[lane + K / 2];
             if (both > most) {
                 most = both;
                 deepest = lane;
             }
-        }
+        });
     }
     return {deepest, deepest + K / 2};
 }

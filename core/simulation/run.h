@@ -12,6 +12,8 @@
 #include "core/simulation/stage_control.h"
 #include "core/simulation/trajectory.h"
 
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <stop_token>
 #include <utility>
@@ -111,6 +113,22 @@ private:
                    const Place* places);
     void record(std::size_t point, const CutWidth& width, const PassFeed& feed, const Place& place,
                 const PassInfo& info);
+    /// Not a number in a gap.
+    [[nodiscard]] double finalRadius(double depth_mm) const {
+        return depth_mm < beyondReach_mm ? radiusAt(depth_mm)
+                                         : std::numeric_limits<double>::quiet_NaN();
+    }
+    /// Calls with each k < K/2 whose diameter is one.
+    template <class Do>
+    void forDiameters(const Do& with) const {
+        for (std::size_t i = 0; i < m_diameters.size(); ++i) {
+            with(m_diameters[i]);
+        }
+        const auto half = static_cast<std::size_t>(m_radii) / 2;
+        for (std::size_t k = 0; m_diameters.empty() && k < half; ++k) {
+            with(k);
+        }
+    }
     [[nodiscard]] double radiusAt(double depth_mm) const {
         return m_project.part->surface == Surface::external
                    ? m_blank.firstTouchRadius_mm - depth_mm
@@ -120,6 +138,7 @@ private:
 
     const Project& m_project;
     Blank m_blank;
+    std::vector<std::size_t> m_diameters; ///< k of those that no gap interrupts; empty: all
     int m_radii;
     std::vector<CompliantPoint> m_points;
     ForceLaw m_law;

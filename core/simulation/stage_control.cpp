@@ -82,15 +82,18 @@ void StageControl::stepDone(double remainingStock_mm, double fed_mm, double time
     }
 }
 
-double remainingStock(const double* depth_mm, int radii, GaugeRule rule, double totalInfeed_mm) {
+namespace {
+
+/// `depthOf(i)` is depth_k + depth_{k+K/2} of the i-th of `count` diameters.
+template <class DepthOf>
+double remainingOf(int count, GaugeRule rule, double totalInfeed_mm, const DepthOf& depthOf) {
     // D_k/2 stands (depth_k + depth_{k+K/2})/2 beyond first touch, in a shaft as in a bore; the
     // smallest diameter of a shaft and the largest of a bore are the deepest.
-    const int half = radii / 2;
-    double deepest = depth_mm[0] + depth_mm[half];
+    double deepest = depthOf(0);
     double shallowest = deepest;
     double sum = 0;
-    for (int k = 0; k < half; ++k) {
-        const double depth = depth_mm[k] + depth_mm[k + half];
+    for (int i = 0; i < count; ++i) {
+        const double depth = depthOf(i);
         deepest = std::max(deepest, depth);
         shallowest = std::min(shallowest, depth);
         sum += depth;
@@ -100,7 +103,24 @@ double remainingStock(const double* depth_mm, int radii, GaugeRule rule, double 
     case GaugeRule::max: return totalInfeed_mm - shallowest / 2;
     case GaugeRule::mean: break;
     }
-    return totalInfeed_mm - sum / half / 2;
+    return totalInfeed_mm - sum / count / 2;
+}
+
+} // namespace
+
+double remainingStock(const double* depth_mm, int radii, GaugeRule rule, double totalInfeed_mm) {
+    const int half = radii / 2;
+    return remainingOf(half, rule, totalInfeed_mm,
+                       [&](int k) { return depth_mm[k] + depth_mm[k + half]; });
+}
+
+double remainingStock(const double* depth_mm, int radii, std::span<const std::size_t> diameters,
+                      GaugeRule rule, double totalInfeed_mm) {
+    const int half = radii / 2;
+    return remainingOf(static_cast<int>(diameters.size()), rule, totalInfeed_mm, [&](int i) {
+        const double* const one = depth_mm + diameters[static_cast<std::size_t>(i)];
+        return one[0] + one[half];
+    });
 }
 
 double firstFeed(const Project& project, double totalInfeed_mm) {

@@ -6,6 +6,8 @@
 #include "core/project/project.h"
 #include "core/simulation/gauge_signal.h"
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace sparkout {
@@ -61,6 +63,11 @@ private:
 /// What the gauge reads of one section: remaining stock per side Π_rem [mm] from the depths of its
 /// radii, D_k = R_k + R_{k+K/2}, by the gauge's rule; mirrored in a bore.
 [[nodiscard]] double remainingStock(const double* depth_mm, int radii, GaugeRule rule,
+                                    double totalInfeed_mm);
+
+/// The same of the diameters with these k alone, which no gap interrupts; at least one.
+[[nodiscard]] double remainingStock(const double* depth_mm, int radii,
+                                    std::span<const std::size_t> diameters, GaugeRule rule,
                                     double totalInfeed_mm);
 
 /// t_П at the beginning [mm]: 0 when feeding starts where the wheel touches this blank. Under

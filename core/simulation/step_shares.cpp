@@ -19,15 +19,17 @@ bool isBeside(const Pass& pass) {
                                             : isStroke && pass.place.zone != Zone::rz1;
 }
 
-/// Mean over the radii of what a pass cuts; a value that is no number counts for nothing.
+/// Mean over the radii of what a pass cuts, gaps left out; a value that is no number counts for
+/// nothing.
 double meanDepth(const Trajectory& trajectory, const Pass& pass) {
     double sum = 0;
+    int ground = 0;
     for (int k = 0; k < trajectory.radii; ++k) {
-        const double depth =
-            trajectory.visits[pass.firstVisit + static_cast<std::size_t>(k)].actual_mm;
-        sum += std::isfinite(depth) ? depth : 0;
+        const Visit& visit = trajectory.visits[pass.firstVisit + static_cast<std::size_t>(k)];
+        sum += std::isfinite(visit.actual_mm) ? visit.actual_mm : 0;
+        ground += visit.isGap() ? 0 : 1;
     }
-    return trajectory.radii > 0 ? sum / trajectory.radii : 0;
+    return ground > 0 ? sum / ground : 0;
 }
 
 } // namespace

@@ -13,17 +13,21 @@ namespace sparkout {
 
 namespace {
 
-/// The value of the series' radius, or the mean of all.
+/// The value of the series' radius, or the mean of all that stand in no gap.
 template <typename ValueOf>
 double overRadii(const LayerSeries& series, int radii, ValueOf valueOf) {
     if (series.radius) {
         return valueOf(static_cast<std::size_t>(*series.radius));
     }
     double sum = 0;
+    int ground = 0;
     for (int k = 0; k < radii; ++k) {
-        sum += valueOf(static_cast<std::size_t>(k));
+        const auto i = static_cast<std::size_t>(k);
+        const bool gap = i < series.gaps.size() && series.gaps[i];
+        sum += gap ? 0 : valueOf(i);
+        ground += gap ? 0 : 1;
     }
-    return sum / radii;
+    return sum / ground;
 }
 
 class LayerBuilder {
@@ -41,6 +45,7 @@ public:
         m_series.upperLimit_mm =
             part.diameter_mm / 2 + part.upper_deviation_um / 2 / units::umPerMm;
         m_series.radius = radius;
+        m_series.gaps = inGaps(part);
     }
 
     LayerSeries build() {
@@ -60,7 +65,10 @@ private:
 
     void addColumns() {
         const Blank blank = makeBlank(*m_result.project.part);
-        const double depth = overRadii([&](std::size_t k) { return blank.depth_mm[k]; });
+        const double depth = overRadii( // nothing is left to grind in a gap
+            [&](std::size_t k) {
+                return blank.isGap(k) ? blank.totalInfeed_mm : blank.depth_mm[k];
+            });
         const std::vector<Stretch> stretches = groundStretches(m_result.project);
         for (std::size_t i = 0; i < m_result.sections.size(); ++i) {
             const SectionResult& section = m_result.sections[i];
@@ -69,7 +77,9 @@ private:
             column.section = static_cast<int>(i);
             column.stretch = stretches[i];
             column.blank_mm = blank.firstTouchRadius_mm - m_series.removalSign * depth;
-            column.final_mm = overRadii([&](std::size_t k) { return section.radii_mm[k]; });
+            column.final_mm = overRadii([&](std::size_t k) {
+                return blank.isGap(k) ? column.blank_mm : section.radii_mm[k];
+            });
             m_series.columns.push_back(std::move(column));
         }
     }

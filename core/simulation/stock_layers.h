@@ -38,7 +38,8 @@ struct LayerSeries {
     double target_mm = 0;      ///< R_t
     double lowerLimit_mm = 0;  ///< radius at the lower deviation of the diameter
     double upperLimit_mm = 0;  ///< radius at the upper one
-    std::optional<int> radius; ///< k; none: means over the K radii
+    std::optional<int> radius; ///< k; none: means over the radii that are ground
+    std::vector<bool> gaps;    ///< of the K radii, those in a gap
     std::vector<LayerSpan> spans;
     std::vector<LayerColumn> columns; ///< РЗ1, НЗ, РЗ2, or the sections from the headstock on
 

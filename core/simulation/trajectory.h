@@ -3,6 +3,7 @@
 
 #include "core/simulation/result.h"
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -25,8 +26,11 @@ struct Visit {
     double programmed_mm = 0;  ///< t_П at this radius, total
     double actual_mm = 0;      ///< a, depth of cut
     double accumulated_mm = 0; ///< Σa of this radius
-    double radius_mm = 0;      ///< R_k after the pass
+    double radius_mm = 0;      ///< R_k after the pass; not a number in a gap
     double normalForce_n = 0;  ///< P_y(a)
+
+    /// Whether the wheel passed a gap: nothing was there.
+    [[nodiscard]] bool isGap() const { return std::isnan(radius_mm) && actual_mm == 0; }
 };
 
 /// Runs beyond this many visits are not recorded: 48 bytes each, and as a trace 130 more.

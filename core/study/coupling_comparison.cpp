@@ -5,8 +5,6 @@
 #include "core/project/part.h"
 #include "core/simulation/simulate.h"
 
-#include <numeric>
-
 namespace sparkout {
 
 CouplingAnswer couplingOf(const Project& project) {
@@ -19,8 +17,7 @@ CouplingAnswer couplingOf(const Project& project) {
 }
 
 double meanDiameterDeviation(const SectionResult& section, const Part& part) {
-    const double sum = std::accumulate(section.radii_mm.begin(), section.radii_mm.end(), 0.0);
-    return 2 * sum / static_cast<double>(section.radii_mm.size()) - part.diameter_mm;
+    return 2 * meanOfGround(section.radii_mm) - part.diameter_mm;
 }
 
 CouplingComparison compareCoupling(const Project& project, const std::stop_token& stop) {

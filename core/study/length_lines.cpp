@@ -44,14 +44,19 @@ LengthSpread spreadOf(const std::vector<double>& radii_mm, const ProfileSeries& 
     const bool across = quantity == LengthQuantity::diameter_um;
     const std::size_t count = across ? K / 2 : K;
     double sum = 0;
+    std::size_t ground = 0;
     for (std::size_t k = 0; k < count; ++k) {
         const double radius = across ? (radii_mm[k] + radii_mm[k + K / 2]) / 2 : radii_mm[k];
+        if (std::isnan(radius)) { // a gap
+            continue;
+        }
         const double value = valueOf(radius, series, quantity);
-        spread.min = k == 0 ? value : std::min(spread.min, value);
-        spread.max = k == 0 ? value : std::max(spread.max, value);
+        spread.min = ground == 0 ? value : std::min(spread.min, value);
+        spread.max = ground == 0 ? value : std::max(spread.max, value);
         sum += value;
+        ++ground;
     }
-    spread.mean = count > 0 ? sum / static_cast<double>(count) : 0;
+    spread.mean = ground > 0 ? sum / static_cast<double>(ground) : 0;
     return spread;
 }
 

@@ -13,8 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
-#include <numeric>
 
 namespace sparkout {
 
@@ -26,8 +26,9 @@ std::vector<double> blankRadii(const Part& part) {
     const Blank blank = makeBlank(part);
     const double side = part.surface == Surface::internal ? 1 : -1;
     std::vector<double> radii;
-    for (const double depth : blank.depth_mm) {
-        radii.push_back(blank.firstTouchRadius_mm + side * depth);
+    for (std::size_t k = 0; k < blank.depth_mm.size(); ++k) {
+        radii.push_back(blank.isGap(k) ? std::numeric_limits<double>::quiet_NaN()
+                                       : blank.firstTouchRadius_mm + side * blank.depth_mm[k]);
     }
     return radii;
 }
@@ -82,8 +83,9 @@ ProfileSeries endOfCycle(const SimulationResult& result) {
 /// Deviations and runout of the radii, as Run::sectionResult has them at the end.
 void measure(Profile& profile, double nominal_mm, double geometricRunout_mm) {
     const int half = static_cast<int>(profile.radii_mm.size()) / 2;
-    profile.diameterMin_mm = profile.diameterMax_mm = diameterAt(profile, 0) - nominal_mm;
-    for (int k = 1; k < half; ++k) {
+    profile.diameterMin_mm = std::numeric_limits<double>::infinity();
+    profile.diameterMax_mm = -profile.diameterMin_mm;
+    for (int k = 0; k < half; ++k) { // across a gap no number, and no extreme
         const double deviation = diameterAt(profile, k) - nominal_mm;
         profile.diameterMin_mm = std::min(profile.diameterMin_mm, deviation);
         profile.diameterMax_mm = std::max(profile.diameterMax_mm, deviation);
@@ -125,8 +127,7 @@ ProfileSeries makeProfileSeries(const SimulationResult& result, const Trajectory
     }
     const Directions directions(series.blank_mm.size());
     for (Profile& p : series.profiles) {
-        p.mean_mm = std::accumulate(p.radii_mm.begin(), p.radii_mm.end(), 0.0)
-                    / static_cast<double>(p.radii_mm.size());
+        p.mean_mm = meanOfGround(p.radii_mm);
         p.leastSquares = leastSquaresCircle(p.radii_mm, directions);
     }
     return series;

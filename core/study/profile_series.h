@@ -32,7 +32,7 @@ struct Profile {
     double position_mm = 0;       ///< its middle, from the headstock end of the ground length
     double from_mm = 0;           ///< the stretch of the ground length it stands for
     double to_mm = 0;             ///< its end, from < to
-    std::vector<double> radii_mm; ///< R_k, K values
+    std::vector<double> radii_mm; ///< R_k, K values; not a number in a gap
     double diameterMin_mm = 0;    ///< min of D_k less the nominal diameter
     double diameterMax_mm = 0;    ///< max of D_k less the nominal diameter
     double radialRunout_mm = 0;   ///< R_max − R_min plus the machine's geometric runout

@@ -232,6 +232,16 @@ private:
             {{"/wheel/width_mm", 39.999}});
         row("wheel fills the bore", IssueCode::wheelTooLarge, "/wheel/diameter_mm", bore,
             {{"/wheel/diameter_mm", 60}});
+        row("no diameter left", IssueCode::tooMuchGap, "/part/gaps", traverse,
+            {{"/part/gaps", {{{"from_deg", 0}, {"width_deg", 200}}}}});
+        row("three radii left", IssueCode::tooMuchGap, "/part/gaps", traverse,
+            {{"/part/radii_per_section", 12},
+             {"/part/gaps",
+              {{{"from_deg", 50}, {"width_deg", 120}}, {{"from_deg", 200}, {"width_deg", 160}}}}});
+        row("gap between two radii", IssueCode::gapBetweenRadii, "/part/gaps/0/width_deg", traverse,
+            {{"/part/gaps", {{{"from_deg", 1}, {"width_deg", 5}}}}}, warning);
+        row("gauge in the gaps", IssueCode::gaugeDropsIn, "/gauge/spans_gaps", traverse,
+            {{"/part/gaps", {{{"from_deg", 1}, {"width_deg", 20}}}}, {"/gauge/spans_gaps", false}});
         row("overrun of a blind bore's wall", IssueCode::wallOverrun, "/machine/overrun_entry_mm",
             traverse,
             {{"/part/surface", "internal"},

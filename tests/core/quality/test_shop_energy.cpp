@@ -145,6 +145,9 @@ private slots:
                 const Place place{.zone = section.zone};
                 const double K = double(section.radii_mm.size());
                 for (std::size_t k = 0; k < section.radii_mm.size(); ++k) {
+                    if (blank.isGap(k)) {
+                        continue;
+                    }
                     const double initial = blank.firstTouchRadius_mm - side * blank.depth_mm[k];
                     expected += pi * p.part->diameter_mm * lengthOf(p, place) / K * side
                                 * (initial - section.radii_mm[k]);

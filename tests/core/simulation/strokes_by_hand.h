@@ -62,6 +62,21 @@ struct Cut {
     double compliant; ///< a with A = 2 and 3
 };
 
+/// Two double strokes, S_t = 8 µm at the entry. A = 3 in both reversal zones' plunge passes (b = 20
+/// mm).
+inline const std::vector<Cut> entryInfeed{
+    {Zone::rz1, Step::e1, 4, 4, 4.0 / 3},        {Zone::rz1, Step::e1, 8, 4, 20.0 / 9},
+    {Zone::rz1, Step::e2, 8, 0, 40.0 / 27},      {Zone::rz1, Step::e3, 8, 0, 40.0 / 27},
+    {Zone::nz, Step::e1, 8, 8, 4.0 / 1},         {Zone::rz2, Step::e1, 8, 8, 4.0 / 1},
+    {Zone::rz2, Step::e2, 8, 0, 4.0 / 3},        {Zone::rz1, Step::e4, 8, 0, 20.0 / 27},
+    {Zone::nz, Step::e2, 8, 0, 2.0 / 1},         {Zone::rz2, Step::e3, 8, 0, 4.0 / 3},
+    {Zone::rz1, Step::e5, 8, 0, 20.0 / 81},      {Zone::rz1, Step::e1, 12, 4, 364.0 / 243},
+    {Zone::rz1, Step::e1, 16, 4, 1700.0 / 729},  {Zone::rz1, Step::e2, 16, 0, 3400.0 / 2187},
+    {Zone::rz1, Step::e3, 16, 0, 3400.0 / 2187}, {Zone::nz, Step::e1, 16, 8, 5.0 / 1},
+    {Zone::rz2, Step::e1, 16, 8, 14.0 / 3},      {Zone::rz2, Step::e2, 16, 0, 14.0 / 9},
+    {Zone::rz1, Step::e4, 16, 0, 1700.0 / 2187}, {Zone::nz, Step::e2, 16, 0, 5.0 / 2},
+    {Zone::rz2, Step::e3, 16, 0, 14.0 / 9},      {Zone::rz1, Step::e5, 16, 0, 1700.0 / 6561}};
+
 /// What differs from a table of passes; empty when nothing does.
 inline QString difference(const fixtures::Traced& run, const std::vector<Cut>& table, bool rigid) {
     if (run.trajectory.passes.size() != table.size()) {

@@ -173,6 +173,9 @@ QString difference(const SimulationResult& engine, const reference::Result& seco
         }
         for (std::size_t k = 0; k < place.radii_um.size(); ++k) {
             const double radius = (section.radii_mm[k] - diameter_mm / 2) * 1000;
+            if (std::isnan(radius) && std::isnan(place.radii_um[k])) {
+                continue; // both see a gap
+            }
             if (!fixtures::within(radius, static_cast<double>(place.radii_um[k]), um)) {
                 return QString("section %1 radius %2, ").arg(i).arg(k)
                        + differs("µm", radius, static_cast<double>(place.radii_um[k]));
@@ -199,6 +202,11 @@ std::set<std::string> features(const json& p) {
     found.insert(part["initial_runout_mm"] == 0 ? "round blank" : "blank with runout");
     found.insert(p["machine"].contains("geometric_runout_um") ? "machine runout"
                                                               : "no machine runout");
+    if (operation == "plunge" && part.contains("gaps")) {
+        found.insert("plunge, interrupted");
+        found.insert(gauge.value("spans_gaps", true) ? "gauge spans the gaps"
+                                                     : "gauge drops into the gaps");
+    }
     if (operation == "plunge") {
         found.insert(gauge.contains("compliance_mm_per_n") ? "free gauge, own compliance"
                      : gauge.contains("position_mm")       ? "free gauge, interpolated"
@@ -209,6 +217,9 @@ std::set<std::string> features(const json& p) {
         const json& machine = p["machine"];
         const std::string infeed = machine.value("reversal_infeed", "entry");
         found.insert("reversal infeed, " + infeed);
+        if (part.contains("gaps")) {
+            found.insert("traverse, interrupted");
+        }
         if (part.value("blind_bore", false)) {
             const bool entry = machine["entry_side"] == "headstock";
             found.insert(entry ? "wall at the entry" : "wall at the exit");
@@ -269,6 +280,10 @@ private slots:
         }
         const char* const options[] = {"traverse, external",
                                        "traverse, internal",
+                                       "traverse, interrupted",
+                                       "plunge, interrupted",
+                                       "gauge spans the gaps",
+                                       "gauge drops into the gaps",
                                        "wall at the entry",
                                        "wall at the exit",
                                        "turns before the wall",

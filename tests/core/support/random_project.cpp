@@ -449,6 +449,50 @@ void addPractice(std::uint64_t seed, bool traverse, json& project) {
     }
 }
 
+// A keyway or two, or splines of an even number. Drawn apart, too.
+void addGaps(std::uint64_t seed, json& project) {
+    Random random(seed ^ 0x9747b28cU);
+    if (!random.chance(0.15)) {
+        return;
+    }
+    json& part = project["part"];
+    json gaps = json::array();
+    const int number = random.oneOf({1, 1, 2, 6});
+    const double first = random.uniform(0, 360, 1);
+    const double width = random.uniform(0.1, number == 6 ? 25 : 60, 1);
+    for (int i = 0; i < number; ++i) {
+        gaps.push_back({{"from_deg", rounded(std::fmod(first + 360.0 / number * i, 360), 4)},
+                        {"width_deg", random.chance(0.1) ? 0 : width}});
+    }
+    json& gauge = project["gauge"];
+    if (gauge.is_object() && gauge.value("rule", "min") == "max") {
+        gauge["spans_gaps"] = random.chance(0.3);
+    }
+    if (gauge.is_null()) {
+        project.erase("gauge");
+    }
+    // Every fourth radius must be left, so that there is a diameter to measure.
+    const int K = part.value("radii_per_section", 36);
+    std::vector<bool> inside(static_cast<std::size_t>(K));
+    for (const json& gap : gaps) {
+        for (int k = 0; k < K; ++k) {
+            const double beyond =
+                std::fmod(360.0 * k / K - gap["from_deg"].get<double>() + 720, 360);
+            inside[k] = inside[k] || beyond < gap["width_deg"].get<double>();
+        }
+    }
+    int ground = 0, across = 0;
+    for (int k = 0; k < K; ++k) {
+        ground += inside[k] ? 0 : 1;
+        across += inside[k] || inside[(k + K / 2) % K] ? 0 : 1;
+    }
+    if (ground >= 4 && across > 0) {
+        part["gaps"] = gaps;
+    } else if (project.contains("gauge")) {
+        project["gauge"].erase("spans_gaps");
+    }
+}
+
 } // namespace
 
 json randomProject(std::uint64_t seed) {
@@ -499,5 +543,6 @@ json randomProject(std::uint64_t seed) {
         project["sections"] = plan.J;
     }
     addPractice(seed, plan.traverse, project);
+    addGaps(seed, project);
     return project;
 }

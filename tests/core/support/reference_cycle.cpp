@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
 
 namespace reference {
 
@@ -61,8 +64,37 @@ long long dwellRevolutions(Real dwell_s, Real n) {
     return std::max(1LL, static_cast<long long>(std::floor(x + 0.5L + 1e-9L)));
 }
 
+// Which radii stand in a gap: those from its first edge on, up to the other.
+std::vector<bool> gapsOf(const json& partJson, int K) {
+    std::vector<bool> gap(static_cast<std::size_t>(K), false);
+    for (const json& one : partJson.value("gaps", json::array())) {
+        const Real from = number(one, "from_deg"), width = number(one, "width_deg");
+        for (int k = 0; k < K; ++k) {
+            for (const int turn : {-1, 0, 1, 2}) {
+                const Real beyond = Real(360) * k / K + 360 * turn - from;
+                gap[k] = gap[k] || (beyond > -1e-9L && beyond < width - 1e-9L);
+            }
+        }
+    }
+    return gap;
+}
+
+// The largest and the smallest measured deviation that are outside the gaps [µm].
+std::pair<Real, Real> measuredRange(const std::vector<double>& um, const std::vector<bool>& gap) {
+    std::vector<Real> there;
+    for (std::size_t k = 0; k < um.size(); ++k) {
+        if (!gap.at(k)) {
+            there.push_back(um[k]);
+        }
+    }
+    const auto [smallest, largest] = std::minmax_element(there.begin(), there.end());
+    return {*largest, *smallest};
+}
+
 // R_k of the blank, from its largest radius and its runout [mm].
-std::vector<Real> blank(const json& partJson, int K, Real R_max, Real runout) {
+std::vector<Real> blank(const json& partJson, const Cycle& c, Real runout) {
+    const int K = c.K;
+    const Real R_max = c.R_max0;
     const std::string profile = text(partJson, "profile", "ellipse");
     std::vector<Real> radius;
     for (int k = 0; k < K; ++k) {
@@ -77,7 +109,7 @@ std::vector<Real> blank(const json& partJson, int K, Real R_max, Real runout) {
             radius.push_back(R_max - runout / 2 + runout / 2 * std::cos(lobes * phi));
         } else if (profile == "measured") {
             const auto um = partJson.at("radii_um").get<std::vector<double>>();
-            const Real largest = *std::max_element(um.begin(), um.end());
+            const Real largest = measuredRange(um, c.gap).first;
             radius.push_back(R_max + (um.at(k) - largest) / 1000);
         } else {
             const Real p = R_max;
@@ -96,6 +128,7 @@ std::vector<Real> readPart(Cycle& c, const json& project) {
     c.d = number(partJson, "diameter_mm");
     c.length = number(partJson, "length_mm");
     c.K = integer(partJson, "radii_per_section", 36);
+    c.gap = gapsOf(partJson, c.K);
     const Real upper = number(partJson, "upper_deviation_um") / 1000;
     const Real lower = number(partJson, "lower_deviation_um") / 1000;
     c.R_t = c.d / 2 + (upper + lower) / 4;
@@ -105,13 +138,13 @@ std::vector<Real> readPart(Cycle& c, const json& project) {
     Real runout = number(partJson, "initial_runout_mm");
     if (text(partJson, "profile", "ellipse") == "measured") {
         const auto um = partJson.at("radii_um").get<std::vector<double>>();
-        const auto [smallest, largest] = std::minmax_element(um.begin(), um.end());
-        runout = (Real(*largest) - Real(*smallest)) / 1000;
+        const auto [largest, smallest] = measuredRange(um, c.gap);
+        runout = (largest - smallest) / 1000;
     }
     const Real stock = number(partJson, "stock_mm");
     c.R_max0 = c.internal ? c.R_t - stock : c.R_t + stock + runout;
     c.R_min0 = c.R_max0 - runout;
-    return blank(partJson, c.K, c.R_max0, runout);
+    return blank(partJson, c, runout);
 }
 
 void readMachine(Cycle& c, const json& project) {

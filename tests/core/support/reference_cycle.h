@@ -56,6 +56,7 @@ struct Cycle {
     Real d = 0, R_t = 0;                    // nominal diameter, target radius [mm]
     Real R_max0 = 0, R_min0 = 0;            // largest and smallest radius of the blank [mm]
     int K = 0;                              // radii per section
+    std::vector<bool> gap;                  // of the radii: no surface is there
     Real length = 0, B = 0, o1 = 0, o2 = 0; // [mm]
     Real n = 0;                             // [rev/min]
     Real S_rad = 0;                         // plunge-in feed [mm/min]

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <vector>
 
 namespace reference {
 namespace {
@@ -33,6 +35,12 @@ void addToStage(Sums& sums, const Cycle& c, const Body& body, Real b, Real a, Re
 // One radius passes under the wheel, which has been fed to t.
 void visit(Cycle& c, Body& body, int k, Real b, Real t) {
     ++c.visits;
+    if (c.gap[k]) { // the wheel turns on without a surface under it
+        if (body.reported) {
+            addToStage(c.sums[c.z], c, body, b, 0, 0, 0);
+        }
+        return;
+    }
     Real& R = body.radius[k];
     const Real h = c.internal ? t - (R - c.R_min0) : t - (c.R_max0 - R);
     const Real a = depthOfCut(h, body.gamma, b, c.k_s, c.k_r);
@@ -176,19 +184,23 @@ long long visitsOfNextPass(const Cycle& c) {
 
 // ---------------------------------------------------------------- control
 
+// The diameters that no gap interrupts.
+std::vector<Real> diameters(const Cycle& c, const Body& body) {
+    std::vector<Real> D;
+    for (int k = 0; k < c.K / 2; ++k) {
+        if (!c.gap[k] && !c.gap[k + c.K / 2]) {
+            D.push_back(body.radius[k] + body.radius[k + c.K / 2]);
+        }
+    }
+    return D;
+}
+
 // Π_rem by the gauge [mm].
 Real remainingStock(const Cycle& c) {
-    const std::vector<Real>& R = c.bodies[c.gauge].radius;
-    Real smallest = R[0] + R[c.K / 2];
-    Real largest = smallest;
-    Real sum = 0;
-    for (int k = 0; k < c.K / 2; ++k) {
-        const Real D = R[k] + R[k + c.K / 2];
-        smallest = std::min(smallest, D);
-        largest = std::max(largest, D);
-        sum += D;
-    }
-    Real reading = sum / (c.K / 2);
+    const std::vector<Real> D = diameters(c, c.bodies[c.gauge]);
+    const Real smallest = *std::min_element(D.begin(), D.end());
+    const Real largest = *std::max_element(D.begin(), D.end());
+    Real reading = std::accumulate(D.begin(), D.end(), Real(0)) / D.size();
     if (c.rule == "min") {
         reading = c.internal ? largest : smallest;
     } else if (c.rule == "max") {
@@ -271,15 +283,17 @@ void run(Cycle& c, Result& result) {
 
 Place measured(const Cycle& c, const Body& body) {
     Place place;
-    const std::vector<Real>& R = body.radius;
-    Real smallest = R[0] + R[c.K / 2];
-    Real largest = smallest;
+    std::vector<Real> R; // of what is there
     for (int k = 0; k < c.K; ++k) {
-        const Real D = R[k] + R[(k + c.K / 2) % c.K];
-        smallest = std::min(smallest, D);
-        largest = std::max(largest, D);
-        place.radii_um.push_back((R[k] - c.d / 2) * 1000);
+        const Real none = std::numeric_limits<Real>::quiet_NaN();
+        place.radii_um.push_back(c.gap[k] ? none : (body.radius[k] - c.d / 2) * 1000);
+        if (!c.gap[k]) {
+            R.push_back(body.radius[k]);
+        }
     }
+    const std::vector<Real> D = diameters(c, body);
+    const Real smallest = *std::min_element(D.begin(), D.end());
+    const Real largest = *std::max_element(D.begin(), D.end());
     const auto [lowest, highest] = std::minmax_element(R.begin(), R.end());
     place.diameter_deviation_min_um = static_cast<double>((smallest - c.d) * 1000);
     place.diameter_deviation_max_um = static_cast<double>((largest - c.d) * 1000);

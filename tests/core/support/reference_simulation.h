@@ -14,7 +14,7 @@ namespace reference {
 
 /// The state of one zone (traverse) or one section (plunge) when the cycle ended.
 struct Place {
-    std::vector<long double> radii_um;    ///< R_k less the nominal radius, k = 0…K−1 [µm]
+    std::vector<long double> radii_um;    ///< R_k less the nominal radius, none in a gap [µm]
     double diameter_deviation_min_um = 0; ///< smallest diameter less the nominal one [µm]
     double diameter_deviation_max_um = 0; ///< largest diameter less the nominal one [µm]
     double radial_runout_um = 0; ///< R_max − R_min plus the machine's geometric runout [µm]

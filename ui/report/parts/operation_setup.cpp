@@ -63,6 +63,12 @@ Facts OperationSetup::settings(const Outcome& outcome) {
                       .arg(Names::significant(std::numbers::pi * project.part->diameter_mm
                                               * project.machine->work_speed_rpm / units::mmPerM))},
                  inputFact(project, "/part/initial_runout_mm")}};
+    if (const double engaged = engagedShare(*project.part); engaged < 1) {
+        facts.facts.emplace_back(tr("Interrupted surface"),
+                                 tr("%n gap(s), %1 % of the turn is ground", nullptr,
+                                    static_cast<int>(project.part->gaps.size()))
+                                     .arg(Names::significant(engaged * 100, 3)));
+    }
     if (project.operation->travels) {
         for (const char* path :
              {"/machine/overrun_entry_mm", "/machine/overrun_exit_mm", "/machine/dwell_entry_s",

@@ -263,14 +263,20 @@ void PolarPointer::draw(QCPPainter* painter) {
         return;
     }
     const QColor text = mParentPlot->palette().color(QPalette::Text);
-    const QPointF here = centre() + m_here * scale() * direction(m_angle);
-    const QPointF across = centre() - m_across * scale() * direction(m_angle);
+    // In a gap there is no radius to point at.
+    const bool hasHere = std::isfinite(m_here), hasAcross = std::isfinite(m_across);
+    const QPointF here = centre() + (hasHere ? m_here : 0) * scale() * direction(m_angle);
+    const QPointF across = centre() - (hasAcross ? m_across : 0) * scale() * direction(m_angle);
     painter->setPen(QPen(text, 1, Qt::DotLine));
     painter->drawLine(here, across);
     painter->setPen(QPen(text, 1.5));
     painter->setBrush(Qt::NoBrush);
-    painter->drawEllipse(here, 5, 5);
-    painter->drawRect(QRectF(across - QPointF(4, 4), QSizeF(8, 8)));
+    if (hasHere) {
+        painter->drawEllipse(here, 5, 5);
+    }
+    if (hasAcross) {
+        painter->drawRect(QRectF(across - QPointF(4, 4), QSizeF(8, 8)));
+    }
 }
 
 } // namespace sparkout

@@ -70,6 +70,20 @@ QString ProfilesText::sample(const ProfileSeries& series, const Profile& profile
     const double angle = k * 360.0 / series.radii();
     const double radius = profile.radii_mm[static_cast<std::size_t>(k)];
     const double across = diameterAt(profile, k);
+    if (std::isnan(radius)) {
+        return tr("%1, φ = %2° (k = %3): in a gap of the surface")
+            .arg(Names::zone(profile.zone, profile.section), Names::fixed(angle, 1),
+                 QString::number(k));
+    }
+    if (std::isnan(across)) {
+        const QString text =
+            tr("%1, φ = %2° (k = %3): radius %4 µm from target, %5 µm from its "
+               "mean; opposite a gap")
+                .arg(Names::zone(profile.zone, profile.section), Names::fixed(angle, 1),
+                     QString::number(k), signedUm(radius - series.target_mm),
+                     signedUm(radius - profile.mean_mm));
+        return withBlank ? text + blankText(series, k) : text;
+    }
     QString text = tr("%1, φ = %2° (k = %3): radius %4 µm from target, %5 µm from its mean; "
                       "diameter across %6 mm, %7 µm from nominal")
                        .arg(Names::zone(profile.zone, profile.section), Names::fixed(angle, 1),
