@@ -46,8 +46,10 @@ constexpr const char* usageText =
     "Usage: sparkout [FILE]\n"
     "       sparkout --picture OUT.png [--lang en|ru] [--theme THEME] [--view VIEW]\n"
     "                [--font-size PERCENT] [--stroke N] [--size WxH] FILE\n"
-    "       sparkout --report KIND -o OUT.pdf|OUT.html|OUT.md [--lang en|ru]\n"
+    "       sparkout --report KIND -o OUT.pdf|OUT.html|OUT.md|OUT.odt [--lang en|ru]\n"
     "                [--at STEP] [--views VIEWS] [--answers on|off] FILE\n"
+    "       sparkout --report KIND -d DIR [--format pdf|html|md|odt] [--force]\n"
+    "                [--lang en|ru] FILE…\n"
     "       sparkout --export PART -o OUT.xlsx|OUT.csv|OUT.json [--lang en|ru] FILE\n"
     "\n"
     "Opens the workbench, with FILE or with an example.\n"
@@ -59,9 +61,15 @@ constexpr const char* usageText =
     "                     cycle, stages, zones, profiles, requirements or trace; or run its\n"
     "                     batch, sweep or search and write that\n"
     "  -o OUT             the file of the report or the tables; its ending says as what it is\n"
-    "                     written: .pdf, .html or .md (Markdown); .xlsx, .csv (one table; with\n"
+    "                     written: .pdf, .html, .md (Markdown) or .odt; .xlsx, .csv (one table; "
+    "with\n"
     "                     --lang ru semicolons and decimal commas, as Russian Excel has them) or\n"
     "                     .json (all: the object of sparkout-cli simulate --json)\n"
+    "  -d DIR             the folder of many reports, each with the name of its FILE; progress "
+    "goes to\n"
+    "                     stderr, a file that is refused does not stop the others\n"
+    "  --format FORMAT    theirs: pdf, html, md or odt, pdf unless given\n"
+    "  --force            they may take the place of files that are there\n"
     "  --at STEP          the step that a hand-out works out: double stroke (plunge: revolution),\n"
     "                     zone or section, stage, step, revolution of it and radius, as far as\n"
     "                     wanted, as in 12,nz,z1,e1,r1,k9; of those that fit the deepest cut;\n"
@@ -81,7 +89,9 @@ constexpr const char* usageText =
     "\n"
     "Exit status: 0 done, 1 the file is refused or the output cannot be written, 2 wrong usage or\n"
     "no display, 3 the cycle cannot reach size (report or tables are written), 5 no cycle of the\n"
-    "search is feasible (nothing is written), 130 ended by Ctrl+C (nothing is written).\n"
+    "search is feasible (nothing is written), 130 ended by Ctrl+C (nothing is written). With -d it "
+    "is\n"
+    "the first of the files that is not 0, and what is written stays.\n"
     "sparkout-cli does without a display.\n";
 
 QString usage() {
@@ -93,7 +103,8 @@ struct Options {
     QString picture;
     QString report; ///< the kind of report
     ExportRequest exported;
-    QString output; ///< the file of either
+    QString output;   ///< the file of either
+    ManyReports many; ///< with its folder: every file a report
     ReportRequest request;
     QString handoutOption; ///< one of --at, --views, --answers, if given
     QString language;
@@ -102,6 +113,7 @@ struct Options {
     QString view;
     std::optional<int> stroke;
     QSize size{1366, 768};
+    bool formatGiven = false; ///< by --format
     bool version = false;
     bool help = false;
     QString fault; ///< what is wrong with the command line
@@ -122,6 +134,8 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
         options.version = true;
     } else if (word == u"--help" || word == u"-h") {
         options.help = true;
+    } else if (word == u"--force") {
+        options.many.force = true;
     } else if (i + 1 == words.size()) {
         options.fault = QStringLiteral("unknown option, or its value is missing: %1").arg(word);
     } else if (word == u"--picture") {
@@ -134,6 +148,14 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
         }
     } else if (word == u"-o") {
         options.output = words[++i];
+    } else if (word == u"-d") {
+        options.many.folder = words[++i];
+    } else if (word == u"--format") {
+        options.many.suffix = words[++i];
+        options.formatGiven = true;
+        if (!report::formatOf(u'.' + options.many.suffix)) {
+            options.fault = QStringLiteral("--format is pdf, html, md or odt");
+        }
     } else if (word == u"--at" || word == u"--views" || word == u"--answers") {
         options.handoutOption = word;
         options.fault = readHandoutOption(word, words[++i], options.request);
@@ -175,6 +197,15 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
 QString outputFault(const Options& options) {
     const bool report = !options.report.isEmpty();
     const bool exported = !options.exported.part.isEmpty();
+    if (!options.many.folder.isEmpty()) {
+        return !report || exported || !options.output.isEmpty() || !options.picture.isEmpty()
+                   ? QStringLiteral("-d goes with --report, and with no other output")
+               : options.many.files.isEmpty() ? QStringLiteral("-d needs a FILE")
+                                              : QString();
+    }
+    if (options.many.force || options.formatGiven) {
+        return QStringLiteral("--format and --force go with -d");
+    }
     if (!report && !exported && options.output.isEmpty()) {
         return {};
     }
@@ -189,7 +220,7 @@ QString outputFault(const Options& options) {
         return QStringLiteral("--picture goes with neither --report nor --export");
     }
     if (report && !report::formatOf(options.output)) {
-        return QStringLiteral("the file of -o ends in .pdf, .html or .md");
+        return QStringLiteral("the file of -o ends in .pdf, .html, .md or .odt");
     }
     if (exported && !canExport(options.exported)) {
         return QStringLiteral(
@@ -210,11 +241,13 @@ Options readOptions(const QStringList& words) {
             optionsOver = true;
         } else if (!optionsOver && words[i].startsWith(u'-') && words[i].size() > 1) {
             readOption(words, i, options);
-        } else if (options.file.isEmpty()) {
-            options.file = words[i];
         } else {
-            options.fault = QStringLiteral("more than one file");
+            options.many.files += words[i];
         }
+    }
+    options.file = options.many.files.value(0);
+    if (options.many.files.size() > 1 && options.many.folder.isEmpty() && options.fault.isEmpty()) {
+        options.fault = QStringLiteral("more than one file");
     }
     if (!options.picture.isEmpty() && options.file.isEmpty() && options.fault.isEmpty()) {
         options.fault = QStringLiteral("--picture needs a FILE");
@@ -355,7 +388,7 @@ int main(int argc, char** argv) {
         return 0;
     }
     const bool picture = !options.picture.isEmpty();
-    const bool hidden = picture || !options.output.isEmpty();
+    const bool hidden = picture || !options.output.isEmpty() || !options.many.folder.isEmpty();
     if (hidden && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
     }
@@ -387,7 +420,9 @@ int main(int argc, char** argv) {
         request.kind = *report::kindOf(options.report);
         request.file = options.file;
         request.output = options.output;
-        return writeReport(request);
+        request.company = Settings().company(); // else nothing of the user's is read
+        return options.many.folder.isEmpty() ? writeReport(request)
+                                             : writeReports(request, options.many);
     }
     if (!options.output.isEmpty()) {
         return writeExport(options.exported);

@@ -9,7 +9,12 @@
 #include "core/study/evaluate.h"
 #include "ui/report/format/report_text.h"
 #include "ui/session/document.h"
+#include "ui/text/texts.h"
 
+#include <QDir>
+#include <QFileInfo>
+
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <variant>
@@ -124,6 +129,65 @@ int writeReport(const ReportRequest& request) {
         return exitRefused;
     }
     return isCompleted(subject) ? 0 : exitCannotReachSize;
+}
+
+namespace {
+
+/// The paths of the reports, in the order of the files; empty when one cannot be written, which is
+/// reported.
+QStringList outputsOf(const ManyReports& many) {
+    QStringList outputs, faults;
+    const QDir folder(many.folder);
+    if (!folder.exists()) {
+        faults << QStringLiteral("there is no folder %1").arg(printableText(many.folder));
+    }
+    for (const QString& file : many.files) {
+        const QString name = QFileInfo(file).completeBaseName() + QLatin1Char('.') + many.suffix;
+        const QString output = folder.filePath(name);
+        const QString target = QFileInfo(output).canonicalFilePath();
+        const bool isProject =
+            !target.isEmpty() && std::ranges::any_of(many.files, [&target](const QString& other) {
+                return QFileInfo(other).canonicalFilePath() == target;
+            });
+        if (isProject) {
+            faults << QStringLiteral("%1 would take the place of a project")
+                          .arg(printableText(output));
+        } else if (outputs.contains(output)) {
+            faults << QStringLiteral("two of the files would give %1").arg(printableText(output));
+        } else if (QFileInfo::exists(output) && !many.force) {
+            faults << QStringLiteral("%1 is there already; --force replaces it")
+                          .arg(printableText(output));
+        }
+        outputs << output;
+    }
+    for (const QString& fault : faults) {
+        say(stderr, QStringLiteral("sparkout: %1").arg(fault));
+    }
+    return faults.isEmpty() ? outputs : QStringList();
+}
+
+} // namespace
+
+int writeReports(const ReportRequest& request, const ManyReports& many) {
+    const QStringList outputs = outputsOf(many);
+    if (outputs.isEmpty()) {
+        say(stderr, QStringLiteral("sparkout: nothing was written"));
+        return exitRefused;
+    }
+    cli::catchStopSignals();
+    int status = 0;
+    for (qsizetype i = 0; i < outputs.size() && cli::caughtSignal() == 0; ++i) {
+        say(stderr, QStringLiteral("%1 of %2: %3")
+                        .arg(i + 1)
+                        .arg(outputs.size())
+                        .arg(printableText(many.files[i])));
+        ReportRequest one = request;
+        one.file = many.files[i];
+        one.output = outputs[i];
+        const int ended = writeReport(one);
+        status = status == 0 ? ended : status;
+    }
+    return cli::caughtSignal() != 0 ? exitInterrupted + cli::caughtSignal() : status;
 }
 
 QString reportKeys() {

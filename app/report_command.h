@@ -4,6 +4,9 @@
 #include "ui/report/documents/report_kinds.h"
 #include "ui/session/company.h"
 
+#include <QString>
+#include <QStringList>
+
 namespace sparkout {
 
 /// What the command line asks for.
@@ -23,6 +26,17 @@ struct ReportRequest {
 /// `sparkout --report KIND FILE -o OUT`: writes a report of a project and returns the exit status.
 /// A batch tells its progress on stderr; Ctrl+C ends it and leaves a file that was there.
 [[nodiscard]] int writeReport(const ReportRequest& request);
+
+/// `sparkout --report KIND FILE… -d DIR`: a report of each file under its name, one after the other
+/// with its progress on stderr. Reports that are there are refused before anything is run, unless
+/// `force`. What is refused does not stop the others; the exit status is the first that is not 0.
+struct ManyReports {
+    QStringList files;
+    QString folder;
+    QString suffix = QStringLiteral("pdf"); ///< of the format
+    bool force = false;
+};
+[[nodiscard]] int writeReports(const ReportRequest& request, const ManyReports& many);
 
 /// The keys of the kinds, "card, passport", and a line a kind that says what it is.
 [[nodiscard]] QString reportKeys();

@@ -271,11 +271,11 @@
             <translation>МД</translation>
         </message>
         <message>
-            <source>Blank, profile and sizes</source>
+            <source>Profile and sizes</source>
             <translation>Профиль и размеры</translation>
         </message>
         <message>
-            <source>Blank mass</source>
+            <source>Raw mass</source>
             <translation>МЗ</translation>
         </message>
         <message>
@@ -555,6 +555,61 @@
         <message>
             <source>equal ratios</source>
             <translation>равные отношения</translation>
+        </message>
+    </context>
+    <context>
+        <name>Company</name>
+        <message>
+            <source>Company</source>
+            <translation>Организация</translation>
+        </message>
+        <message>
+            <source>Department</source>
+            <translation>Подразделение</translation>
+        </message>
+        <message>
+            <source>Prepared by</source>
+            <translation>Разработал</translation>
+        </message>
+        <message>
+            <source>Checked by</source>
+            <translation>Проверил</translation>
+        </message>
+        <message>
+            <source>Agreed by</source>
+            <translation>Согласовал</translation>
+        </message>
+        <message>
+            <source>Standards checked by</source>
+            <translation>Нормоконтролёр</translation>
+        </message>
+        <message>
+            <source>Approved by</source>
+            <translation>Утвердил</translation>
+        </message>
+        <message>
+            <source>Document number</source>
+            <translation>Обозначение документа</translation>
+        </message>
+        <message>
+            <source>Part number</source>
+            <translation>Обозначение изделия</translation>
+        </message>
+        <message>
+            <source>Shop</source>
+            <translation>Цех</translation>
+        </message>
+        <message>
+            <source>Area</source>
+            <translation>Участок</translation>
+        </message>
+        <message>
+            <source>Work place</source>
+            <translation>Рабочее место</translation>
+        </message>
+        <message>
+            <source>Operation number</source>
+            <translation>Номер операции</translation>
         </message>
     </context>
     <context>
@@ -1051,6 +1106,102 @@ med, µm</source>
             <source>Operation card</source>
             <translation>Операционная карта</translation>
         </message>
+        <message>
+            <source>Sketch sheet</source>
+            <translation>Карта эскизов</translation>
+        </message>
+    </context>
+    <context>
+        <name>RequirementCells</name>
+        <message>
+            <source>not calibrated</source>
+            <translation>не калибровано</translation>
+        </message>
+        <message>
+            <source>Ra, µm</source>
+            <translation>Ra, мкм</translation>
+        </message>
+        <message>
+            <source>Ra, µm, not calibrated</source>
+            <translation>Ra, мкм, не калибровано</translation>
+        </message>
+    </context>
+    <context>
+        <name>SketchSheet</name>
+        <message>
+            <source>A</source>
+            <comment>datum</comment>
+            <translation>А</translation>
+        </message>
+        <message>
+            <source>B</source>
+            <comment>datum</comment>
+            <translation>Б</translation>
+        </message>
+        <message>
+            <source>No.</source>
+            <translation>№</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>Размер</translation>
+        </message>
+        <message>
+            <source>Ra</source>
+            <translation>Ra</translation>
+        </message>
+        <message>
+            <source>Tolerances, mm</source>
+            <translation>Допуски, мм</translation>
+        </message>
+        <message>
+            <source>L, mm</source>
+            <translation>L, мм</translation>
+        </message>
+        <message>
+            <source>From the end, mm</source>
+            <translation>От торца, мм</translation>
+        </message>
+        <message>
+            <source>arrows onto the part: chuck with 3 jaws</source>
+            <translation>стрелки к детали — трёхкулачковый патрон</translation>
+        </message>
+        <message>
+            <source>angles at the ends: centres</source>
+            <translation>углы у торцов — центры</translation>
+        </message>
+        <message>
+            <source>arrow below: driver</source>
+            <translation>стрелка снизу — поводок</translation>
+        </message>
+        <message>
+            <source>triangles: steady rests</source>
+            <translation>треугольники — люнеты</translation>
+        </message>
+        <message>
+            <source>lines of double width: surfaces ground</source>
+            <translation>двойные линии — шлифуемые поверхности</translation>
+        </message>
+        <message>
+            <source>arrows at them: feed of the wheel</source>
+            <translation>стрелки у них — подача круга</translation>
+        </message>
+        <message>
+            <source>outer form assumed</source>
+            <translation>наружный контур принят условно</translation>
+        </message>
+        <message>
+            <source>Signs: %1.</source>
+            <translation>Обозначения: %1.</translation>
+        </message>
+        <message>
+            <source>length %1 mm, %2 mm from the end</source>
+            <translation>длина %1 мм, %2 мм от торца</translation>
+        </message>
+        <message>
+            <source>surface %1: %2</source>
+            <translation>поверхность %1: %2</translation>
+        </message>
     </context>
     <context>
         <name>StepFormulas</name>
@@ -1205,10 +1356,6 @@ med, µm</source>
         <message>
             <source>Roundness, µm</source>
             <translation>Отклонение от круглости, мкм</translation>
-        </message>
-        <message>
-            <source>Ra, µm</source>
-            <translation>Ra, мкм</translation>
         </message>
         <message>
             <source>Requirement</source>
@@ -5873,6 +6020,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>&amp;Operation card</source>
             <translation>&amp;Операционная карта</translation>
         </message>
+        <message>
+            <source>S&amp;ketch sheet</source>
+            <translation>Карта &amp;эскизов</translation>
+        </message>
     </context>
     <context>
         <name>Requirement</name>
@@ -7975,7 +8126,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Cycle card</source>
-            <translation>Операционная карта</translation>
+            <translation>Карта цикла</translation>
         </message>
         <message>
             <source>Examples</source>
@@ -8192,6 +8343,14 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>%1: %2 %</source>
             <translation>%1: %2 %</translation>
+        </message>
+        <message>
+            <source>Company and si&amp;gnatures…</source>
+            <translation>Организация и &amp;подписи…</translation>
+        </message>
+        <message>
+            <source>Export &amp;ODT…</source>
+            <translation>Экспорт &amp;ODT…</translation>
         </message>
     </context>
     <context>
@@ -8786,6 +8945,53 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Nothing was changed in your catalogue: %1</source>
             <translation>В вашем каталоге ничего не изменено: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::CompanyDialog</name>
+        <message>
+            <source>&amp;Remove</source>
+            <translation>&amp;Убрать</translation>
+        </message>
+        <message>
+            <source>Company and signatures</source>
+            <translation>Организация и подписи</translation>
+        </message>
+        <message>
+            <source>Printed in the heads of documents, in those of every project. All of it may be empty.</source>
+            <translation>Печатается в заголовках документов всех проектов. Любое поле можно оставить пустым.</translation>
+        </message>
+        <message>
+            <source>&amp;Logo…</source>
+            <translation>&amp;Логотип…</translation>
+        </message>
+        <message>
+            <source>Logo</source>
+            <translation>Логотип</translation>
+        </message>
+        <message>
+            <source>&amp;Keep</source>
+            <translation>&amp;Сохранить</translation>
+        </message>
+        <message>
+            <source>Cance&amp;l</source>
+            <translation>О&amp;тмена</translation>
+        </message>
+        <message>
+            <source>Choose a logo</source>
+            <translation>Выбор логотипа</translation>
+        </message>
+        <message>
+            <source>Pictures (*.png *.svg)</source>
+            <translation>Рисунки (*.png *.svg)</translation>
+        </message>
+        <message>
+            <source>This is no picture in PNG or SVG; the logo stays as it was.</source>
+            <translation>Это не рисунок PNG или SVG; логотип остался прежним.</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>нет</translation>
         </message>
     </context>
     <context>
@@ -11847,6 +12053,10 @@ target, µm</source>
         <message>
             <source>Export: %1</source>
             <translation>Экспорт: %1</translation>
+        </message>
+        <message>
+            <source>OpenDocument texts (*.odt)</source>
+            <translation>Тексты OpenDocument (*.odt)</translation>
         </message>
     </context>
     <context>

@@ -3,6 +3,9 @@
 
 #include <QByteArray>
 #include <QString>
+#include <QVariantMap>
+
+#include <span>
 
 namespace sparkout {
 
@@ -10,17 +13,29 @@ namespace sparkout {
 struct Company {
     QString name;
     QString department;
-    QByteArray logo;     ///< the bytes of a PNG or SVG file
-    QString designation; ///< of the document
-    QString part;        ///< designation of the part
-    QString developed;   ///< names of those who sign
+    QString developed; ///< names of those who sign
     QString checked;
     QString agreed;
     QString standards; ///< who checks against the standards
     QString approved;
-    QString shop, area, place, operation; ///< numbers: Цех, Уч., РМ, Опер.
+    QString designation;                  ///< of the document
+    QString part;                         ///< designation of the part
+    QString shop, area, place, operation; ///< their numbers
+    QByteArray logo;                      ///< the bytes of a PNG or SVG file
 
     friend bool operator==(const Company&, const Company&) = default;
+
+    /// As settings keep it; what is empty is left out.
+    [[nodiscard]] QVariantMap kept() const;
+    [[nodiscard]] static Company fromKept(const QVariantMap& kept);
 };
+
+/// A text of it: its key in the settings and its name.
+struct CompanyField {
+    const char* key;
+    QString Company::*value;
+    const char* label; ///< in English, to be translated in the context Company
+};
+[[nodiscard]] std::span<const CompanyField> companyFields();
 
 } // namespace sparkout

@@ -16,6 +16,7 @@ const QString fontKey = QStringLiteral("fontSize");
 const QString stockKey = QStringLiteral("stockOnDiameter");
 const QString tourKey = QStringLiteral("tourSeen");
 const QString handoutKey = QStringLiteral("handout");
+const QString companyKey = QStringLiteral("company");
 const QString folderKey = QStringLiteral("lastFolder");
 const QString recentKey = QStringLiteral("recentFiles");
 const QString geometryKey = QStringLiteral("window/geometry");
@@ -109,6 +110,14 @@ QString Settings::handout() const {
 
 void Settings::setHandout(const QString& words) {
     m_file->set(handoutKey, words);
+}
+
+Company Settings::company() const {
+    return Company::fromKept(m_file->value(companyKey).toMap());
+}
+
+void Settings::setCompany(const Company& company) {
+    m_file->set(companyKey, company.kept());
 }
 
 QString Settings::lastFolder() const {

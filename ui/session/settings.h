@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/session/company.h"
 #include "ui/session/settings_file.h"
 
 #include <QByteArray>
@@ -31,6 +32,8 @@ public:
     void setTourSeen();
     [[nodiscard]] QString handout() const; ///< what the last course hand-out had, in words
     void setHandout(const QString& words);
+    [[nodiscard]] Company company() const; ///< of the heads of documents
+    void setCompany(const Company& company);
     [[nodiscard]] QString lastFolder() const;
     void setLastFolder(const QString& folder);
     [[nodiscard]] QStringList recentFiles() const; ///< newest first

@@ -20,7 +20,7 @@ constexpr std::uint32_t localSignature = 0x04034b50;
 constexpr std::uint32_t centralSignature = 0x02014b50;
 constexpr std::uint32_t endSignature = 0x06054b50;
 constexpr std::uint64_t version = 20; // compressed files
-constexpr std::uint64_t deflated = 8;
+constexpr std::uint64_t stored = 0, deflated = 8;
 constexpr std::uint64_t firstOfJanuary1980 = 0x0021; // no time: equal content, equal bytes
 constexpr qsizetype localHeaderBytes = 30;
 
@@ -96,6 +96,18 @@ void ZipWriter::end() {
     m_bytes.replace(start, header.size(), header); // as long as the room left for it
 }
 
+void ZipWriter::addStored(const QByteArray& name, const QByteArray& bytes) {
+    Entry entry;
+    entry.name = name;
+    entry.offset = static_cast<std::uint64_t>(m_bytes.size());
+    entry.size = entry.packed = static_cast<std::uint64_t>(bytes.size());
+    entry.crc = static_cast<std::uint32_t>(crc32(
+        0, reinterpret_cast<const Bytef*>(bytes.constData()), static_cast<uInt>(bytes.size())));
+    entry.isStored = true;
+    m_bytes += headerOf(entry, false) + bytes;
+    m_entries.push_back(entry);
+}
+
 QByteArray ZipWriter::headerOf(const Entry& entry, bool central) {
     QByteArray header;
     put(header, central ? centralSignature : localSignature, 4);
@@ -104,7 +116,7 @@ QByteArray ZipWriter::headerOf(const Entry& entry, bool central) {
     }
     put(header, version, 2);
     put(header, 0, 2); // flags
-    put(header, deflated, 2);
+    put(header, entry.isStored ? stored : deflated, 2);
     put(header, 0, 2); // time
     put(header, firstOfJanuary1980, 2);
     put(header, entry.crc, 4);

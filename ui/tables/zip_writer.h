@@ -22,6 +22,8 @@ public:
     void begin(const QByteArray& name); ///< a name in ASCII
     void add(const QByteArray& bytes);  ///< to the file that was begun last
     void end();
+    /// A small file that is not compressed.
+    void addStored(const QByteArray& name, const QByteArray& bytes);
 
     /// Version of the library that compresses: "1.2.13".
     [[nodiscard]] static const char* libraryVersion();
@@ -36,6 +38,7 @@ private:
         std::uint64_t size = 0;
         std::uint64_t packed = 0;
         std::uint64_t offset = 0;
+        bool isStored = false; ///< as it is, else compressed
     };
     void deflate(const QByteArray& bytes, int flush);
     [[nodiscard]] static QByteArray headerOf(const Entry& entry, bool central);

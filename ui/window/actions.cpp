@@ -27,6 +27,7 @@ Actions::Actions(QMainWindow& window)
     , saveAs(make("saveAs", u"save", Qt::CTRL | Qt::SHIFT | Qt::Key_S))
     , earlierVersions(make("earlierVersions", u""))
     , recoverWork(make("recoverWork", u""))
+    , company(make("company", u""))
     , exportResults(make("exportResults", u"export"))
     , quit(make("quit", u"", Qt::CTRL | Qt::Key_Q))
     , undo(make("undo", u"undo", QKeySequence::Undo))
@@ -99,7 +100,8 @@ ReportActions Actions::makeReport(report::Kind kind) {
                        of("print", u"print"),
                        of("pdf", u"export"),
                        of("html", u""),
-                       of("markdown", u"")};
+                       of("markdown", u""),
+                       of("odt", u"")};
     if (reports.empty()) { // the first kind is what is printed day by day
         made.print->setShortcut(QKeySequence::Print);
     }
@@ -118,9 +120,9 @@ void Actions::buildMenus(QMenuBar& bar) {
         report.menu = m_file->addMenu(QString());
         report.menu->addActions({report.preview, report.print});
         report.menu->addSeparator();
-        report.menu->addActions({report.pdf, report.html, report.markdown});
+        report.menu->addActions({report.pdf, report.html, report.markdown, report.odt});
     }
-    m_file->addAction(exportResults);
+    m_file->addActions({company, exportResults});
     m_file->addSeparator();
     m_file->addAction(quit);
     m_edit = bar.addMenu(QString());
@@ -240,8 +242,10 @@ void Actions::retranslate() {
         report.pdf->setText(tr("Export P&DF…"));
         report.html->setText(tr("Export &HTML…"));
         report.markdown->setText(tr("Export &Markdown…"));
+        report.odt->setText(tr("Export &ODT…"));
     }
     examples->setIconText(tr("Examples"));
+    company->setText(tr("Company and si&gnatures…"));
     exportResults->setText(tr("Export resu&lts…"));
     quit->setText(tr("&Quit"));
     keepRun->setText(tr("&Keep the present run"));

@@ -25,9 +25,9 @@ class WindowHead;
 struct ReportActions {
     report::Kind kind;
     QMenu* menu = nullptr;
-    QAction *preview, *print, *pdf, *html, *markdown;
+    QAction *preview, *print, *pdf, *html, *markdown, *odt;
 
-    [[nodiscard]] QList<QAction*> all() const { return {preview, print, pdf, html, markdown}; }
+    [[nodiscard]] QList<QAction*> all() const { return {preview, print, pdf, html, markdown, odt}; }
 };
 
 /// The commands of the window, their menus and the tool bar.
@@ -58,6 +58,7 @@ public:
     QAction* earlierVersions;
     QAction* recoverWork;
     std::vector<ReportActions> reports; ///< in the order of the table of kinds
+    QAction* company;                   ///< and signatures, of their heads
     QAction* exportResults;             ///< and trace, as tables
     QAction* quit;
     QAction* undo;

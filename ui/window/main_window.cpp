@@ -27,6 +27,7 @@
 #include "ui/views/sweep/sweep_view.h"
 #include "ui/views/verdict/verdict_panel.h"
 #include "ui/window/actions.h"
+#include "ui/window/dialogs/company_dialog.h"
 #include "ui/window/export_commands.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_desk.h"
@@ -272,6 +273,7 @@ void MainWindow::connectReports() {
             command();
         });
     };
+    on(m_actions->company, [this] { CompanyDialog(m_settings, this).exec(); });
     on(m_actions->exportResults, [exports] { exports->exportResults(); });
     for (const ReportActions& report : m_actions->reports) {
         const report::Kind kind = report.kind;
@@ -283,6 +285,7 @@ void MainWindow::connectReports() {
         on(report.pdf, writes(report::Format::pdf));
         on(report.html, writes(report::Format::html));
         on(report.markdown, writes(report::Format::markdown));
+        on(report.odt, writes(report::Format::odt));
     }
 }
 

@@ -67,6 +67,7 @@ std::optional<report::Report> ReportCommands::reportOfNow(report::Kind kind) {
     subject.outcome = now.outcome;
     subject.file = now.file;
     subject.date = QDate::currentDate();
+    subject.company = m_settings.company();
     if (kind == report::Kind::handout && now.cycle && !chooseHandout(subject, *now.cycle)) {
         return {};
     }
@@ -181,6 +182,10 @@ void ReportCommands::exportReport(report::Kind kind, report::Format format) {
     case report::Format::markdown:
         request.suffix = QStringLiteral("md");
         request.filter = tr("Markdown texts (*.md)");
+        break;
+    case report::Format::odt:
+        request.suffix = QStringLiteral("odt");
+        request.filter = tr("OpenDocument texts (*.odt)");
         break;
     }
     (void)saveWithDialog(m_window, &m_settings, request);

@@ -225,7 +225,7 @@ private slots:
         QVERIFY(report::withDetails(pdf.left(pdf.size() / 2), {}).isEmpty());
         QVERIFY(report::withDetails("no PDF", {}).isEmpty());
         QVERIFY(report::withDetails({}, {}).isEmpty());
-        QVERIFY(report::withDetails(pdf, {{}, {}, {}, {}, {}, {{QStringLiteral("a"), 99, 0}}})
+        QVERIFY(report::withDetails(pdf, {{}, {}, {}, {}, {}, {}, {{QStringLiteral("a"), 99, 0}}})
                     .isEmpty()); // there is no such page
     }
 

@@ -10,11 +10,14 @@
 #include "ui/report/documents/batch_wait.h"
 #include "ui/views/batch/batch_text.h"
 #include "ui/views/batch/batch_view.h"
+#include "ui/window/dialogs/company_dialog.h"
 
 #include <QAction>
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QLabel>
+#include <QLineEdit>
 #include <QPrintPreviewDialog>
 #include <QPrintPreviewWidget>
 #include <QProgressBar>
@@ -45,6 +48,33 @@ class TestReportCommands : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Filled in by the menu and the keyboard, kept, and printed on the card.
+    void theCompanyIsFilledInOnceAndPrinted() {
+        Bench bench(QStringLiteral("ru"));
+        QVERIFY(bench.open(examplePaths().front()));
+        const QTemporaryDir folder;
+        const QString logo = folder.filePath(QStringLiteral("logo.svg"));
+        QFile icon(QStringLiteral(":/icons/sparkout.svg"));
+        QVERIFY(icon.copy(logo));
+        QString english, fault;
+        DialogAnswers answers({QStringLiteral("keepCompany")});
+        answers.seen = [&](QDialog& dialog) {
+            auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("company-name"));
+            name->setFocus();
+            QTest::keyClicks(name, QStringLiteral("Станкомаш"));
+            english = englishIn(dialog.windowTitle());
+            auto& company = dynamic_cast<CompanyDialog&>(dialog);
+            company.takeLogo(examplePaths().front());
+            fault = dialog.findChild<QLabel*>(QStringLiteral("logoFault"))->text();
+            company.takeLogo(logo);
+        };
+        bench.action("company")->trigger();
+        QCOMPARE(english, QString());
+        QVERIFY(!fault.isEmpty());
+        QCOMPARE(bench.settings.company().name, QStringLiteral("Станкомаш"));
+        QVERIFY(!bench.settings.company().logo.isEmpty());
+    }
+
     void thePreviewShowsEveryPageInTheWindowsLanguage() {
         Bench bench(QStringLiteral("ru"));
         QVERIFY(bench.open(examplePaths().front()));

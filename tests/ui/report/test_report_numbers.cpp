@@ -3,6 +3,7 @@
 // its own place.
 #include "core/project/batch.h"
 #include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/support/passport_bench.h"
 #include "ui/report/documents/capability_chart.h"
@@ -16,6 +17,7 @@
 #include "ui/views/batch/batch_text.h"
 
 #include <memory>
+#include <string_view>
 
 namespace test_report_numbers {
 
@@ -42,6 +44,7 @@ ConstraintResult requirement(ConstraintKind kind, int section, double value) {
 Outcome unlikeZones() {
     Outcome outcome = *fixtures::run(fixtures::traverseProject());
     outcome.constraints.clear();
+    outcome.result.project.wheel->roughness_factor = 2; // calibrated
     auto& sections = outcome.result.sections;
     for (std::size_t i = sections.size(); i-- > 0;) { // the last zone's requirement stands first
         const double own = 1 + double(i);
@@ -118,6 +121,38 @@ private slots:
         QCOMPARE(table.rows.at(0).last(), Names::micrometres(0.1));
         QCOMPARE(table.rows.at(1).last(), QStringLiteral("–"));
         QCOMPARE(table.rows.at(2).last(), Names::micrometres(0.3));
+    }
+
+    /// A roughness that is not calibrated is an estimate of one digit that says so: never 0.00.
+    void anUncalibratedRoughnessIsAnEstimate() {
+        for (const char* language : {"en", "ru"}) {
+            m_language.apply(QString::fromLatin1(language));
+            const QString said = language == std::string_view("en")
+                                     ? QStringLiteral("not calibrated")
+                                     : QStringLiteral("не калибровано");
+            Outcome outcome = unlikeZones();
+            outcome.constraints = {requirement(ConstraintKind::roughness, 0, 0.0046),
+                                   requirement(ConstraintKind::roughness, 1, 0.274)};
+            outcome.result.project.wheel->roughness_factor = 1;
+            const QString point = QLocale().decimalPoint();
+            for (const report::Table& table :
+                 {CycleCard::requirements(outcome), PassportPrediction::requirements(outcome)}) {
+                QCOMPARE(table.rows.at(0).value(2),
+                         QStringLiteral("≈\u00a00") + point + QStringLiteral("005"));
+                QCOMPARE(table.rows.at(1).value(2), QStringLiteral("≈\u00a00") + point + u'3');
+                for (const QStringList& row : table.rows) {
+                    QCOMPARE(row.value(4), QStringLiteral("–"));
+                    QVERIFY2(row.last().contains(said), qPrintable(row.last()));
+                }
+            }
+            const report::Table accuracy = CycleCard::accuracy(outcome);
+            QVERIFY2(accuracy.head.last().contains(said), qPrintable(accuracy.head.last()));
+            QCOMPARE(accuracy.rows.at(1).last(), QStringLiteral("≈\u00a00") + point + u'3');
+            outcome.result.project.wheel->roughness_factor = 1.8;
+            QVERIFY(!CycleCard::accuracy(outcome).head.last().contains(said));
+            QCOMPARE(CycleCard::requirements(outcome).rows.at(1).value(2),
+                     u'0' + point + QStringLiteral("27"));
+        }
     }
 
     /// A deviation has a sign, what is never negative has none.

@@ -42,6 +42,25 @@ private slots:
         QVERIFY(again.damaged().isEmpty());
     }
 
+    void theCompanyIsKeptWhole() {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("settings.json"));
+        Company company;
+        for (const CompanyField& field : companyFields()) {
+            company.*field.value = QStringLiteral("«%1»").arg(QString::fromLatin1(field.key));
+        }
+        company.logo = QByteArray("\x89PNG\0\xff", 6);
+        {
+            Settings settings(file);
+            QCOMPARE(settings.company(), Company());
+            settings.setCompany(company);
+        }
+        QCOMPARE(Settings(file).company(), company);
+        Settings again(file);
+        again.setCompany({});
+        QCOMPARE(again.company(), Company());
+    }
+
     void settingsAreWrittenSoonAfterTheyAreSet() {
         const QTemporaryDir folder;
         const QString file = folder.filePath(QStringLiteral("settings.json"));

@@ -118,7 +118,7 @@ private slots:
         QTest::addColumn<QByteArray>("beginning");
         QTest::newRow("pdf") << QStringLiteral("pdf") << QByteArray("%PDF-");
         QTest::newRow("html") << QStringLiteral("html") << QByteArray("<!DOCTYPE html>");
-        QTest::newRow("md") << QStringLiteral("md") << QByteArray("# Операционная карта");
+        QTest::newRow("md") << QStringLiteral("md") << QByteArray("# Карта цикла");
     }
 
     void theReportIsWrittenAsItsEndingSays() {
@@ -141,6 +141,65 @@ private slots:
                       QStringLiteral("-o"), path, QStringLiteral("--lang"), QStringLiteral("ru")});
         QVERIFY2(run.status == 0, qPrintable(run.said));
         QVERIFY(bytesOf(path).startsWith("# Паспорт точности"));
+    }
+
+    void manyFilesGiveAReportEach() {
+        const QTemporaryDir folder;
+        const QString refused = folder.filePath(QStringLiteral("-no.sparkout"));
+        QVERIFY(putBytes(refused, "{}"));
+        const QString setup =
+            QStringLiteral(SPARKOUT_SOURCE_DIR "/tests/data/setups/sleeve.sparkout");
+        const auto many = [&](const QStringList& more) {
+            return sparkout(
+                QStringList{QStringLiteral("--report"), QStringLiteral("operation-card"),
+                            QStringLiteral("-d"), folder.path(), QStringLiteral("--format"),
+                            QStringLiteral("md"), QStringLiteral("--lang"), QStringLiteral("en")}
+                + more);
+        };
+        // The one that is refused does not stop the others; the status is its.
+        const Run run = many({setup, refused, example});
+        QCOMPARE(run.status, 1);
+        QVERIFY2(run.said.contains(QStringLiteral("1 of 3")), qPrintable(run.said));
+        QVERIFY2(run.said.contains(QStringLiteral("3 of 3")), qPrintable(run.said));
+        const QString first = folder.filePath(QStringLiteral("sleeve.md"));
+        QVERIFY(bytesOf(first).contains("Втулка 7716-03.044"));
+        QVERIFY(bytesOf(folder.filePath(QStringLiteral("wheel-sharp.md"))).size() > 500);
+        QVERIFY(!QFile::exists(folder.filePath(QStringLiteral("-no.md"))));
+        // What is there stays, without a run, until it may be replaced.
+        QVERIFY(putBytes(first, "mine"));
+        const Run again = many({setup, example});
+        QCOMPARE(again.status, 1);
+        QVERIFY2(again.said.contains(QStringLiteral("--force")), qPrintable(again.said));
+        QCOMPARE(bytesOf(first), QByteArray("mine"));
+        QCOMPARE(many({QStringLiteral("--force"), setup}).status, 0);
+        QVERIFY(bytesOf(first).contains("Втулка"));
+        // A report never takes the place of a project.
+        const QString project = folder.filePath(QStringLiteral("part.md"));
+        QVERIFY(QFile::copy(example, project));
+        const QByteArray before = bytesOf(project);
+        QCOMPARE(many({QStringLiteral("--force"), project}).status, 1);
+        QCOMPARE(bytesOf(project), before);
+        for (const QStringList& wrong :
+             {QStringList{}, QStringList{setup, QStringLiteral("--format"), QStringLiteral("doc")},
+              QStringList{setup, QStringLiteral("-o"), first}}) {
+            QCOMPARE(many(wrong).status, 2);
+        }
+        QCOMPARE(report(first, example, {QStringLiteral("--force")}).status, 2);
+        QCOMPARE(report(first, example, {batch}).status, 2);
+    }
+
+    void twoFilesOfOneNameAreRefused() {
+        const QTemporaryDir folder, other;
+        const QString twin = other.filePath(QStringLiteral("wheel-sharp.sparkout"));
+        QVERIFY(QFile::copy(example, twin));
+        const Run run = sparkout({QStringLiteral("--report"), QStringLiteral("card"), example, twin,
+                                  QStringLiteral("-d"), folder.path()});
+        QCOMPARE(run.status, 1);
+        QVERIFY(QDir(folder.path()).isEmpty());
+        QCOMPARE(sparkout({QStringLiteral("--report"), QStringLiteral("card"), example,
+                           QStringLiteral("-d"), folder.filePath(QStringLiteral("no"))})
+                     .status,
+                 1);
     }
 
     void theHandoutIsOfTheStepAskedFor() {

@@ -36,8 +36,8 @@ const std::array<Cell, 8> operationRow{
      {QT_TRANSLATE_NOOP("CardForm", "Hardness"), 24},
      {QT_TRANSLATE_NOOP("CardForm", "Unit"), 13},
      {QT_TRANSLATE_NOOP("CardForm", "Part mass"), 20},
-     {QT_TRANSLATE_NOOP("CardForm", "Blank, profile and sizes"), 60},
-     {QT_TRANSLATE_NOOP("CardForm", "Blank mass"), 20},
+     {QT_TRANSLATE_NOOP("CardForm", "Profile and sizes"), 60},
+     {QT_TRANSLATE_NOOP("CardForm", "Raw mass"), 20},
      {QT_TRANSLATE_NOOP("CardForm", "At once"), 17}}};
 const std::array<Cell, 7> equipmentRow{
     {{QT_TRANSLATE_NOOP("CardForm", "Equipment, NC control"), 82},

@@ -17,6 +17,7 @@ constexpr double captioned =
     form::halfPitch + form::pitch; ///< height of a cell with its caption above
 constexpr double columnsFirst = operationTop + 2 * captioned;
 constexpr double columnsFollowing = signersTop + captioned;
+constexpr double widestNumber = 35; ///< of a cell whose value stands in its middle
 constexpr double signersWidth = 80, changesFrom = form::left + 67, sheetsFrom = changesFrom + 136;
 
 void caption(FormSheet& sheet, const QRectF& cell, const char* text) {
@@ -41,7 +42,7 @@ void captionedRow(FormSheet& sheet, std::span<const form::Cell> cells, const QSt
         sheet.frame(cell, form::thin);
         caption(sheet, {cell.topLeft(), QSizeF(cell.width(), captionHeight)}, cells[i].caption);
         value(sheet, cell.adjusted(0, captionHeight, 0, 0), values.value(static_cast<qsizetype>(i)),
-              cell.width() > 30 ? Qt::AlignLeft : Qt::AlignHCenter);
+              cell.width() > widestNumber ? Qt::AlignLeft : Qt::AlignHCenter);
         x += cells[i].width_mm;
     }
 }

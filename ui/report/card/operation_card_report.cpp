@@ -4,11 +4,20 @@
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/part.h"
+#include "ui/report/card/sketch_sheet.h"
 #include "ui/report/parts/begun_report.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/text/number_text.h"
 
+#include <QPainter>
+
+#include <utility>
+
 namespace sparkout::report {
+
+namespace {
+constexpr double figureUnitsPerMm = 820.0 / 260; ///< as wide as the other figures
+}
 
 CardHead OperationCardReport::head(const Setup& setup, const OperationCard& card,
                                    const Company& company, const QDate& date) {
@@ -72,6 +81,7 @@ Table OperationCardReport::table(const std::vector<CardRow>& rows) {
     Table table;
     for (const form::Cell& column : form::columns) {
         table.head << form::text(column.caption);
+        table.widths.push_back(column.width_mm);
     }
     table.texts = {true, true};
     for (const CardRow& row : rows) {
@@ -92,7 +102,33 @@ Report OperationCardReport::write(const Setup& setup, const SetupRun& run, const
     Report report = begunReport(tr("Operation card"), setup.surfaces.front().project, file, date);
     report.blocks = {facts(head), table(rows), Paragraph{form::text(form::card.note)}};
     report.sheets = CardSheets(head).card(rows);
+    addSketch(report, head, setup);
     return report;
+}
+
+Report OperationCardReport::sketch(const Setup& setup, const Company& company, const QString& file,
+                                   const QDate& date) {
+    Report report = begunReport(tr("Sketch sheet"), setup.surfaces.front().project, file, date);
+    const CardHead head = OperationCardReport::head(setup, {}, company, date);
+    report.blocks = {facts(head)};
+    addSketch(report, head, setup);
+    return report;
+}
+
+void OperationCardReport::addSketch(Report& report, const CardHead& head, const Setup& setup) {
+    FormSheet sheet = CardSheets(head).sketch(1, 1);
+    SketchSheet::draw(sheet, CardSheets::sketchRoom(true), setup);
+    report.sheets.push_back(std::move(sheet));
+    FormSheet figure;
+    constexpr double width = 260, height = 150; // mm
+    SketchSheet::draw(figure, {0, 0, width, height}, setup);
+    report.blocks.push_back(
+        Figure{form::text(form::sketch.name), SketchSheet::description(setup),
+               QSizeF(width, height) * figureUnitsPerMm, [figure](QPainter& painter) {
+                   painter.scale(figureUnitsPerMm / unitsPerMm, figureUnitsPerMm / unitsPerMm);
+                   figure.paint(painter);
+               }});
+    report.blocks.push_back(Paragraph{form::text(form::sketch.note)});
 }
 
 } // namespace sparkout::report

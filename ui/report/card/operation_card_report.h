@@ -12,7 +12,7 @@
 namespace sparkout::report {
 
 /// The operation card of a set-up: the sheets of the form, and the same as tables for other
-/// formats.
+/// formats; and the sketch sheet, which follows the card.
 class OperationCardReport {
     Q_DECLARE_TR_FUNCTIONS(OperationCard)
 public:
@@ -20,10 +20,15 @@ public:
                                       const Company& company, const QString& file,
                                       const QDate& date);
 
+    /// The sketch sheet alone.
+    [[nodiscard]] static Report sketch(const Setup& setup, const Company& company,
+                                       const QString& file, const QDate& date);
+
     static CardHead head(const Setup& setup, const OperationCard& card, const Company& company,
                          const QDate& date);
 
 private:
+    static void addSketch(Report& report, const CardHead& head, const Setup& setup);
     static Facts facts(const CardHead& head);
     static Table table(const std::vector<CardRow>& rows);
 };

@@ -11,6 +11,7 @@
 #include "ui/report/parts/feeds_figure.h"
 #include "ui/report/parts/operation_setup.h"
 #include "ui/report/parts/part_sketch.h"
+#include "ui/report/parts/requirement_cells.h"
 #include "ui/text/example_texts.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
@@ -58,7 +59,7 @@ Table CycleCard::accuracy(const Outcome& outcome) {
                   tr("Largest deviation, µm"),
                   tr("Radial runout, µm"),
                   tr("Roundness, µm"),
-                  tr("Ra, µm")};
+                  RequirementCells::roughnessHead(outcome.result.project)};
     const bool roughness = std::ranges::any_of(outcome.constraints, [](const ConstraintResult& c) {
         return c.kind == ConstraintKind::roughness;
     });
@@ -81,7 +82,9 @@ Table CycleCard::accuracy(const Outcome& outcome) {
                 std::ranges::find_if(outcome.constraints, [&](const ConstraintResult& c) {
                     return c.kind == ConstraintKind::roughness && c.section == static_cast<int>(i);
                 });
-            row << (ra == outcome.constraints.end() ? cell({}) : Names::value(*ra));
+            row << (ra == outcome.constraints.end()
+                        ? cell({})
+                        : RequirementCells(outcome.result.project, *ra).value());
         }
         table.rows.push_back(row);
     }
@@ -95,9 +98,10 @@ Table CycleCard::requirements(const Outcome& outcome) {
                   tr("Margin"),          tr("Unit"),        tr("Verdict")};
     table.texts = {true, true, false, false, false, true, true};
     for (const ConstraintResult& c : outcome.constraints) {
-        table.rows.push_back({Names::where(c), Names::constraint(c.kind), Names::value(c),
-                              Names::limit(c), Names::margin(c), requirementUnit(c.kind),
-                              lightName(c)});
+        const RequirementCells cells(outcome.result.project, c);
+        table.rows.push_back({Names::where(c), Names::constraint(c.kind), cells.value(),
+                              Names::limit(c), cells.margin(), requirementUnit(c.kind),
+                              cells.verdict()});
     }
     return table;
 }

@@ -4,6 +4,7 @@
 #include "core/batch/scenario_source.h"
 #include "core/project/batch.h"
 #include "ui/report/parts/cell_text.h"
+#include "ui/report/parts/requirement_cells.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
@@ -179,11 +180,12 @@ Table PassportPrediction::requirements(const Outcome& outcome) {
     table.texts = {true, true, false, false, false, true, true, true};
     for (const ConstraintResult& c : outcome.constraints) {
         if (!isSetting(c)) {
+            const RequirementCells cells(outcome.result.project, c);
             table.rows.push_back(
-                {Names::where(c), Names::constraint(c.kind), Names::value(c), Names::limit(c),
-                 Names::margin(c), requirementUnit(c.kind),
+                {Names::where(c), Names::constraint(c.kind), cells.value(), Names::limit(c),
+                 cells.margin(), requirementUnit(c.kind),
                  c.at ? Names::moment(*c.at, outcome.result.project.operation) : tr("at the end"),
-                 lightName(c)});
+                 cells.verdict()});
         }
     }
     return table;

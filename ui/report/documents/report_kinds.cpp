@@ -13,13 +13,38 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace sparkout::report {
 
 namespace {
 
+/// Who makes the document, before the other facts of its head.
+Report withCompany(Report report, const Company& company) {
+    const auto head = std::ranges::find_if(
+        report.blocks, [](const Block& block) { return std::holds_alternative<Facts>(block); });
+    if (head != report.blocks.end()) {
+        std::vector<std::pair<QString, QString>> facts;
+        for (const CompanyField& field : companyFields()) {
+            if (const QString text = (company.*field.value).simplified(); !text.isEmpty()) {
+                facts.emplace_back(QCoreApplication::translate("Company", field.label), text);
+            }
+        }
+        auto& all = std::get<Facts>(*head).facts;
+        all.insert(all.begin(), facts.begin(), facts.end());
+    }
+    return report;
+}
+
 Report makeCard(const Subject& subject) {
-    return CycleCard::write(subject.outcome, subject.file, subject.date);
+    return withCompany(CycleCard::write(subject.outcome, subject.file, subject.date),
+                       subject.company);
+}
+
+Report makePassport(const Subject& subject) {
+    return withCompany(passport(subject), subject.company);
 }
 
 Report makeHandout(const Subject& subject) {
@@ -33,16 +58,24 @@ Report makeOperationCard(const Subject& subject) {
                                       subject.date);
 }
 
+Report makeSketch(const Subject& subject) {
+    const SetupSubject of = subject.setup ? *subject.setup : setupOf(*subject.outcome);
+    return OperationCardReport::sketch(of.setup, subject.company, subject.file, subject.date);
+}
+
 constexpr std::array allKinds{
     KindRow{Kind::card, "card", "the cycle card", QT_TRANSLATE_NOOP("ReportKind", "Cycle car&d"),
             false, false, makeCard},
     KindRow{Kind::passport, "passport", "the accuracy passport, with the batch",
-            QT_TRANSLATE_NOOP("ReportKind", "Accuracy &passport"), true, false, passport},
+            QT_TRANSLATE_NOOP("ReportKind", "Accuracy &passport"), true, false, makePassport},
     KindRow{Kind::handout, "handout", "the hand-out of a course, a step of the cycle worked out",
             QT_TRANSLATE_NOOP("ReportKind", "Course &hand-out"), false, false, makeHandout},
     KindRow{Kind::operationCard, "operation-card",
-            "the operation card in the form of the standard, with every surface of the set-up",
+            "the operation card in the form of the standard and its sketch sheet, with\n"
+            "                     every surface of the set-up",
             QT_TRANSLATE_NOOP("ReportKind", "&Operation card"), false, true, makeOperationCard},
+    KindRow{Kind::sketch, "sketch-sheet", "the sketch sheet of the operation, with every surface",
+            QT_TRANSLATE_NOOP("ReportKind", "S&ketch sheet"), false, true, makeSketch},
 };
 
 } // namespace

@@ -17,7 +17,7 @@
 /// The kinds of reports, each described once: command line, menus and help go by this table.
 namespace sparkout::report {
 
-enum class Kind { card, passport, handout, operationCard };
+enum class Kind { card, passport, handout, operationCard, sketch };
 
 /// A set-up that was run.
 struct SetupSubject {

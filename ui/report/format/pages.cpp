@@ -120,8 +120,13 @@ QByteArray pdf(const Report& report, const KeepGoing& keepGoing) {
     if (!buffer.open(QIODevice::WriteOnly)) {
         return {};
     }
-    PdfDetails details{fullTitle(report), report.author, report.subject,
-                       report.program,    report.date,   {}};
+    PdfDetails details{fullTitle(report),
+                       report.author,
+                       report.subject,
+                       report.program,
+                       report.language,
+                       report.date,
+                       {}};
     bool painted = false;
     {
         QPdfWriter writer(&buffer);

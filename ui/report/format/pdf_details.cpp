@@ -38,6 +38,15 @@ void putProperties(QPDF& document, const PdfDetails& details) {
                         "D:" + details.date.toString(QStringLiteral("yyyyMMdd")).toStdString()));
 }
 
+/// So that it is read aloud rightly, and its window is named by the title.
+void putLanguage(QPDF& document, const QString& language) {
+    QPDFObjectHandle root = document.getRoot();
+    if (!language.isEmpty()) {
+        root.replaceKey("/Lang", pdfText(language));
+    }
+    root.replaceKey("/ViewerPreferences", QPDFObjectHandle::parse("<< /DisplayDocTitle true >>"));
+}
+
 /// Entries below one root, each a linked list's member [ISO 32000-1, 12.3.3].
 void putOutline(QPDF& document, const std::vector<Bookmark>& bookmarks) {
     const std::vector<QPDFPageObjectHelper> pages = QPDFPageDocumentHelper(document).getAllPages();
@@ -84,6 +93,7 @@ QByteArray withDetails(const QByteArray& pdf, const PdfDetails& details) {
         document.setAttemptRecovery(false);
         document.processMemoryFile("report", pdf.constData(), static_cast<std::size_t>(pdf.size()));
         putProperties(document, details);
+        putLanguage(document, details.language);
         putOutline(document, details.outline);
         QPDFWriter writer(document);
         writer.setOutputMemory();

@@ -19,6 +19,7 @@ struct Bookmark {
 
 struct PdfDetails {
     QString title, author, subject, creator; ///< an empty one is left out
+    QString language;                        ///< of the whole document: "ru"
     QDate date;
     std::vector<Bookmark> outline; ///< in the order of the pages
 };

@@ -38,9 +38,10 @@ struct Facts {
 struct Table {
     QStringList head;
     std::vector<QStringList> rows;
-    std::vector<bool> texts; ///< by column: set to the left
-    bool lastIsSum = false;  ///< the last row adds up the others
-    bool symbols = false;    ///< the first column has symbols: "k_s"
+    std::vector<bool> texts;         ///< by column: set to the left
+    bool lastIsSum = false;          ///< the last row adds up the others
+    std::vector<double> widths = {}; ///< of its columns, in shares; empty: as its texts need
+    bool symbols = false;            ///< the first column has symbols: "k_s"
 };
 
 /// A drawing in vectors.

@@ -3,6 +3,7 @@
 
 #include "ui/plot/svg_device.h"
 #include "ui/report/format/formula_markup.h"
+#include "ui/report/format/odt.h"
 #include "ui/report/format/pages.h"
 #include "ui/text/texts.h"
 
@@ -263,6 +264,9 @@ std::optional<Format> formatOf(const QString& path) {
     if (suffix == u"md" || suffix == u"markdown") {
         return Format::markdown;
     }
+    if (suffix == u"odt") {
+        return Format::odt;
+    }
     return {};
 }
 
@@ -271,6 +275,7 @@ QByteArray bytesOf(const Report& report, Format format, const KeepGoing& keepGoi
     case Format::pdf: return pdf(report, keepGoing);
     case Format::html: return html(report);
     case Format::markdown: return markdown(report);
+    case Format::odt: return odt(report);
     }
     return {};
 }

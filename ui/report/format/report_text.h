@@ -17,7 +17,7 @@ namespace sparkout::report {
 [[nodiscard]] QByteArray markdown(const Report& report);
 
 /// The formats of an exported report, by the ending of the file.
-enum class Format { pdf, html, markdown };
+enum class Format { pdf, html, markdown, odt };
 [[nodiscard]] std::optional<Format> formatOf(const QString& path);
 
 /// Empty when it could not be made, or was stopped: pages are, the other formats are quick.

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+namespace sparkout {
+struct Part;
+} // namespace sparkout
+
+namespace sparkout::report {
+
+/// A diameter as a drawing writes it: ⌀30h6 and its deviations in millimetres, one above the other
+/// and half as high. A deviation of 0 is not written.
+struct DrawnDimension {
+    QString nominal; ///< "⌀30h6"
+    QString upper, lower;
+    bool isSymmetric = false; ///< "±0.008", in full height, in place of both
+
+    [[nodiscard]] static DrawnDimension of(const Part& part);
+};
+
+} // namespace sparkout::report

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/part.h"
+#include "ui/report/format/form_sheet.h"
+
+#include <QCoreApplication>
+#include <QPointF>
+#include <QSizeF>
+#include <QString>
+
+#include <vector>
+
+namespace sparkout::report {
+
+/// What a drawing says of one ground surface: its number in a circle, the size with deviations, the
+/// roughness sign and the frames of its tolerances, one below the other.
+class SketchCallout {
+    Q_DECLARE_TR_FUNCTIONS(SketchSheet)
+public:
+    static constexpr double circle_mm = 7; ///< across
+
+    /// The datum letters stand for the axis that runout is measured about.
+    SketchCallout(const Part& part, std::size_t number, const QString& datum);
+
+    [[nodiscard]] QSizeF size() const { return m_size; }
+    /// With its upper left corner at a place.
+    void draw(FormSheet& sheet, const QPointF& at) const;
+
+    /// A number in a circle about a point.
+    static void drawNumber(FormSheet& sheet, const QPointF& middle, std::size_t number);
+    static void drawText(FormSheet& sheet, const QRectF& cell, const QString& text, double points,
+                         Qt::Alignment align = Qt::AlignLeft);
+    [[nodiscard]] static double widthOf(const QString& text, double points); ///< [mm]
+    static void drawArrow(FormSheet& sheet, const QPointF& tip, const QPointF& from,
+                          double length_mm = 2.8);
+
+private:
+    enum class Sign { roundness, cylindricity, runout, totalRunout };
+    struct Frame {
+        Sign sign;
+        QString value;
+        QString datum; ///< empty: none
+    };
+    static void drawSign(FormSheet& sheet, Sign sign, const QRectF& cell);
+    void drawSize(FormSheet& sheet, const QPointF& at) const;
+    void drawRoughness(FormSheet& sheet, const QPointF& at) const;
+    void drawFrame(FormSheet& sheet, const QPointF& at, const Frame& frame) const;
+
+    std::size_t m_number;
+    QString m_nominal, m_upper, m_lower; ///< of the size
+    bool m_isSymmetric = false;
+    QString m_roughness; ///< "Ra 0.8"; empty: not required
+    std::vector<Frame> m_frames;
+    QSizeF m_size;
+};
+
+} // namespace sparkout::report

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/setup/setup.h"
+#include "ui/report/card/part_outline.h"
+#include "ui/report/card/sketch_callout.h"
+#include "ui/report/format/form_sheet.h"
+
+#include <QCoreApplication>
+#include <QRectF>
+#include <QStringList>
+
+#include <vector>
+
+namespace sparkout::report {
+
+/// The sketch of an operation in drawing style: the part as it lies on the machine, its supports,
+/// what is ground in lines of double width, with numbers, sizes, tolerances and lengths.
+class SketchSheet {
+    Q_DECLARE_TR_FUNCTIONS(SketchSheet)
+public:
+    /// Draws into the room of a sheet [mm].
+    static void draw(FormSheet& sheet, const QRectF& room, const Setup& setup);
+    static QString description(const Setup& setup); ///< the same in words
+
+private:
+    SketchSheet(FormSheet& sheet, const QRectF& room, const Setup& setup);
+
+    [[nodiscard]] double x(double along_mm) const { return m_left + along_mm * m_scaleX; }
+    [[nodiscard]] double half(double diameter_mm) const { return diameter_mm / 2 * m_scaleY; }
+    void line(double x1, double y1, double x2, double y2, double width,
+              Qt::PenStyle style = Qt::SolidLine);
+
+    [[nodiscard]] bool hasBores() const { return !m_outline.bores().empty(); }
+    [[nodiscard]] bool isInChuck() const;
+    [[nodiscard]] QString datum() const;
+    void drawOuter();
+    void drawBores();
+    void drawHatch();
+    void drawGround();
+    void drawFeed(const GroundStep& step);
+    void drawSupports();
+    void drawCentre(double x, double side);
+    void drawClamp(double x, double y, double side);
+    void drawRests();
+    void drawDatum(const QPointF& at, const QString& letter);
+    void drawCallouts();
+    void drawLeader(const GroundStep& step, const QPointF& from);
+    void drawTable();
+    void drawLengths();
+    void drawDimension(double from_mm, double to_mm, double y, double below);
+    void drawLegend();
+    /// Where boxes of these widths begin so that each is as near to its place as the others let it;
+    /// nothing when they do not fit.
+    [[nodiscard]] std::vector<double> spread(const std::vector<double>& widths,
+                                             const std::vector<double>& places) const;
+
+    FormSheet& m_sheet;
+    QRectF m_room;
+    const Setup& m_setup;
+    PartOutline m_outline;
+    double m_scaleX = 1, m_scaleY = 1, m_left = 0, m_axis = 0;
+    bool m_hasTable = false;
+    std::vector<SketchCallout> m_callouts; ///< of the ground steps, in their order
+};
+
+} // namespace sparkout::report

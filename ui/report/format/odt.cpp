@@ -1,0 +1,436 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/format/odt.h"
+
+#include "ui/report/format/formula_markup.h"
+#include "ui/tables/zip_writer.h"
+#include "ui/text/texts.h"
+
+#include <QBuffer>
+#include <QImage>
+#include <QPainter>
+#include <QXmlStreamWriter>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace sparkout::report {
+
+namespace {
+
+constexpr double upright_mm = 180, landscape_mm = 267;  ///< between the margins of the page
+constexpr int pixelsPerUnit = 2;                        ///< of a figure
+constexpr qsizetype leastLetters = 4, mostLetters = 40; ///< that a column is as wide as
+constexpr const char* mimeType = "application/vnd.oasis.opendocument.text";
+
+using Attributes = std::vector<std::pair<QString, QString>>;
+
+QString millimetres(double value) {
+    return QString::number(value, 'f', 2) + QStringLiteral("mm");
+}
+
+const std::pair<const char*, const char*> namespaces[] = {
+    {"office", "urn:oasis:names:tc:opendocument:xmlns:office:1.0"},
+    {"style", "urn:oasis:names:tc:opendocument:xmlns:style:1.0"},
+    {"text", "urn:oasis:names:tc:opendocument:xmlns:text:1.0"},
+    {"table", "urn:oasis:names:tc:opendocument:xmlns:table:1.0"},
+    {"draw", "urn:oasis:names:tc:opendocument:xmlns:drawing:1.0"},
+    {"fo", "urn:oasis:names:tc:opendocument:xmlns:xsl-fo-compatible:1.0"},
+    {"svg", "urn:oasis:names:tc:opendocument:xmlns:svg-compatible:1.0"},
+    {"xlink", "http://www.w3.org/1999/xlink"},
+    {"dc", "http://purl.org/dc/elements/1.1/"},
+    {"meta", "urn:oasis:names:tc:opendocument:xmlns:meta:1.0"},
+    {"manifest", "urn:oasis:names:tc:opendocument:xmlns:manifest:1.0"},
+};
+
+/// A file of the document.
+class Xml {
+public:
+    explicit Xml(const char* root) : m_writer(&m_bytes) {
+        m_writer.writeStartDocument();
+        begin(root);
+        for (const auto& [prefix, uri] : namespaces) {
+            m_writer.writeAttribute(QStringLiteral("xmlns:") + QString::fromLatin1(prefix),
+                                    QString::fromLatin1(uri));
+        }
+    }
+    void attribute(const char* name, const QString& value) {
+        m_writer.writeAttribute(QString::fromLatin1(name), value);
+    }
+    void begin(const char* name) { m_writer.writeStartElement(QString::fromLatin1(name)); }
+    void end() { m_writer.writeEndElement(); }
+    void text(const QString& text) { m_writer.writeCharacters(harmlessText(text)); }
+    void empty(const char* name, const Attributes& attributes) {
+        begin(name);
+        for (const auto& [key, value] : attributes) {
+            m_writer.writeAttribute(key, value);
+        }
+        end();
+    }
+    /// A paragraph or heading; its lines stay lines.
+    void paragraph(const char* style, const QString& text, const char* element = "text:p") {
+        begin(element);
+        attribute("text:style-name", QString::fromLatin1(style));
+        if (qstrcmp(element, "text:h") == 0) {
+            attribute("text:outline-level", QStringLiteral("1"));
+        }
+        const QStringList lines = text.split(u'\n');
+        for (qsizetype i = 0; i < lines.size(); ++i) {
+            if (i > 0) {
+                empty("text:line-break", {});
+            }
+            this->text(lines[i]);
+        }
+        end();
+    }
+    [[nodiscard]] QByteArray finish() {
+        m_writer.writeEndDocument();
+        return m_bytes;
+    }
+
+private:
+    QByteArray m_bytes;
+    QXmlStreamWriter m_writer;
+};
+
+struct Picture {
+    QByteArray name, bytes;
+};
+
+/// Widths of a table's columns as shares of the page.
+std::vector<double> sharesOf(const Table& table) {
+    std::vector<double> shares = table.widths;
+    if (shares.empty()) {
+        shares.resize(static_cast<std::size_t>(table.head.size()), double(leastLetters));
+        const auto raise = [&shares](const QStringList& cells, bool wholeWords) {
+            for (qsizetype c = 0; c < cells.size(); ++c) {
+                qsizetype longest = wholeWords ? 0 : cells[c].size();
+                for (const QString& word : cells[c].split(u' ')) {
+                    longest = std::max(longest, word.size());
+                }
+                double& share = shares.at(static_cast<std::size_t>(c));
+                share = std::max(share, double(std::min(longest, mostLetters)));
+            }
+        };
+        raise(table.head, true);
+        for (const QStringList& row : table.rows) {
+            raise(row, false);
+        }
+    }
+    const double sum = std::reduce(shares.begin(), shares.end());
+    for (double& share : shares) {
+        share /= sum;
+    }
+    return shares;
+}
+
+/// Writes the blocks; the styles of columns are put aside, for they stand before.
+class Body {
+public:
+    Body(Xml& xml, double width_mm) : m_xml(xml), m_width_mm(width_mm) {}
+
+    void operator()(const Heading& heading) { m_xml.paragraph("Heading", heading.text, "text:h"); }
+    void operator()(const Paragraph& paragraph) {
+        m_xml.paragraph(paragraph.strong ? "Strong" : "Body", paragraph.text);
+    }
+    void operator()(const Facts& facts) {
+        Table table;
+        table.widths = {2, 3, 2, 3};
+        table.texts.assign(4, true);
+        for (std::size_t i = 0; i < facts.facts.size(); i += 2) {
+            const auto second =
+                i + 1 < facts.facts.size() ? facts.facts[i + 1] : std::pair<QString, QString>();
+            table.rows.push_back(
+                {facts.facts[i].first, facts.facts[i].second, second.first, second.second});
+        }
+        write(table, true);
+    }
+    void operator()(const Table& table) { write(table, false); }
+    void operator()(const Figure& figure) {
+        const QImage image = drawn(figure);
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        if (buffer.open(QIODevice::WriteOnly) && image.save(&buffer, "PNG")) {
+            const QByteArray name =
+                "Pictures/figure" + QByteArray::number(qsizetype(m_pictures.size()) + 1) + ".png";
+            m_xml.begin("text:p");
+            m_xml.attribute("text:style-name", QStringLiteral("Figure"));
+            m_xml.begin("draw:frame");
+            m_xml.attribute("draw:name", QString::fromLatin1(name));
+            m_xml.attribute("text:anchor-type", QStringLiteral("as-char"));
+            m_xml.attribute("svg:width", millimetres(m_width_mm));
+            m_xml.attribute("svg:height",
+                            millimetres(m_width_mm * figure.size.height() / figure.size.width()));
+            m_xml.empty("draw:image",
+                        {{QStringLiteral("xlink:href"), QString::fromLatin1(name)},
+                         {QStringLiteral("xlink:type"), QStringLiteral("simple")},
+                         {QStringLiteral("xlink:show"), QStringLiteral("embed")},
+                         {QStringLiteral("xlink:actuate"), QStringLiteral("onLoad")}});
+            m_xml.begin("svg:desc");
+            m_xml.text(figure.description);
+            m_xml.end();
+            m_xml.end();
+            m_xml.end();
+            m_pictures.push_back({name, bytes});
+        }
+        m_xml.paragraph("Caption", figure.caption);
+    }
+    void operator()(const Formula& formula) {
+        m_xml.paragraph("Formula", inOneLine(formula) + QStringLiteral("    ") + formula.label);
+    }
+    void operator()(const PageBreak&) { m_xml.paragraph("Break", {}); }
+
+    [[nodiscard]] const std::vector<Picture>& pictures() const { return m_pictures; }
+
+    /// The styles of the columns of a report's tables, in their order.
+    static void writeStyles(Xml& xml, const Report& report, double width_mm);
+
+private:
+    static QImage drawn(const Figure& figure) {
+        QImage image((figure.size * pixelsPerUnit).toSize(), QImage::Format_RGB32);
+        image.fill(Qt::white);
+        QPainter painter(&image);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.scale(pixelsPerUnit, pixelsPerUnit);
+        figure.paint(painter);
+        return image;
+    }
+
+    void row(const QStringList& cells, const Table& table, bool head, bool names) {
+        m_xml.begin("table:table-row");
+        for (qsizetype c = 0; c < cells.size(); ++c) {
+            const auto i = static_cast<std::size_t>(c);
+            const bool isText = i < table.texts.size() && table.texts[i];
+            m_xml.begin("table:table-cell");
+            m_xml.attribute("table:style-name", QStringLiteral("Cell"));
+            m_xml.attribute("office:value-type", QStringLiteral("string"));
+            m_xml.paragraph(head || (names && c % 2 == 0) ? "Head"
+                            : isText || c == 0            ? "Text"
+                                                          : "Number",
+                            cells[c]);
+            m_xml.end();
+        }
+        m_xml.end();
+    }
+    void write(const Table& table, bool names) {
+        const QString name = QStringLiteral("Table%1").arg(++m_tables);
+        m_xml.begin("table:table");
+        m_xml.attribute("table:name", name);
+        m_xml.attribute("table:style-name", QStringLiteral("Table"));
+        const std::size_t columns = names ? table.widths.size() : std::size_t(table.head.size());
+        for (std::size_t c = 0; c < columns; ++c) {
+            m_xml.empty("table:table-column", {{QStringLiteral("table:style-name"),
+                                                name + QStringLiteral(".%1").arg(c + 1)}});
+        }
+        if (!names) {
+            m_xml.begin("table:table-header-rows");
+            row(table.head, table, true, false);
+            m_xml.end();
+        }
+        for (const QStringList& cells : table.rows) {
+            row(cells, table, false, names);
+        }
+        m_xml.end();
+        m_xml.paragraph("Gap", {});
+    }
+
+    Xml& m_xml;
+    double m_width_mm;
+    int m_tables = 0;
+    std::vector<Picture> m_pictures;
+};
+
+void Body::writeStyles(Xml& xml, const Report& report, double width_mm) {
+    int tables = 0;
+    for (const Block& block : report.blocks) {
+        std::vector<double> shares;
+        if (std::holds_alternative<Facts>(block)) {
+            shares = {0.2, 0.3, 0.2, 0.3};
+        } else if (const auto* table = std::get_if<Table>(&block)) {
+            shares = sharesOf(*table);
+        } else {
+            continue;
+        }
+        ++tables;
+        for (std::size_t c = 0; c < shares.size(); ++c) {
+            xml.begin("style:style");
+            xml.attribute("style:name", QStringLiteral("Table%1.%2").arg(tables).arg(c + 1));
+            xml.attribute("style:family", QStringLiteral("table-column"));
+            xml.empty("style:table-column-properties",
+                      {{QStringLiteral("style:column-width"), millimetres(shares[c] * width_mm)}});
+            xml.end();
+        }
+    }
+}
+
+void writeParagraphStyle(Xml& xml, const char* name, const Attributes& paragraph,
+                         const Attributes& text) {
+    xml.begin("style:style");
+    xml.attribute("style:name", QString::fromLatin1(name));
+    xml.attribute("style:family", QStringLiteral("paragraph"));
+    xml.empty("style:paragraph-properties", paragraph);
+    xml.empty("style:text-properties", text);
+    xml.end();
+}
+
+QByteArray contentOf(const Report& report, double width_mm, std::vector<Picture>& pictures) {
+    Xml xml("office:document-content");
+    xml.attribute("office:version", QStringLiteral("1.2"));
+    xml.begin("office:automatic-styles");
+    xml.begin("style:style");
+    xml.attribute("style:name", QStringLiteral("Table"));
+    xml.attribute("style:family", QStringLiteral("table"));
+    xml.empty("style:table-properties",
+              {{QStringLiteral("style:width"), millimetres(width_mm)},
+               {QStringLiteral("table:align"), QStringLiteral("margins")}});
+    xml.end();
+    xml.begin("style:style");
+    xml.attribute("style:name", QStringLiteral("Cell"));
+    xml.attribute("style:family", QStringLiteral("table-cell"));
+    xml.empty("style:table-cell-properties",
+              {{QStringLiteral("fo:border"), QStringLiteral("0.3mm solid #000000")},
+               {QStringLiteral("fo:padding"), QStringLiteral("0.7mm")},
+               {QStringLiteral("style:vertical-align"), QStringLiteral("middle")}});
+    xml.end();
+    Body::writeStyles(xml, report, width_mm);
+    xml.end();
+    xml.begin("office:body");
+    xml.begin("office:text");
+    xml.paragraph("Title", report.title);
+    xml.paragraph("Body", report.subject);
+    Body body(xml, width_mm);
+    for (const Block& block : report.blocks) {
+        std::visit(body, block);
+    }
+    pictures = body.pictures();
+    return xml.finish();
+}
+
+QByteArray stylesOf(const Report& report, bool landscape) {
+    Xml xml("office:document-styles");
+    xml.attribute("office:version", QStringLiteral("1.2"));
+    xml.begin("office:styles");
+    xml.begin("style:default-style");
+    xml.attribute("style:family", QStringLiteral("paragraph"));
+    xml.empty("style:text-properties",
+              {{QStringLiteral("fo:font-family"), QStringLiteral("DejaVu Sans Condensed")},
+               {QStringLiteral("fo:font-size"), QStringLiteral("9pt")},
+               {QStringLiteral("fo:language"), report.language},
+               {QStringLiteral("fo:country"),
+                report.language == u"ru" ? QStringLiteral("RU") : QStringLiteral("GB")}});
+    xml.end();
+    const auto size = [](const char* points) {
+        return std::pair(QStringLiteral("fo:font-size"), QString::fromLatin1(points));
+    };
+    const std::pair bold(QStringLiteral("fo:font-weight"), QStringLiteral("bold"));
+    const std::pair above(QStringLiteral("fo:margin-top"), QStringLiteral("3mm"));
+    const std::pair below(QStringLiteral("fo:margin-bottom"), QStringLiteral("1.5mm"));
+    const std::pair withNext(QStringLiteral("fo:keep-with-next"), QStringLiteral("always"));
+    const auto align = [](const char* where) {
+        return std::pair(QStringLiteral("fo:text-align"), QString::fromLatin1(where));
+    };
+    writeParagraphStyle(xml, "Title", {below}, {size("15pt"), bold});
+    writeParagraphStyle(xml, "Heading", {above, below, withNext}, {size("11pt"), bold});
+    writeParagraphStyle(xml, "Body", {below}, {});
+    writeParagraphStyle(xml, "Strong", {below}, {bold});
+    writeParagraphStyle(xml, "Head", {}, {size("7.5pt")});
+    writeParagraphStyle(xml, "Text", {align("start")}, {});
+    writeParagraphStyle(xml, "Number", {align("end")}, {});
+    writeParagraphStyle(xml, "Formula", {below}, {});
+    writeParagraphStyle(xml, "Figure", {withNext}, {});
+    writeParagraphStyle(xml, "Caption", {align("center"), below}, {size("7.5pt")});
+    writeParagraphStyle(xml, "Gap", {}, {size("4pt")});
+    writeParagraphStyle(xml, "Break", {{QStringLiteral("fo:break-before"), QStringLiteral("page")}},
+                        {});
+    xml.end();
+    xml.begin("office:automatic-styles");
+    xml.begin("style:page-layout");
+    xml.attribute("style:name", QStringLiteral("Paper"));
+    const QString longer = QStringLiteral("297mm"), shorter = QStringLiteral("210mm");
+    xml.empty("style:page-layout-properties",
+              {{QStringLiteral("fo:page-width"), landscape ? longer : shorter},
+               {QStringLiteral("fo:page-height"), landscape ? shorter : longer},
+               {QStringLiteral("style:print-orientation"),
+                landscape ? QStringLiteral("landscape") : QStringLiteral("portrait")},
+               {QStringLiteral("fo:margin-left"),
+                landscape ? QStringLiteral("20mm") : QStringLiteral("18mm")},
+               {QStringLiteral("fo:margin-right"),
+                landscape ? QStringLiteral("10mm") : QStringLiteral("12mm")},
+               {QStringLiteral("fo:margin-top"), QStringLiteral("10mm")},
+               {QStringLiteral("fo:margin-bottom"), QStringLiteral("10mm")}});
+    xml.end();
+    xml.end();
+    xml.begin("office:master-styles");
+    xml.begin("style:master-page");
+    xml.attribute("style:name", QStringLiteral("Standard"));
+    xml.attribute("style:page-layout-name", QStringLiteral("Paper"));
+    xml.begin("style:footer");
+    xml.begin("text:p");
+    xml.attribute("text:style-name", QStringLiteral("Caption"));
+    xml.text(report.origin() + QStringLiteral(" · "));
+    xml.empty("text:page-number",
+              {{QStringLiteral("text:select-page"), QStringLiteral("current")}});
+    return xml.finish();
+}
+
+QByteArray metaOf(const Report& report) {
+    Xml xml("office:document-meta");
+    xml.attribute("office:version", QStringLiteral("1.2"));
+    xml.begin("office:meta");
+    const std::pair<const char*, QString> all[] = {
+        {"dc:title", report.title},
+        {"dc:subject", report.subject},
+        {"dc:creator", report.author},
+        {"dc:language", report.language},
+        {"dc:date", report.date.toString(Qt::ISODate) + QStringLiteral("T00:00:00")},
+        {"meta:generator", report.program}};
+    for (const auto& [name, value] : all) {
+        xml.begin(name);
+        xml.text(value);
+        xml.end();
+    }
+    return xml.finish();
+}
+
+QByteArray manifestOf(const std::vector<Picture>& pictures) {
+    Xml xml("manifest:manifest");
+    xml.attribute("manifest:version", QStringLiteral("1.2"));
+    const auto add = [&xml](const QString& path, const char* type) {
+        xml.empty("manifest:file-entry",
+                  {{QStringLiteral("manifest:full-path"), path},
+                   {QStringLiteral("manifest:media-type"), QString::fromLatin1(type)}});
+    };
+    add(QStringLiteral("/"), mimeType);
+    for (const char* name : {"content.xml", "styles.xml", "meta.xml"}) {
+        add(QString::fromLatin1(name), "text/xml");
+    }
+    for (const Picture& picture : pictures) {
+        add(QString::fromLatin1(picture.name), "image/png");
+    }
+    return xml.finish();
+}
+
+} // namespace
+
+QByteArray odt(const Report& report) {
+    const bool landscape = !report.sheets.empty();
+    std::vector<Picture> pictures;
+    const QByteArray content = contentOf(report, landscape ? landscape_mm : upright_mm, pictures);
+    ZipWriter zip;
+    zip.addStored("mimetype", mimeType); // first, and as it is: by it the file is known
+    const auto add = [&zip](const QByteArray& name, const QByteArray& bytes) {
+        zip.begin(name);
+        zip.add(bytes);
+        zip.end();
+    };
+    add("content.xml", content);
+    add("styles.xml", stylesOf(report, landscape));
+    add("meta.xml", metaOf(report));
+    for (const Picture& picture : pictures) {
+        add(picture.name, picture.bytes);
+    }
+    add("META-INF/manifest.xml", manifestOf(pictures));
+    return zip.finish();
+}
+
+} // namespace sparkout::report

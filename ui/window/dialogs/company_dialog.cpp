@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/dialogs/company_dialog.h"
+
+#include "core/files/safe_file.h"
+#include "ui/kit/help_topic.h"
+#include "ui/report/card/logo.h"
+#include "ui/session/project_io.h"
+#include "ui/session/settings.h"
+#include "ui/text/file_error_text.h"
+
+#include <QCoreApplication>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPixmap>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <string>
+#include <variant>
+
+namespace sparkout {
+
+namespace {
+
+constexpr int companyWidth = 560, longestField = 200;
+constexpr QSize logoShown(160, 40);
+
+} // namespace
+
+CompanyDialog::CompanyDialog(Settings& settings, QWidget* parent)
+    : QDialog(parent)
+    , m_settings(settings)
+    , m_company(settings.company())
+    , m_logo(new QLabel(this))
+    , m_fault(new QLabel(this))
+    , m_remove(new QPushButton(tr("&Remove"), this)) {
+    setWindowTitle(tr("Company and signatures"));
+    setHelpTopic(*this, QStringLiteral("reports#company"));
+    auto* layout = new QVBoxLayout(this);
+    auto* note = new QLabel(
+        tr("Printed in the heads of documents, in those of every project. All of it may be empty."),
+        this);
+    note->setWordWrap(true);
+    layout->addWidget(note);
+    auto* logoRow = new QHBoxLayout;
+    auto* choose = new QPushButton(tr("&Logo…"), this);
+    choose->setObjectName(QStringLiteral("chooseLogo"));
+    m_remove->setObjectName(QStringLiteral("removeLogo"));
+    m_logo->setObjectName(QStringLiteral("logo"));
+    m_logo->setAccessibleName(tr("Logo"));
+    m_logo->setMinimumSize(logoShown);
+    m_fault->setObjectName(QStringLiteral("logoFault"));
+    m_fault->setWordWrap(true);
+    logoRow->addWidget(choose);
+    logoRow->addWidget(m_remove);
+    logoRow->addWidget(m_logo, 1);
+    addFields();
+    layout->addLayout(logoRow);
+    layout->addWidget(m_fault);
+    connect(choose, &QPushButton::clicked, this, &CompanyDialog::chooseLogo);
+    connect(m_remove, &QPushButton::clicked, this, [this] {
+        m_company.logo.clear();
+        showLogo({});
+    });
+    auto* buttons = new QDialogButtonBox(this);
+    auto* keep = buttons->addButton(tr("&Keep"), QDialogButtonBox::AcceptRole);
+    keep->setObjectName(QStringLiteral("keepCompany"));
+    keep->setDefault(true);
+    buttons->addButton(tr("Cance&l"), QDialogButtonBox::RejectRole);
+    connect(buttons, &QDialogButtonBox::accepted, this, &CompanyDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    layout->addWidget(buttons);
+    showLogo({});
+    resize(companyWidth, sizeHint().height());
+}
+
+void CompanyDialog::addFields() {
+    auto* form = new QFormLayout;
+    for (const CompanyField& field : companyFields()) {
+        const QString label = QCoreApplication::translate("Company", field.label);
+        auto* edit = new QLineEdit(m_company.*field.value, this);
+        edit->setObjectName(QStringLiteral("company-") + QString::fromLatin1(field.key));
+        edit->setAccessibleName(label);
+        edit->setMaxLength(longestField);
+        form->addRow(label, edit);
+        m_edits.push_back(edit);
+    }
+    static_cast<QVBoxLayout*>(layout())->addLayout(form);
+}
+
+void CompanyDialog::chooseLogo() {
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Choose a logo"), m_settings.lastFolder(), tr("Pictures (*.png *.svg)"));
+    if (!path.isEmpty()) {
+        takeLogo(path);
+    }
+}
+
+void CompanyDialog::takeLogo(const QString& path) {
+    const auto read = readFile(systemPath(path), static_cast<std::size_t>(report::mostLogoBytes));
+    if (const auto* error = std::get_if<FileError>(&read)) {
+        showLogo(readErrorText(*error));
+        return;
+    }
+    const auto bytes = QByteArray::fromStdString(std::get<std::string>(read));
+    if (report::logoImage(bytes).isNull()) {
+        showLogo(tr("This is no picture in PNG or SVG; the logo stays as it was."));
+        return;
+    }
+    m_company.logo = bytes;
+    showLogo({});
+}
+
+void CompanyDialog::showLogo(const QString& fault) {
+    const QImage image = report::logoImage(m_company.logo);
+    m_logo->setText(image.isNull() ? tr("none") : QString());
+    if (!image.isNull()) {
+        m_logo->setPixmap(QPixmap::fromImage(
+            image.scaled(logoShown, Qt::KeepAspectRatio, Qt::SmoothTransformation)));
+    }
+    m_remove->setEnabled(!image.isNull());
+    m_fault->setText(fault);
+    m_fault->setVisible(!fault.isEmpty());
+}
+
+void CompanyDialog::accept() {
+    for (std::size_t i = 0; i < m_edits.size(); ++i) {
+        m_company.*companyFields()[i].value = m_edits[i]->text();
+    }
+    m_settings.setCompany(m_company);
+    QDialog::accept();
+}
+
+} // namespace sparkout
