@@ -7,7 +7,6 @@
 #include "core/project/batch.h"
 #include "core/study/evaluate.h"
 #include "ui/report/format/report_text.h"
-#include "ui/session/document.h"
 
 namespace sparkout {
 
@@ -44,17 +43,13 @@ QString readHandoutOption(const QString& option, const QString& value, ReportReq
 }
 
 int writeReport(const ReportRequest& request) {
-    Document document;
-    if (!openOrSay(document, request.file)) {
+    const std::optional<Project> project = projectOrSay(request.file, request.surface);
+    if (!project) {
         return exitRefused;
     }
     const report::KindRow& row = report::rowOf(request.kind);
-    report::Subject subject{evaluate(document.project(), {}),
-                            nullptr,
-                            nullptr,
-                            request.file,
-                            QDate::currentDate(),
-                            request.handout};
+    report::Subject subject{evaluate(*project, {}), nullptr,        nullptr, request.file,
+                            QDate::currentDate(),   request.handout};
     if (!subject.outcome->ran()) {
         return refuse(subject.outcome->issues);
     }
@@ -62,8 +57,8 @@ int writeReport(const ReportRequest& request) {
         say(stderr, QStringLiteral("sparkout: no step of this cycle is as --at says"));
         return exitUsage;
     }
-    if (row.takesBatch && document.project().batch) {
-        subject.batch = runWatched(document.project());
+    if (row.takesBatch && project->batch) {
+        subject.batch = runWatched(*project);
         if (!subject.batch->ran()) {
             return refuse(subject.batch->issues);
         }

@@ -9,6 +9,7 @@ namespace sparkout {
 struct ReportRequest {
     report::Kind kind = report::Kind::card;
     QString file;
+    QString surface; ///< of it; empty: it has one
     QString output;
     report::HandoutOptions handout;
     bool stepAsked = false; ///< by --at

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "core/issue.h"
+#include "core/project/project.h"
 
 #include <QByteArray>
 #include <QString>
 
 #include <cstdio>
+#include <optional>
 
 namespace sparkout {
 
@@ -28,7 +30,12 @@ void passOverPlatformNotices();
 /// Writes a file safely; a failure is said.
 [[nodiscard]] bool writeBytes(const QByteArray& bytes, const QString& path);
 
-/// Reads a project; what is wrong with it is said.
-[[nodiscard]] bool openOrSay(Document& document, const QString& path);
+/// Opens a file with a surface of it in front, by name or number from 1, the first unless given;
+/// what is wrong with it is said.
+[[nodiscard]] bool openOrSay(Document& document, const QString& path, const QString& surface);
+
+/// The project of a surface, with the wheel as the surfaces before have left it; of a file of
+/// several one has to be named. What is wrong is said.
+[[nodiscard]] std::optional<Project> projectOrSay(const QString& path, const QString& surface);
 
 } // namespace sparkout
