@@ -5,7 +5,6 @@
 #include "app/window_io.h"
 #include "core/study/evaluate.h"
 #include "ui/export/export_file.h"
-#include "ui/session/document.h"
 
 #include <QDateTime>
 #include <QFileInfo>
@@ -48,11 +47,11 @@ int writeExport(const ExportRequest& request) {
     if (asksForStudy(request)) {
         return writeStudy(request);
     }
-    Document document;
-    if (!openOrSay(document, request.file)) {
+    const std::optional<Project> project = projectOrSay(request.file, request.surface);
+    if (!project) {
         return exitRefused;
     }
-    const OutcomePtr outcome = evaluate(document.project(), {});
+    const OutcomePtr outcome = evaluate(*project, {});
     if (!outcome->ran()) {
         return refuse(outcome->issues);
     }

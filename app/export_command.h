@@ -9,6 +9,7 @@ namespace sparkout {
 struct ExportRequest {
     QString part; ///< "all", a part of the result, "batch", "sweep" or "search"
     QString file;
+    QString surface; ///< of it; empty: it has one
     QString output;
 };
 

@@ -45,12 +45,13 @@ constexpr int pictureRound_ms = 30, calmRounds = 3, mostRounds = 100;
 constexpr const char* usageText =
     "Usage: sparkout [FILE]\n"
     "       sparkout --picture OUT.png [--lang en|ru] [--theme THEME] [--view VIEW]\n"
-    "                [--font-size PERCENT] [--stroke N] [--size WxH] FILE\n"
+    "                [--font-size PERCENT] [--stroke N] [--size WxH] [--surface NAME|N] FILE\n"
     "       sparkout --report KIND -o OUT.pdf|OUT.html|OUT.md|OUT.odt [--lang en|ru]\n"
-    "                [--at STEP] [--views VIEWS] [--answers on|off] FILE\n"
+    "                [--at STEP] [--views VIEWS] [--answers on|off] [--surface NAME|N] FILE\n"
     "       sparkout --report KIND -d DIR [--format pdf|html|md|odt] [--force]\n"
     "                [--lang en|ru] FILE…\n"
-    "       sparkout --export PART -o OUT.xlsx|OUT.csv|OUT.json [--lang en|ru] FILE\n"
+    "       sparkout --export PART -o OUT.xlsx|OUT.csv|OUT.json [--lang en|ru]\n"
+    "                [--surface NAME|N] FILE\n"
     "\n"
     "Opens the workbench, with FILE or with an example.\n"
     "\n"
@@ -77,6 +78,7 @@ constexpr const char* usageText =
     "  --views VIEWS      figures of a hand-out: feeds, cycle, profiles, limits, with commas\n"
     "                     between; feeds,cycle,profiles unless given; none of them: \"\"\n"
     "  --answers on|off   whether a hand-out has the answers to its questions, on unless given\n"
+    "  --surface NAME|N   of a file of several surfaces: the one that is meant\n"
     "  --lang en|ru       language of the window, the report or the tables, this time only\n"
     "  --theme THEME      system, light, dark or contrast, this time only\n"
     "  --font-size N      of the system's, in per cent: 90, 100, 115 or 130, this time only\n"
@@ -100,6 +102,7 @@ QString usage() {
 
 struct Options {
     QString file;
+    QString surface;
     QString picture;
     QString report; ///< the kind of report
     ExportRequest exported;
@@ -176,6 +179,8 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
         if (fontSizeFrom(*options.fontSize) != *options.fontSize) {
             options.fault = QStringLiteral("--font-size is 90, 100, 115 or 130");
         }
+    } else if (word == u"--surface") {
+        options.surface = words[++i];
     } else if (word == u"--view") {
         options.view = words[++i];
     } else if (word == u"--stroke") {
@@ -252,11 +257,16 @@ Options readOptions(const QStringList& words) {
     if (!options.picture.isEmpty() && options.file.isEmpty() && options.fault.isEmpty()) {
         options.fault = QStringLiteral("--picture needs a FILE");
     }
+    if (!options.surface.isEmpty() && options.picture.isEmpty() && options.output.isEmpty()
+        && options.fault.isEmpty()) {
+        options.fault = QStringLiteral("--surface needs --picture, --report or --export");
+    }
     if (!options.handoutOption.isEmpty() && options.report != u"handout"
         && options.fault.isEmpty()) {
         options.fault = QStringLiteral("%1 needs --report handout").arg(options.handoutOption);
     }
     options.exported.file = options.file;
+    options.exported.surface = options.surface;
     options.exported.output = options.output;
     if (options.fault.isEmpty()) {
         options.fault = outputFault(options);
@@ -328,7 +338,7 @@ int makePicture(QApplication& app, MainWindow& window, const Options& options) {
         say(stderr, QStringLiteral("sparkout: the run took too long for a picture"));
         app.exit(exitRefused);
     });
-    if (!openOrSay(window.document(), options.file)) {
+    if (!openOrSay(window.document(), options.file, options.surface)) {
         return exitRefused;
     }
     return app.exec();
@@ -419,6 +429,7 @@ int main(int argc, char** argv) {
         ReportRequest request = options.request;
         request.kind = *report::kindOf(options.report);
         request.file = options.file;
+        request.surface = options.surface;
         request.output = options.output;
         request.company = Settings().company(); // else nothing of the user's is read
         return options.many.folder.isEmpty() ? writeReport(request)

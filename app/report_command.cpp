@@ -8,7 +8,6 @@
 #include "core/setup/setup_run.h"
 #include "core/study/evaluate.h"
 #include "ui/report/format/report_text.h"
-#include "ui/session/document.h"
 #include "ui/text/texts.h"
 
 #include <QDir>
@@ -63,6 +62,10 @@ std::variant<report::Subject, int> subjectOf(const ReportRequest& request) {
     subject.handout = request.handout;
     subject.company = request.company;
     if (report::rowOf(request.kind).takesSetup) {
+        if (!request.surface.isEmpty()) {
+            say(stderr, QStringLiteral("sparkout: this report has all surfaces: not with --surface"));
+            return exitUsage;
+        }
         auto setup = openSetupOrSay(request.file);
         if (!setup) {
             return exitRefused;
@@ -75,11 +78,11 @@ std::variant<report::Subject, int> subjectOf(const ReportRequest& request) {
             report::SetupSubject{std::move(*setup), std::move(run)});
         return subject;
     }
-    Document document;
-    if (!openOrSay(document, request.file)) {
+    const std::optional<Project> project = projectOrSay(request.file, request.surface);
+    if (!project) {
         return exitRefused;
     }
-    subject.outcome = evaluate(document.project(), {});
+    subject.outcome = evaluate(*project, {});
     if (!subject.outcome->ran()) {
         return refuse(subject.outcome->issues);
     }
@@ -87,8 +90,8 @@ std::variant<report::Subject, int> subjectOf(const ReportRequest& request) {
         say(stderr, QStringLiteral("sparkout: no step of this cycle is as --at says"));
         return exitUsage;
     }
-    if (report::rowOf(request.kind).takesBatch && document.project().batch) {
-        subject.batch = runWatched(document.project());
+    if (report::rowOf(request.kind).takesBatch && project->batch) {
+        subject.batch = runWatched(*project);
         if (!subject.batch->ran()) {
             return refuse(subject.batch->issues);
         }

@@ -13,6 +13,7 @@ namespace sparkout {
 struct ReportRequest {
     report::Kind kind = report::Kind::card;
     QString file;
+    QString surface; ///< of it; empty: it has one
     QString output;
     Company company; ///< of the heads
     report::HandoutOptions handout;

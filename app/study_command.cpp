@@ -7,7 +7,6 @@
 #include "core/project/batch.h"
 #include "core/study/evaluate.h"
 #include "ui/export/export_file.h"
-#include "ui/session/document.h"
 #include "ui/views/optimise/optimise_text.h"
 
 #include <QDateTime>
@@ -112,16 +111,15 @@ bool asksForStudy(const ExportRequest& request) {
 }
 
 int writeStudy(const ExportRequest& request) {
-    Document document;
-    if (!openOrSay(document, request.file)) {
+    const std::optional<Project> project = projectOrSay(request.file, request.surface);
+    if (!project) {
         return exitRefused;
     }
-    const Project& project = document.project();
     const StudyKind kind = *kindOf(request);
     Study study;
-    const int failed = kind == StudyKind::batch   ? ranBatch(project, study)
-                       : kind == StudyKind::sweep ? ranSweep(project, study)
-                                                  : ranSearch(project, study);
+    const int failed = kind == StudyKind::batch   ? ranBatch(*project, study)
+                       : kind == StudyKind::sweep ? ranSweep(*project, study)
+                                                  : ranSearch(*project, study);
     if (cli::caughtSignal() != 0) {
         say(stderr, QStringLiteral("sparkout: ended, nothing was written"));
         return exitInterrupted + cli::caughtSignal();

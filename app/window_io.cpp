@@ -4,6 +4,7 @@
 #include "core/files/safe_file.h"
 #include "core/format/project_file.h"
 #include "core/setup/setup_file.h"
+#include "core/setup/worn_project.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/session/document.h"
 #include "ui/session/project_io.h"
@@ -11,6 +12,7 @@
 #include "ui/text/texts.h"
 
 #include <QFile>
+#include <QStringList>
 
 #include <string>
 #include <utility>
@@ -27,6 +29,17 @@ void printUnlessOfPlatform(QtMsgType type, const QMessageLogContext& context, co
         && !text.contains(QLatin1StringView("XDG_RUNTIME_DIR not set"))) {
         printed(type, context, text);
     }
+}
+
+QString surfaceNames(const Document& document) {
+    QStringList names;
+    for (const SurfaceStatePtr& surface : document.state().surfaces) {
+        names += QStringLiteral("%1 %2")
+                     .arg(names.size() + 1)
+                     .arg(printableText(QString::fromStdString(surface->name)))
+                     .trimmed();
+    }
+    return names.join(QStringLiteral(", "));
 }
 
 } // namespace
@@ -68,16 +81,44 @@ std::optional<Setup> openSetupOrSay(const QString& path) {
     return std::move(read.setup);
 }
 
-bool openOrSay(Document& document, const QString& path) {
+bool openOrSay(Document& document, const QString& path, const QString& surface) {
     const OpenResult result = document.open(path);
     if (result.error) {
         say(stderr, QStringLiteral("sparkout: %1").arg(readErrorText(*result.error)));
     } else if (!result.opened()) {
-        for (const QString& line : FaultsDialog::lines(result.issues)) {
-            say(stderr, QStringLiteral("sparkout: %1").arg(line));
-        }
+        (void)refuse(result.issues);
     }
-    return result.opened();
+    if (!result.opened() || surface.isEmpty()) {
+        return result.opened();
+    }
+    const auto found = document.setup().find(surface.toStdString());
+    if (found) {
+        document.showSurface(*found);
+    } else {
+        say(stderr, QStringLiteral("sparkout: there is no surface “%1”; there are: %2")
+                        .arg(printableText(surface), surfaceNames(document)));
+    }
+    return found.has_value();
+}
+
+std::optional<Project> projectOrSay(const QString& path, const QString& surface) {
+    Document document;
+    if (!openOrSay(document, path, surface)) {
+        return std::nullopt;
+    }
+    if (surface.isEmpty() && document.surfaceCount() > 1) {
+        say(stderr, QStringLiteral("sparkout: the file holds several surfaces, name one by "
+                                   "--surface; there are: %1")
+                        .arg(surfaceNames(document)));
+        return std::nullopt;
+    }
+    const Setup upTo = document.upToPresent();
+    WornProject worn = wornProject(upTo, upTo.surfaces.size() - 1);
+    if (!worn.issues.empty()) {
+        (void)refuse(worn.issues);
+        return std::nullopt;
+    }
+    return std::move(worn.project);
 }
 
 } // namespace sparkout

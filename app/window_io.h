@@ -3,6 +3,7 @@
 
 #include "core/issue.h"
 #include "core/setup/setup.h"
+#include "core/project/project.h"
 
 #include <QByteArray>
 #include <QString>
@@ -33,7 +34,12 @@ void passOverPlatformNotices();
 /// Reads a file of one surface or of several; what is wrong with it is said.
 [[nodiscard]] std::optional<Setup> openSetupOrSay(const QString& path);
 
-/// Reads a project; what is wrong with it is said.
-[[nodiscard]] bool openOrSay(Document& document, const QString& path);
+/// Opens a file with a surface of it in front, by name or number from 1, the first unless given;
+/// what is wrong with it is said.
+[[nodiscard]] bool openOrSay(Document& document, const QString& path, const QString& surface);
+
+/// The project of a surface, with the wheel as the surfaces before have left it; of a file of
+/// several one has to be named. What is wrong is said.
+[[nodiscard]] std::optional<Project> projectOrSay(const QString& path, const QString& surface);
 
 } // namespace sparkout

@@ -313,4 +313,14 @@
             </translation>
         </message>
     </context>
+    <context>
+        <name>sparkout::PartWindow</name>
+        <message numerus="yes">
+            <source>The part holds: all %n surfaces do.</source>
+            <translation>
+                <numerusform>The part holds: its surface does.</numerusform>
+                <numerusform>The part holds: all %n surfaces do.</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

@@ -1693,6 +1693,38 @@ med, µm</source>
             <source>Fit the stocks of the stages</source>
             <translation>Согласование припусков ступеней</translation>
         </message>
+        <message>
+            <source>Add a surface</source>
+            <translation>Добавление поверхности</translation>
+        </message>
+        <message>
+            <source>Duplicate a surface</source>
+            <translation>Копия поверхности</translation>
+        </message>
+        <message>
+            <source>Rename a surface</source>
+            <translation>Переименование поверхности</translation>
+        </message>
+        <message>
+            <source>Remove a surface</source>
+            <translation>Удаление поверхности</translation>
+        </message>
+        <message>
+            <source>Move a surface</source>
+            <translation>Перестановка поверхности</translation>
+        </message>
+        <message>
+            <source>Standard times</source>
+            <translation>Нормы времени</translation>
+        </message>
+        <message>
+            <source>Wheel wear</source>
+            <translation>Износ круга</translation>
+        </message>
+        <message>
+            <source>Take over the cycles found</source>
+            <translation>Найденные циклы</translation>
+        </message>
     </context>
     <context>
         <name>EstimateNames</name>
@@ -4697,6 +4729,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>%1 %2</source>
             <translation>%1 %2</translation>
+        </message>
+        <message>
+            <source>Surface %1</source>
+            <translation>Поверхность %1</translation>
         </message>
     </context>
     <context>
@@ -8352,6 +8388,50 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Export &amp;ODT…</source>
             <translation>Экспорт &amp;ODT…</translation>
         </message>
+        <message>
+            <source>&amp;Part</source>
+            <translation>&amp;Деталь</translation>
+        </message>
+        <message>
+            <source>&amp;Add a surface…</source>
+            <translation>&amp;Добавить поверхность…</translation>
+        </message>
+        <message>
+            <source>&amp;Duplicate the surface</source>
+            <translation>&amp;Копия поверхности</translation>
+        </message>
+        <message>
+            <source>&amp;Rename the surface…</source>
+            <translation>П&amp;ереименовать поверхность…</translation>
+        </message>
+        <message>
+            <source>Grind it &amp;earlier</source>
+            <translation>Шлифовать &amp;раньше</translation>
+        </message>
+        <message>
+            <source>Grind it &amp;later</source>
+            <translation>Шлифовать &amp;позже</translation>
+        </message>
+        <message>
+            <source>Re&amp;move the surface</source>
+            <translation>&amp;Удалить поверхность</translation>
+        </message>
+        <message>
+            <source>&amp;Previous surface</source>
+            <translation>Пред&amp;ыдущая поверхность</translation>
+        </message>
+        <message>
+            <source>&amp;Next surface</source>
+            <translation>&amp;Следующая поверхность</translation>
+        </message>
+        <message>
+            <source>&amp;Whole part…</source>
+            <translation>Деталь в &amp;целом…</translation>
+        </message>
+        <message>
+            <source>&amp;Standard times and wheel wear…</source>
+            <translation>&amp;Нормы времени и износ круга…</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::BatchFigures</name>
@@ -9997,6 +10077,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>It can be saved once its drawing is given. Still needed:</source>
             <translation>Его можно сохранить, когда будет задан чертёж. Ещё нужны:</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
         </message>
     </context>
     <context>
@@ -14319,6 +14403,358 @@ good</source>
         <message>
             <source>Take its &amp;stiffness</source>
             <translation>Взять её &amp;жёсткость</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::FormPage</name>
+        <message>
+            <source>%1 (%2)</source>
+            <translation>%1 (%2)</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::SharedMark</name>
+        <message>
+            <source>for all surfaces</source>
+            <translation>для всех поверхностей</translation>
+        </message>
+    </context>
+    <context>
+        <name>SurfaceEdits</name>
+        <message>
+            <source>Surface %1</source>
+            <translation>Поверхность %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>StatusText</name>
+        <message>
+            <source>not run</source>
+            <translation>не рассчитана</translation>
+        </message>
+        <message>
+            <source>inputs refused</source>
+            <translation>данные отклонены</translation>
+        </message>
+        <message>
+            <source>cannot reach size</source>
+            <translation>размер не достигнут</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::PartStrip</name>
+        <message>
+            <source>%1. %2</source>
+            <translation>%1. %2</translation>
+        </message>
+        <message>
+            <source>⌀%1 × %2 mm, from %3 mm</source>
+            <translation>⌀%1 × %2 мм, от %3 мм</translation>
+        </message>
+        <message>
+            <source>Surface %1: %2, %3</source>
+            <translation>Поверхность %1: %2, %3</translation>
+        </message>
+        <message>
+            <source>%1 of %2 hold · %3 min</source>
+            <translation>выполнено %1 из %2 · %3 мин</translation>
+        </message>
+        <message>
+            <source>%1 of %2 hold</source>
+            <translation>выполнено %1 из %2</translation>
+        </message>
+        <message>
+            <source>The whole part: %1</source>
+            <translation>Деталь в целом: %1</translation>
+        </message>
+        <message>
+            <source>The part with its surfaces</source>
+            <translation>Деталь с её поверхностями</translation>
+        </message>
+        <message>
+            <source>Surfaces of the part in the order of grinding</source>
+            <translation>Поверхности детали в порядке шлифования</translation>
+        </message>
+        <message>
+            <source>Times and verdicts of all surfaces</source>
+            <translation>Времена и заключения по всем поверхностям</translation>
+        </message>
+        <message>
+            <source>Add, move and remove surfaces</source>
+            <translation>Добавить, переставить, удалить поверхности</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::PartModel</name>
+        <message>
+            <source>not set up</source>
+            <translation>не задано</translation>
+        </message>
+        <message>
+            <source>refused</source>
+            <translation>отклонено</translation>
+        </message>
+        <message>
+            <source>none feasible</source>
+            <translation>допустимых нет</translation>
+        </message>
+        <message>
+            <source>%1 of %2 bad</source>
+            <translation>брак %1 из %2</translation>
+        </message>
+        <message>
+            <source>Surface</source>
+            <translation>Поверхность</translation>
+        </message>
+        <message>
+            <source>⌀, mm</source>
+            <translation>⌀, мм</translation>
+        </message>
+        <message>
+            <source>Cycle, min</source>
+            <translation>Цикл, мин</translation>
+        </message>
+        <message>
+            <source>Verdict</source>
+            <translation>Заключение</translation>
+        </message>
+        <message>
+            <source>Least margin</source>
+            <translation>Наименьший запас</translation>
+        </message>
+        <message>
+            <source>Found, min</source>
+            <translation>Найдено, мин</translation>
+        </message>
+        <message>
+            <source>Batch</source>
+            <translation>Партия</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::SurfaceComparison</name>
+        <message>
+            <source>Cycle time, min</source>
+            <translation>Время цикла, мин</translation>
+        </message>
+        <message>
+            <source>%1, %2</source>
+            <translation>%1, %2</translation>
+        </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%1 из %2</translation>
+        </message>
+        <message>
+            <source>Requirement</source>
+            <translation>Требование</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::PartWindow</name>
+        <message>
+            <source>The surfaces are being run…</source>
+            <translation>Поверхности рассчитываются…</translation>
+        </message>
+        <message>
+            <source>%1 of %2 surfaces hold.</source>
+            <translation>Требования выполнены на %1 из %2 поверхностей.</translation>
+        </message>
+        <message>
+            <source>Batch and search are of the inputs before the last edit.</source>
+            <translation>Партия и поиск относятся к данным до последней правки.</translation>
+        </message>
+        <message>
+            <source>Stopped; what was done until then is shown.</source>
+            <translation>Остановлено; показано сделанное до остановки.</translation>
+        </message>
+        <message>
+            <source>Whole part</source>
+            <translation>Деталь в целом</translation>
+        </message>
+        <message>
+            <source>Surfaces of the part</source>
+            <translation>Поверхности детали</translation>
+        </message>
+        <message>
+            <source>The surfaces compared</source>
+            <translation>Сравнение поверхностей</translation>
+        </message>
+        <message>
+            <source>&amp;Optimise all</source>
+            <translation>&amp;Оптимизировать все</translation>
+        </message>
+        <message>
+            <source>Searches the quickest cycle of every surface whose search is set up, in the order of grinding</source>
+            <translation>Ищет быстрейший цикл каждой поверхности, у которой задан поиск, в порядке шлифования</translation>
+        </message>
+        <message>
+            <source>&amp;Batch of all</source>
+            <translation>&amp;Партии всех</translation>
+        </message>
+        <message>
+            <source>Runs the batch of every surface that has one</source>
+            <translation>Рассчитывает партию каждой поверхности, у которой она есть</translation>
+        </message>
+        <message>
+            <source>&amp;Take over the cycles found</source>
+            <translation>П&amp;ринять найденные циклы</translation>
+        </message>
+        <message>
+            <source>&amp;Stop</source>
+            <translation>&amp;Стоп</translation>
+        </message>
+        <message>
+            <source>Progress</source>
+            <translation>Ход расчёта</translation>
+        </message>
+        <message numerus="yes">
+            <source>The part holds: all %n surfaces do.</source>
+            <translation>
+                <numerusform>Деталь годна, требования выполнены: %n поверхность.</numerusform>
+                <numerusform>Деталь годна, требования выполнены: %n поверхности.</numerusform>
+                <numerusform>Деталь годна, требования выполнены: %n поверхностей.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::AddSurfaceDialog</name>
+        <message>
+            <source>Add a surface</source>
+            <translation>Добавление поверхности</translation>
+        </message>
+        <message>
+            <source>The part with its surfaces</source>
+            <translation>Деталь с её поверхностями</translation>
+        </message>
+        <message>
+            <source>Place on the part</source>
+            <translation>Место на детали</translation>
+        </message>
+        <message>
+            <source>Begins with</source>
+            <translation>Начать с</translation>
+        </message>
+        <message>
+            <source>the inputs of “%1”</source>
+            <translation>данных «%1»</translation>
+        </message>
+        <message>
+            <source>a new traverse cycle</source>
+            <translation>нового цикла с продольной подачей</translation>
+        </message>
+        <message>
+            <source>a new plunge cycle</source>
+            <translation>нового врезного цикла</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Название</translation>
+        </message>
+        <message>
+            <source>Place</source>
+            <translation>Место</translation>
+        </message>
+        <message>
+            <source>&amp;Add</source>
+            <translation>&amp;Добавить</translation>
+        </message>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>О&amp;тмена</translation>
+        </message>
+        <message>
+            <source>Step %1: ⌀%2 × %3 mm, from %4 mm</source>
+            <translation>Ступень %1: ⌀%2 × %3 мм, от %4 мм</translation>
+        </message>
+        <message>
+            <source>%1 (free)</source>
+            <translation>%1 (свободна)</translation>
+        </message>
+        <message>
+            <source>Where “%1” is</source>
+            <translation>Там же, где «%1»</translation>
+        </message>
+        <message>
+            <source>Each surface has a name of its own.</source>
+            <translation>У каждой поверхности своё название.</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::NameDialog</name>
+        <message>
+            <source>Rename the surface</source>
+            <translation>Переименование поверхности</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Название</translation>
+        </message>
+        <message>
+            <source>&amp;Rename</source>
+            <translation>&amp;Переименовать</translation>
+        </message>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>О&amp;тмена</translation>
+        </message>
+        <message>
+            <source>Each surface has a name of its own.</source>
+            <translation>У каждой поверхности своё название.</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::TimesDialog</name>
+        <message>
+            <source>Standard times and wheel wear</source>
+            <translation>Нормы времени и износ круга</translation>
+        </message>
+        <message>
+            <source>&amp;Take over</source>
+            <translation>&amp;Принять</translation>
+        </message>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>О&amp;тмена</translation>
+        </message>
+        <message>
+            <source>%1, %2</source>
+            <translation>%1, %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>PieceTimeText</name>
+        <message>
+            <source>T_a = %1 min, as given</source>
+            <translation>T_в = %1 мин, задано</translation>
+        </message>
+        <message>
+            <source>T_a = n·(approach + retreat + gauging) + (n − 1)·positioning + handling = %1·(%2 + %3 + %4) + %5·%6 + %7 s = %8 min</source>
+            <translation>T_в = n·(подвод + отвод + измерение) + (n − 1)·перемещение + установка и снятие = %1·(%2 + %3 + %4) + %5·%6 + %7 с = %8 мин</translation>
+        </message>
+        <message>
+            <source>T_o = %1 min, as given</source>
+            <translation>T_о = %1 мин, задано</translation>
+        </message>
+        <message>
+            <source>T_o = sum of the cycles = %1 min</source>
+            <translation>T_о = сумма циклов = %1 мин</translation>
+        </message>
+        <message>
+            <source>T_o: not known, not every cycle ends at size</source>
+            <translation>T_о: неизвестно, не каждый цикл достигает размера</translation>
+        </message>
+        <message>
+            <source>T_1 = %1 min, as given</source>
+            <translation>T_шт = %1 мин, задано</translation>
+        </message>
+        <message>
+            <source>T_1 = (T_o + T_a)·(1 + service/100) = (%1 + %2)·(1 + %3/100) = %4 min</source>
+            <translation>T_шт = (T_о + T_в)·(1 + обслуживание/100) = (%1 + %2)·(1 + %3/100) = %4 мин</translation>
+        </message>
+        <message>
+            <source>T_1 + T_p/N = %1 + %2/%3 = %4 min</source>
+            <translation>T_(шт.-к) = T_шт + T_пз/N = %1 + %2/%3 = %4 мин</translation>
         </message>
     </context>
 </TS>

@@ -59,7 +59,7 @@ its own; `part.shaft.ground_from_mm` is where the surface stands on the shaft, f
 compliance follows. A key in the wrong one of the two
 places is an error that names it. A set-up of one
 surface without name, times and wear is written as version 1, and a file of version 1 is read as such
-a set-up. `sparkout-cli` takes files of both versions, the window those of version 1;
+a set-up. Window and `sparkout-cli` take files of both versions;
 `project.schema.json` describes both.
 )";
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 namespace sparkout {
 
@@ -29,6 +30,16 @@ std::optional<std::size_t> Setup::find(std::string_view nameOrNumber) const {
     const bool isNumber = error == std::errc() && end == last;
     return isNumber && number >= 1 && number <= surfaces.size() ? std::optional(number - 1)
                                                                 : std::nullopt;
+}
+
+std::string surfacePath(std::size_t surface) {
+    return "/surfaces/" + std::to_string(surface);
+}
+
+Setup plainSetup(Project project) {
+    Setup setup;
+    setup.surfaces.push_back({{}, std::move(project)});
+    return setup;
 }
 
 Issues checkSetup(const Setup& setup) {

@@ -7,6 +7,7 @@
 #include "core/setup/wheel_wear.h"
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -28,6 +29,12 @@ struct Setup {
     /// By its name, else by its number from 1.
     [[nodiscard]] std::optional<std::size_t> find(std::string_view nameOrNumber) const;
 };
+
+/// Where the project of a surface stands in a file of several: "/surfaces/2".
+[[nodiscard]] std::string surfacePath(std::size_t surface);
+
+/// What a file of one surface alone holds.
+[[nodiscard]] Setup plainSetup(Project project);
 
 /// Faults of the set-up beside those of its projects: ranges of times and wear, names.
 [[nodiscard]] Issues checkSetup(const Setup& setup);

@@ -6,6 +6,7 @@
 #include "core/format/table_reader.h"
 #include "core/format/table_writer.h"
 #include "core/setup/shared_members.h"
+#include "core/setup/split_project.h"
 
 #include <algorithm>
 #include <utility>
@@ -51,6 +52,8 @@ public:
         }
         if (!m_hasErrors && !hasErrors(m_read.issues)) {
             m_read.setup = std::move(setup);
+        } else if (m_isReadable && !hasErrors(checkSetup(setup))) {
+            m_read.unfinished = std::move(setup);
         }
         return std::move(m_read);
     }
@@ -142,9 +145,11 @@ private:
                  Bounds{{1, static_cast<double>(limits::surfaces)}}});
             return;
         }
+        m_isReadable = true;
         for (std::size_t i = 0; i < found->size() && !m_stop.stop_requested(); ++i) {
             setup.surfaces.push_back(readSurface((*found)[i], path + '/' + std::to_string(i)));
         }
+        m_isReadable = m_isReadable && !m_hasErrors && !hasErrors(m_read.issues);
         addFound(path);
     }
 
@@ -189,8 +194,11 @@ private:
         }
         ReadResult read = readProjectJson(joinProject(m_shared, own), {}, m_stop);
         m_found.push_back(std::move(read.issues));
-        if (read.project) {
-            surface.project = std::move(*read.project);
+        std::optional<Project>& project = read.project ? read.project : read.unfinished;
+        if (project) {
+            surface.project = std::move(*project);
+        } else {
+            m_isReadable = false;
         }
         return surface;
     }
@@ -220,13 +228,15 @@ private:
     ReadSetup m_read;
     std::vector<Issues> m_found; ///< by surface
     bool m_hasErrors = false;    ///< also of those that are not listed
+    bool m_isReadable = false;   ///< no error but what leaves a project unfinished
 };
 
 ReadSetup asSetup(ReadResult read) {
-    ReadSetup result{std::nullopt, std::move(read.issues)};
+    ReadSetup result{std::nullopt, std::nullopt, std::move(read.issues)};
     if (read.project) {
-        result.setup.emplace();
-        result.setup->surfaces.push_back({{}, std::move(*read.project)});
+        result.setup = plainSetup(std::move(*read.project));
+    } else if (read.unfinished) {
+        result.unfinished = plainSetup(std::move(*read.unfinished));
     }
     return result;
 }
@@ -240,11 +250,11 @@ ReadSetup readSetup(std::string_view text, const std::stop_token& stop) {
         return {};
     }
     if (!root) {
-        return {std::nullopt, std::move(issues)};
+        return {std::nullopt, std::nullopt, std::move(issues)};
     }
     if (const Issues header = checkHeader(*root, newestVersion); !header.empty()) {
         issues.insert(issues.end(), header.begin(), header.end());
-        return {std::nullopt, std::move(issues)};
+        return {std::nullopt, std::nullopt, std::move(issues)};
     }
     return root->at("version") == newestVersion
                ? SetupReader(*root, std::move(issues), stop).read()
@@ -273,6 +283,14 @@ std::string writeSetup(const Setup& setup) {
     root[wearKey] = writeByTable(tableOf<WheelWear>(), &setup.wear);
     root[surfacesKey] = std::move(surfaces);
     return printJson(root);
+}
+
+bool sameSetup(const Setup& a, const Setup& b) {
+    const auto isSame = [](const GroundSurface& one, const GroundSurface& other) {
+        return one.name == other.name && sameProject(one.project, other.project);
+    };
+    return std::ranges::equal(a.surfaces, b.surfaces, isSame) && a.times == b.times
+           && a.wear == b.wear;
 }
 
 } // namespace sparkout

@@ -15,7 +15,10 @@ namespace sparkout {
 
 struct ReadSetup {
     std::optional<Setup> setup; ///< given when there is no error
-    Issues issues;              ///< errors, or warnings beside a set-up
+    /// Given when every value could be read and is in its range, but some of its projects are
+    /// unfinished, as ReadResult has it: work in progress that the window opens again.
+    std::optional<Setup> unfinished;
+    Issues issues; ///< errors, or warnings beside a set-up
 };
 
 /// Reads and validates a file of either version. All faults at once; of what is shared each once.
@@ -24,5 +27,8 @@ struct ReadSetup {
 /// The text of a set-up: the same set-up, the same bytes; of a single surface without name, times
 /// and wear that of its project.
 [[nodiscard]] std::string writeSetup(const Setup& setup);
+
+/// Whether two set-ups hold the same values.
+[[nodiscard]] bool sameSetup(const Setup& a, const Setup& b);
 
 } // namespace sparkout

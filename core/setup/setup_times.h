@@ -21,6 +21,7 @@ struct SetupTimes {
     double preparation_min = 0;          ///< T_p, for the batch [min]
     int batch_size = 1;                  ///< parts that share it
     std::optional<double> piece_min;     ///< T_1; not given: (T_o + T_a)·(1 + service/100) [min]
+    friend bool operator==(const SetupTimes&, const SetupTimes&) = default;
 };
 
 template <>

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/shared_members.h"
 
-#include <nlohmann/json.hpp>
+#include "core/format/table_writer.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/part.h"
+#include "core/project/project.h"
+#include "core/project/wheel.h"
+#include "core/setup/split_project.h"
 
 #include <algorithm>
 #include <array>
@@ -37,27 +43,6 @@ bool leadsTo(std::string_view path, std::string_view longer) {
     return longer.starts_with(path) && (longer.size() == path.size() || longer[path.size()] == '/');
 }
 
-void split(const nlohmann::ordered_json& object, const std::string& path, SplitProject& into) {
-    for (const auto& [key, value] : object.items()) {
-        std::string at = path;
-        at.append("/").append(key);
-        if (isShared(at)) {
-            into.shared[key] = value;
-        } else if (holdsShared(at) && value.is_object()) {
-            SplitProject within;
-            split(value, at, within);
-            if (!within.shared.empty()) {
-                into.shared[key] = std::move(within.shared);
-            }
-            if (!within.own.empty()) {
-                into.own[key] = std::move(within.own);
-            }
-        } else {
-            into.own[key] = value;
-        }
-    }
-}
-
 } // namespace
 
 std::span<const std::string_view> sharedMembers() {
@@ -75,20 +60,34 @@ bool holdsShared(std::string_view path) {
     });
 }
 
-SplitProject splitProject(const nlohmann::ordered_json& project) {
-    SplitProject parts;
-    split(project, {}, parts);
-    return parts;
+void copyShared(const Project& from, Project& to) {
+    to.title = from.title;
+    to.author = from.author;
+    to.notes = from.notes;
+    to.coolant = from.coolant;
+    to.part->name = from.part->name;
+    Shaft& shaft = to.part->shaft;
+    const double groundFrom_mm = shaft.ground_from_mm;
+    shaft = from.part->shaft;
+    shaft.ground_from_mm = groundFrom_mm;
+    *to.material = *from.material;
+    *to.wheel = *from.wheel;
+    Machine& machine = *to.machine;
+    const Machine& shared = *from.machine;
+    machine.name = shared.name;
+    machine.wheel_speed_m_s = shared.wheel_speed_m_s;
+    machine.stiffness_n_um = shared.stiffness_n_um;
+    machine.geometric_runout_um = shared.geometric_runout_um;
+    machine.wheel_drive_kw = shared.wheel_drive_kw;
+    machine.work_drive_kw = shared.work_drive_kw;
+    machine.wheel_contact = shared.wheel_contact;
+    machine.feed_change_delay_s = shared.feed_change_delay_s;
+    machine.limits = shared.limits;
 }
 
-nlohmann::json joinProject(const nlohmann::json& shared, const nlohmann::json& own) {
-    nlohmann::json joined = shared;
-    for (const auto& [key, value] : own.items()) {
-        const auto there = joined.find(key);
-        const bool both = there != joined.end() && there->is_object() && value.is_object();
-        joined[key] = both ? joinProject(*there, value) : value;
-    }
-    return joined;
+bool haveSameShared(const Project& a, const Project& b) {
+    return splitProject(writeByTable(tableOf<Project>(), &a, {"runs"})).shared
+           == splitProject(writeByTable(tableOf<Project>(), &b, {"runs"})).shared;
 }
 
 } // namespace sparkout

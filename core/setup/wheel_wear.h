@@ -15,6 +15,7 @@ struct WheelWear {
     std::optional<double> grinding_ratio;  ///< G; not given: the wheel keeps its diameter
 
     [[nodiscard]] bool isGiven() const { return dulling_per_mm2 || grinding_ratio; }
+    friend bool operator==(const WheelWear&, const WheelWear&) = default;
 };
 
 /// The wheel after it has removed a volume [mm³] since it was dressed: its dullness

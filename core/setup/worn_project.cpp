@@ -9,13 +9,21 @@
 
 namespace sparkout {
 
+namespace {
+
+Issues errorsOf(const Project& project) {
+    Issues issues = validate(project);
+    std::erase_if(issues, [](const Issue& issue) { return issue.severity != Severity::error; });
+    return issues;
+}
+
+} // namespace
+
 WornProject wornProject(const Setup& setup, std::size_t surface, double removed_mm3) {
     WornProject made{surface, setup.surfaces[surface].project, {}};
     if (removed_mm3 > 0 && setup.wear.isGiven()) {
         *made.project.wheel = wheelAfter(*made.project.wheel, setup.wear, removed_mm3);
-        made.issues = validate(made.project);
-        std::erase_if(made.issues,
-                      [](const Issue& issue) { return issue.severity != Severity::error; });
+        made.issues = errorsOf(made.project);
     }
     return made;
 }
@@ -24,6 +32,9 @@ WornProject wornProject(const Setup& setup, std::size_t surface, const std::stop
     double removed_mm3 = 0;
     for (std::size_t i = 0; i < surface && setup.wear.isGiven() && !stop.stop_requested(); ++i) {
         WornProject before = wornProject(setup, i, removed_mm3);
+        if (removed_mm3 <= 0) { // of a set-up that is unfinished
+            before.issues = errorsOf(before.project);
+        }
         if (!before.issues.empty()) {
             return before;
         }

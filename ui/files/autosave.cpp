@@ -71,10 +71,9 @@ void Autosave::write() {
                                 m_document.diskHash(),
                                 m_document.readOnly(),
                                 m_document.modified(),
-                                m_document.openInputs()};
-    m_background.start([this, header, project = m_document.project(), claim = m_claim] {
-        const auto error =
-            writeFileSafely(systemPath(claim->file()), recoveryText(header, project));
+                                m_document.allOpenInputs()};
+    m_background.start([this, header, setup = m_document.setup(), claim = m_claim] {
+        const auto error = writeFileSafely(systemPath(claim->file()), recoveryText(header, setup));
         return Background::Answer([this, error] {
             if (error) {
                 emit failed(*error);

@@ -110,11 +110,11 @@ std::optional<DiskState> FileGuard::changedOutside(const QString& path) const {
 std::optional<FileError> FileGuard::save(const QString& path) {
     m_watch.pause();
     SavedProject saved;
-    runAside([&, project = m_document.project()] {
+    runAside([&, setup = m_document.setup()] {
         if (m_history) {
             keepEarlierVersion(*m_history, path);
         }
-        saved = saveProject(project, path, {.keepBackup = true});
+        saved = saveProject(setup, path, {.keepBackup = true});
     });
     if (saved.error) {
         followDisk();

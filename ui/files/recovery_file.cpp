@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/files/recovery_file.h"
 
-#include "core/format/project_file.h"
+#include "core/setup/setup_file.h"
 #include "ui/session/project_io.h"
 
 #include <QJsonArray>
@@ -48,8 +48,8 @@ std::string_view headOf(std::string_view text) {
 
 } // namespace
 
-std::string recoveryText(const RecoveryHeader& header, const Project& project) {
-    const std::string text = writeProject(project);
+std::string recoveryText(const RecoveryHeader& header, const Setup& setup) {
+    const std::string text = writeSetup(setup);
     QJsonArray open;
     for (const std::string& path : header.open) {
         open.append(QString::fromStdString(path));
@@ -96,7 +96,7 @@ RecoveryContent readRecovery(std::string_view text) {
     RecoveryGlance glance = glanceAtRecovery(text);
     RecoveryContent content{std::move(glance.header), std::nullopt};
     if (glance.whole) {
-        content.project = parseProject(text.substr(headOf(text).size() + 1)).project;
+        content.setup = parseProject(text.substr(headOf(text).size() + 1)).setup;
     }
     return content;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/project.h"
+#include "core/setup/setup.h"
 
 #include <QByteArray>
 #include <QDateTime>
@@ -29,7 +29,7 @@ struct RecoveryHeader {
 
 struct RecoveryContent {
     RecoveryHeader header;
-    std::optional<Project> project; ///< absent: the file is damaged
+    std::optional<Setup> setup; ///< absent: the file is damaged
 };
 
 /// The header alone, and whether the text behind it is the one that was written.
@@ -38,7 +38,7 @@ struct RecoveryGlance {
     bool whole = false;
 };
 
-[[nodiscard]] std::string recoveryText(const RecoveryHeader& header, const Project& project);
+[[nodiscard]] std::string recoveryText(const RecoveryHeader& header, const Setup& setup);
 
 /// What can be read of it: of a damaged file perhaps the header, perhaps nothing.
 [[nodiscard]] RecoveryContent readRecovery(std::string_view text);

@@ -6,6 +6,7 @@
 #include "core/project/leaves.h"
 #include "core/project/member.h"
 #include "core/project/validate.h"
+#include "core/setup/shared_members.h"
 #include "ui/text/example_texts.h"
 
 #include <QCoreApplication>
@@ -21,6 +22,11 @@ namespace {
 std::optional<double> numberAt(const Project& project, const std::string& path) {
     const ConstMember member = findMember(project, path);
     return numberIn(*member.field, member.owner);
+}
+
+/// Where a surface stands among the open inputs of all of them.
+std::string placeOf(std::size_t surface) {
+    return surface == 0 ? std::string() : surfacePath(surface);
 }
 
 constexpr EditText reloadText{"Edit", QT_TRANSLATE_NOOP("Edit", "Reload the file")};
@@ -50,7 +56,7 @@ bool breaksRules(const Project& before, const Project& after) {
 /// One step of the history: the whole value before and after.
 class Document::Edit : public QUndoCommand {
 public:
-    Edit(Document& document, Snapshot after, EditText text, QString mergeKey)
+    Edit(Document& document, SetupState after, EditText text, QString mergeKey)
         : m_document(document)
         , m_before(document.m_present)
         , m_after(std::move(after))
@@ -58,12 +64,16 @@ public:
         , m_mergeKey(std::move(mergeKey)) {}
 
     [[nodiscard]] const EditText& editText() const { return m_text; }
-    [[nodiscard]] const Project& before() const { return m_before.project; }
     [[nodiscard]] const QString& mergeKey() const { return m_mergeKey; }
+    /// Of a surface, before the edit; null: it was added by it, or later.
+    [[nodiscard]] const Project* before(int surface) const {
+        const auto index = m_before.indexOf(surface);
+        return index ? &m_before.surfaces[*index]->project : nullptr;
+    }
 
     int id() const override { return m_mergeKey.isEmpty() ? -1 : 1; }
-    void undo() override { m_document.setProject(m_before); }
-    void redo() override { m_document.setProject(m_after); }
+    void undo() override { m_document.setState(m_before); }
+    void redo() override { m_document.setState(m_after); }
 
     bool mergeWith(const QUndoCommand* other) override {
         const auto* next = static_cast<const Edit*>(other);
@@ -71,21 +81,20 @@ public:
             return false;
         }
         m_after = next->m_after;
-        setObsolete(m_before.runs == m_after.runs
-                    && std::ranges::is_permutation(m_before.open, m_after.open)
-                    && sameProject(m_before.project, m_after.project));
+        setObsolete(sameState(m_before, m_after));
         return true;
     }
 
 private:
     Document& m_document;
-    Snapshot m_before;
-    Snapshot m_after;
+    SetupState m_before;
+    SetupState m_after;
     EditText m_text;
     QString m_mergeKey;
 };
 
-Document::Document(QObject* parent) : QObject(parent), m_present(snapshot(m_project, {})) {
+Document::Document(QObject* parent) : QObject(parent) {
+    m_present = stateOf(plainSetup(m_project));
     connect(&m_history, &QUndoStack::indexChanged, this, &Document::historyChanged);
     connect(&m_history, &QUndoStack::cleanChanged, this, &Document::historyChanged);
 }
@@ -94,19 +103,42 @@ void Document::edit(Project changed, EditText text, const QString& mergeKey) {
     if (sameProject(changed, m_project)) {
         return;
     }
+    const Project before = m_present.inFront().project;
     std::vector<std::string> open = openIn(changed);
-    push(snapshot(std::move(changed), std::move(open)), text, mergeKey);
+    push(with(std::move(changed), std::move(open)), text, mergeKey);
+    emit edited(before);
 }
 
-void Document::push(Snapshot after, EditText text, const QString& mergeKey) {
-    const Snapshot before = m_present;
+void Document::editSetup(SetupState changed, EditText text, const QString& mergeKey) {
+    if (!sameState(changed, m_present)) {
+        push(std::move(changed), text, mergeKey);
+    }
+}
+
+void Document::push(SetupState after, EditText text, const QString& mergeKey) {
     m_history.push(new Edit(*this, std::move(after), text, roundKey(mergeKey)));
-    emit edited(before.project);
+}
+
+/// The present value with another project in front.
+SetupState Document::with(Project changed, std::vector<std::string> open) const {
+    SetupState made = m_present;
+    const SurfaceState& before = m_present.inFront();
+    SurfaceState after = surfaceState(before.id, before.name, std::move(changed), &before);
+    after.open = std::move(open);
+    if (made.surfaces.size() > 1 && !haveSameShared(before.project, after.project)) {
+        for (SurfaceStatePtr& surface : made.surfaces) {
+            auto other = std::make_shared<SurfaceState>(*surface);
+            copyShared(after.project, other->project);
+            surface = std::move(other);
+        }
+    }
+    made.surfaces[made.present] = std::make_shared<const SurfaceState>(std::move(after));
+    return made;
 }
 
 /// Another operation fits the numbers to itself: that does not give them.
 std::vector<std::string> Document::openIn(const Project& changed) const {
-    std::vector<std::string> open = m_present.open;
+    std::vector<std::string> open = openInputs();
     if (changed.operation == m_project.operation) {
         std::erase_if(open, [&](const std::string& path) {
             return numberAt(changed, path) != numberAt(m_project, path);
@@ -116,12 +148,12 @@ std::vector<std::string> Document::openIn(const Project& changed) const {
 }
 
 bool Document::isOpen(const std::string& path) const {
-    return std::ranges::find(m_present.open, path) != m_present.open.end();
+    return std::ranges::find(openInputs(), path) != openInputs().end();
 }
 
 Issues Document::missingInputs() const {
     Issues issues;
-    for (const std::string& path : m_present.open) {
+    for (const std::string& path : openInputs()) {
         const Field& field = *findMember(m_project, path).field;
         issues.push_back(
             {IssueCode::missingKey, Severity::error, path, {}, Bounds{field.stated(), field.unit}});
@@ -136,9 +168,11 @@ void Document::withdraw(const std::string& path, EditText text) {
     Project project = m_project;
     const Member member = findMember(project, path);
     setNumberIn(*member.field, member.owner, numberAt(m_begun, path));
-    std::vector<std::string> open = m_present.open;
+    std::vector<std::string> open = openInputs();
     open.push_back(path);
-    push(snapshot(std::move(project), std::move(open)), text, QString::fromStdString(path));
+    const Project before = m_present.inFront().project;
+    push(with(std::move(project), std::move(open)), text, QString::fromStdString(path));
+    emit edited(before);
 }
 
 QString Document::roundKey(const QString& mergeKey) const {
@@ -147,8 +181,9 @@ QString Document::roundKey(const QString& mergeKey) const {
 
 const Project& Document::beforeEditsOf(const QString& mergeKey) const {
     const Edit* last = editAt(m_history.index() - 1);
-    return last && !mergeKey.isEmpty() && last->mergeKey() == roundKey(mergeKey) ? last->before()
-                                                                                 : m_project;
+    const bool joins = last && !mergeKey.isEmpty() && last->mergeKey() == roundKey(mergeKey);
+    const Project* before = joins ? last->before(m_present.inFront().id) : nullptr;
+    return before ? *before : m_project;
 }
 
 void Document::endMerge() {
@@ -179,9 +214,13 @@ void Document::redo() {
 
 void Document::step(const std::function<void()>& step) {
     endMerge();
-    const Snapshot before = m_present;
+    const SetupState before = m_present;
     step();
-    if (const std::string path = firstDifference(before.project, m_present.project);
+    const auto index = before.indexOf(m_present.inFront().id);
+    if (!index) {
+        return; // the step brought the surface back
+    }
+    if (const std::string path = firstDifference(before.surfaces[*index]->withRuns(), m_project);
         !path.empty()) {
         emit stepped(path);
     }
@@ -205,37 +244,47 @@ const Project* Document::lastWith(Operation operation) const {
         return &m_project;
     }
     for (int i = m_history.index() - 1; i >= 0; --i) {
-        const Project& before = editAt(i)->before();
-        if (before.operation == operation) {
-            return &before;
+        const Project* before = editAt(i)->before(m_present.inFront().id);
+        if (before && before->operation == operation) {
+            return before;
         }
     }
     return nullptr;
 }
 
 void Document::startUntitled(Project project) {
-    take(std::move(project), {}, {}, false);
+    startUntitled(plainSetup(std::move(project)));
+}
+
+void Document::startUntitled(Setup setup) {
+    take(std::move(setup), {}, {}, false);
 }
 
 void Document::startIncomplete(Project project, std::vector<std::string> open) {
-    replace(std::move(project), {}, {}, false, Kept::onDisk, std::move(open));
+    SetupState state = stateOf(plainSetup(std::move(project)));
+    SurfaceState surface = state.inFront();
+    surface.open = std::move(open);
+    state.surfaces = {std::make_shared<const SurfaceState>(std::move(surface))};
+    replace(std::move(state), {}, {}, false, Kept::onDisk);
 }
 
 OpenResult Document::open(const QString& path) {
     LoadedProject loaded = loadProject(path);
     OpenResult result{std::move(loaded.issues), std::move(loaded.error)};
-    if (loaded.project) {
+    if (loaded.setup) {
         result.taken = true;
-        take(std::move(*loaded.project), path, loaded.hash, false);
+        take(std::move(*loaded.setup), path, loaded.hash, false);
     }
     return result;
 }
 
 Issues Document::openCopy(const QByteArray& text) {
     LoadedProject loaded = parseProject({text.constData(), static_cast<std::size_t>(text.size())});
-    if (loaded.project && !hasErrors(loaded.issues)) {
-        loaded.project->title = exampleTitle(loaded.project->title).toStdString();
-        startUntitled(std::move(*loaded.project));
+    if (loaded.setup && !hasErrors(loaded.issues)) {
+        for (GroundSurface& surface : loaded.setup->surfaces) {
+            surface.project.title = exampleTitle(surface.project.title).toStdString();
+        }
+        startUntitled(std::move(*loaded.setup));
     }
     return loaded.issues;
 }
@@ -245,7 +294,7 @@ std::optional<FileError> Document::save() {
 }
 
 std::optional<FileError> Document::saveAs(const QString& path) {
-    const SavedProject saved = saveProject(m_project, path);
+    const SavedProject saved = saveProject(setup(), path);
     if (!saved.error) {
         markSaved(path, saved.hash);
     }
@@ -265,65 +314,123 @@ void Document::markUnsaved() {
     m_history.resetClean();
 }
 
-void Document::reload(Project project, const QByteArray& hash) {
+/// Surfaces are known again by their place: the runs they share with the history stay shared.
+void Document::reload(Setup setup, const QByteArray& hash) {
     endMerge();
-    edit(std::move(project), reloadText);
+    SetupState state = stateOf(std::move(setup));
+    for (std::size_t i = 0; i < std::min(state.surfaces.size(), surfaceCount()); ++i) {
+        const SurfaceState& now = *m_present.surfaces[i];
+        auto known = std::make_shared<SurfaceState>(*state.surfaces[i]);
+        known->id = now.id;
+        if (*known->runs == *now.runs) {
+            known->runs = now.runs;
+        }
+        state.surfaces[i] = std::move(known);
+    }
+    state.present = std::min(surface(), state.surfaces.size() - 1);
+    editSetup(std::move(state), reloadText);
     m_diskHash = hash;
     m_history.setClean();
 }
 
-void Document::take(Project project, const QString& path, const QByteArray& hash, bool readOnly) {
-    replace(std::move(project), path, hash, readOnly, Kept::onDisk);
+void Document::take(Setup setup, const QString& path, const QByteArray& hash, bool readOnly) {
+    replace(stateOf(std::move(setup)), path, hash, readOnly, Kept::onDisk);
 }
 
-void Document::recover(Project project, const QString& path, const QByteArray& hash, bool readOnly,
-                       std::vector<std::string> open) {
-    const std::vector<Leaf> leaves = leavesOf(tableOf<Project>(), &project);
-    std::erase_if(open, [&leaves](const std::string& each) {
-        return std::ranges::none_of(leaves, [&each](const Leaf& leaf) {
-            return leaf.path == each
-                   && (leaf.field->kind == Kind::number || leaf.field->kind == Kind::integer);
-        });
-    });
-    replace(std::move(project), path, hash, readOnly, Kept::nowhere, std::move(open));
+void Document::recover(Setup setup, const QString& path, const QByteArray& hash, bool readOnly,
+                       const std::vector<std::string>& open) {
+    SetupState state = stateOf(std::move(setup));
+    for (std::size_t i = 0; i < state.surfaces.size(); ++i) {
+        auto surface = std::make_shared<SurfaceState>(*state.surfaces[i]);
+        const std::vector<Leaf> leaves = leavesOf(tableOf<Project>(), &surface->project);
+        const std::string place = placeOf(i);
+        for (const std::string& each : open) {
+            const std::string at = each.starts_with(place) ? each.substr(place.size()) : "";
+            const bool isNumber = std::ranges::any_of(leaves, [&at](const Leaf& leaf) {
+                return leaf.path == at
+                       && (leaf.field->kind == Kind::number || leaf.field->kind == Kind::integer);
+            });
+            if (isNumber) {
+                surface->open.push_back(at);
+            }
+        }
+        state.surfaces[i] = std::move(surface);
+    }
+    replace(std::move(state), path, hash, readOnly, Kept::nowhere);
 }
 
-void Document::replace(Project project, const QString& path, const QByteArray& hash, bool readOnly,
-                       Kept kept, std::vector<std::string> open) {
+void Document::replace(SetupState state, const QString& path, const QByteArray& hash, bool readOnly,
+                       Kept kept) {
     m_history.clear();
     if (kept == Kept::nowhere) {
         m_history.resetClean();
     }
-    m_project = std::move(project);
+    m_present = std::move(state);
+    m_project = m_present.inFront().withRuns();
     m_begun = m_project;
-    m_present = snapshot(m_project, std::move(open));
     m_filePath = path;
     m_diskHash = hash;
     m_readOnly = readOnly;
     endMerge();
     emit historyChanged();
     emit replaced();
+    emit projectReplaced();
     emit changed();
 }
 
-Document::Snapshot Document::snapshot(Project project, std::vector<std::string> open) const {
-    Snapshot made;
-    made.open = std::move(open);
-    made.runs = m_present.runs;
-    if (!made.runs || project.runs != *made.runs) {
-        made.runs = std::make_shared<const std::vector<KeptRun>>(project.runs);
+SetupState Document::stateOf(Setup setup) {
+    SetupState made;
+    for (GroundSurface& surface : setup.surfaces) {
+        made.surfaces.push_back(std::make_shared<const SurfaceState>(
+            surfaceState(newSurfaceId(), std::move(surface.name), std::move(surface.project))));
     }
-    project.runs.clear();
-    made.project = std::move(project);
+    made.times = setup.times;
+    made.wear = setup.wear;
     return made;
 }
 
-void Document::setProject(const Snapshot& snapshot) {
-    const bool sameRuns = snapshot.runs == m_present.runs;
-    std::vector<KeptRun> runs = sameRuns ? std::move(m_project.runs) : *snapshot.runs;
-    m_present = snapshot;
-    m_project = snapshot.project;
+std::vector<std::string> Document::allOpenInputs() const {
+    std::vector<std::string> all;
+    for (std::size_t i = 0; i < surfaceCount(); ++i) {
+        for (const std::string& path : m_present.surfaces[i]->open) {
+            all.push_back(placeOf(i) + path);
+        }
+    }
+    return all;
+}
+
+void Document::showSurface(std::size_t surface) {
+    if (surface == m_present.present) {
+        return;
+    }
+    endMerge();
+    SetupState state = m_present;
+    state.present = surface;
+    setState(state);
+}
+
+Setup Document::upToPresent() const {
+    Setup made;
+    for (std::size_t i = m_present.wear.isGiven() ? 0 : surface(); i <= surface(); ++i) {
+        made.surfaces.push_back({m_present.surfaces[i]->name, m_present.surfaces[i]->project});
+    }
+    made.surfaces.back().project.runs = m_project.runs;
+    made.times = m_present.times;
+    made.wear = m_present.wear;
+    return made;
+}
+
+void Document::setState(const SetupState& state) {
+    const SurfaceStatePtr before = m_present.surfaces[m_present.present];
+    m_present = state;
+    const SurfaceState& now = m_present.inFront();
+    const bool sameRuns = now.runs == before->runs;
+    std::vector<KeptRun> runs = sameRuns ? std::move(m_project.runs) : *now.runs;
+    m_project = now.project;
     m_project.runs = std::move(runs);
+    if (now.id != before->id) {
+        emit projectReplaced();
+    }
     emit changed();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/session/project_io.h"
+#include "ui/session/setup_state.h"
 
 #include <QObject>
 #include <QString>
@@ -38,15 +39,26 @@ struct OpenResult {
 /// Whether a change of the inputs brings faults that were not there.
 [[nodiscard]] bool breaksRules(const Project& before, const Project& after);
 
-/// The project being worked on: its value, its file, its history. Every change of the value goes
-/// through edit(), so all of it can be undone, also across a save.
+/// The set-up being worked on: its value, its file, its history. One of its surfaces is in front:
+/// its project is what the views show and edit() changes. Every change of the value goes through
+/// edit() or editSetup(), so all of it can be undone, also across a save; undo and redo bring the
+/// surface to the front that they concern.
 class Document : public QObject {
     Q_OBJECT
 
 public:
     explicit Document(QObject* parent = nullptr);
 
-    [[nodiscard]] const Project& project() const { return m_project; }
+    [[nodiscard]] const Project& project() const { return m_project; } ///< of the one in front
+    [[nodiscard]] const SetupState& state() const { return m_present; }
+    [[nodiscard]] Setup setup() const { return m_present.setup(); }
+    [[nodiscard]] std::size_t surface() const { return m_present.present; } ///< in front
+    [[nodiscard]] std::size_t surfaceCount() const { return m_present.surfaces.size(); }
+    /// Brings a surface to the front: no edit, as little as a change of the view.
+    void showSurface(std::size_t surface);
+    /// What a run of the surface in front depends on: it is the last of these; where the wheel
+    /// wears those before it are there, too.
+    [[nodiscard]] Setup upToPresent() const;
     [[nodiscard]] const QString& filePath() const { return m_filePath; } ///< empty: untitled
     [[nodiscard]] bool modified() const { return !m_history.isClean(); }
     /// The file may not be written: a save goes elsewhere.
@@ -57,9 +69,13 @@ public:
     /// modified(): nobody knows any more.
     [[nodiscard]] QStringList unsavedEdits() const;
 
-    /// Replaces the value. Edits in a row with the same non-empty key become one step of the
-    /// history, until endMerge().
+    /// Replaces the project in front, and in the others what all surfaces share. Edits in a row
+    /// with the same non-empty key become one step of the history, until endMerge().
     void edit(Project changed, EditText text, const QString& mergeKey = {});
+    /// The same of the whole set-up: its surfaces, their names and order, its times and wear.
+    void editSetup(SetupState changed, EditText text, const QString& mergeKey = {});
+    /// For a surface that is added.
+    [[nodiscard]] int newSurfaceId() { return ++m_lastId; }
     void endMerge();
     /// The project before the edits of this place that a further one would join.
     [[nodiscard]] const Project& beforeEditsOf(const QString& mergeKey) const;
@@ -76,10 +92,15 @@ public:
     [[nodiscard]] const Project* lastWith(Operation operation) const;
 
     void startUntitled(Project project);
+    void startUntitled(Setup setup);
     /// The same, but these numbers are yet to be given; what the project has there stands in.
     void startIncomplete(Project project, std::vector<std::string> open);
     /// Numbers that have not been given yet. One that becomes another by an edit has been.
-    [[nodiscard]] const std::vector<std::string>& openInputs() const { return m_present.open; }
+    [[nodiscard]] const std::vector<std::string>& openInputs() const {
+        return m_present.inFront().open;
+    }
+    /// Those of all surfaces, by their paths in the file: after the first with "/surfaces/N".
+    [[nodiscard]] std::vector<std::string> allOpenInputs() const;
     [[nodiscard]] bool isOpen(const std::string& path) const;
     [[nodiscard]] Issues missingInputs() const; ///< a fault for each of them
     /// A number is to be given again, as before the edits that a further one would join.
@@ -90,46 +111,41 @@ public:
     [[nodiscard]] std::optional<FileError> saveAs(const QString& path);
 
     // The same in parts, for whoever reads and writes the file himself.
-    void take(Project project, const QString& path, const QByteArray& hash, bool readOnly);
+    void take(Setup setup, const QString& path, const QByteArray& hash, bool readOnly);
     /// What a crash left: it has its file and is modified; its history starts here.
-    /// The numbers at `open` are yet to be given.
-    void recover(Project project, const QString& path, const QByteArray& hash, bool readOnly,
-                 std::vector<std::string> open = {});
-    void reload(Project project, const QByteArray& hash); ///< from its file; can be undone
+    /// The numbers at `open`, as allOpenInputs() gives them, are yet to be given.
+    void recover(Setup setup, const QString& path, const QByteArray& hash, bool readOnly,
+                 const std::vector<std::string>& open = {});
+    void reload(Setup setup, const QByteArray& hash); ///< from its file; can be undone
     void markSaved(const QString& path, const QByteArray& hash);
     void markUnsaved(); ///< the file does not hold it any more
 
 signals:
-    void changed();                               ///< another value
-    void edited(const sparkout::Project& before); ///< by an edit; changed() came before
+    void changed();                               ///< another value, or surface in front
+    void edited(const sparkout::Project& before); ///< by edit(); changed() came before
     /// By undo or redo, after changed(): another value at a path, the first of them.
     void stepped(const std::string& path);
-    void replaced();       ///< another document; changed() follows
-    void historyChanged(); ///< undo, redo, modified state or file
+    void replaced();        ///< another document; projectReplaced() and changed() follow
+    void projectReplaced(); ///< another surface is in front, or another document; changed() follows
+    void historyChanged();  ///< undo, redo, modified state or file
 
 private:
     class Edit;
-    /// A value of the history. Kept runs may be megabytes: steps that do not change them share
-    /// them.
-    struct Snapshot {
-        Project project; ///< without its runs
-        std::shared_ptr<const std::vector<KeptRun>> runs;
-        std::vector<std::string> open; ///< paths of the numbers that are yet to be given
-    };
 
     enum class Kept { onDisk, nowhere };
-    void replace(Project project, const QString& path, const QByteArray& hash, bool readOnly,
-                 Kept kept, std::vector<std::string> open = {});
-    [[nodiscard]] Snapshot snapshot(Project project, std::vector<std::string> open) const;
+    void replace(SetupState state, const QString& path, const QByteArray& hash, bool readOnly,
+                 Kept kept);
+    [[nodiscard]] SetupState stateOf(Setup setup);
     [[nodiscard]] std::vector<std::string> openIn(const Project& changed) const;
-    void push(Snapshot after, EditText text, const QString& mergeKey);
-    void setProject(const Snapshot& snapshot);
+    [[nodiscard]] SetupState with(Project changed, std::vector<std::string> open) const;
+    void push(SetupState after, EditText text, const QString& mergeKey);
+    void setState(const SetupState& state);
     void step(const std::function<void()>& step);
     [[nodiscard]] const Edit* editAt(int index) const;
 
-    Project m_project;
-    Snapshot m_present; ///< the same
-    Project m_begun;    ///< as it was started: has what stands in for open inputs
+    SetupState m_present;
+    Project m_project; ///< the one in front, with its runs
+    Project m_begun;   ///< as it was started: has what stands in for open inputs
     QString m_filePath;
     QByteArray m_diskHash;
     bool m_readOnly = false;
@@ -137,6 +153,7 @@ private:
     [[nodiscard]] QString roundKey(const QString& mergeKey) const;
 
     int m_mergeRound = 0;
+    int m_lastId = 0; ///< of a surface
 };
 
 } // namespace sparkout

@@ -2,6 +2,7 @@
 #include "ui/session/kept_runs.h"
 
 #include "core/format/project_file.h"
+#include "core/project/wheel.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -66,7 +67,7 @@ bool sameRecord(const KeptRun& a, const KeptRun& b) {
 } // namespace
 
 KeptRuns::KeptRuns(Document& document, QObject* parent) : QObject(parent), m_document(document) {
-    connect(&document, &Document::replaced, this, [this] { follow(true); });
+    connect(&document, &Document::projectReplaced, this, [this] { follow(true); });
     connect(&document, &Document::changed, this, [this] { follow(false); });
     connect(&m_recall, &RunRecall::recalled, this, [this](const std::string& text) {
         for (Entry& entry : m_entries) {
@@ -123,6 +124,11 @@ bool KeptRuns::restore(int index) {
     }
     Project project = *kept;
     project.runs = all();
+    if (m_document.state().wear.isGiven() && m_document.surface() > 0) {
+        // It was run with the wheel as the surfaces before had left it.
+        project.wheel->diameter_mm = m_document.project().wheel->diameter_mm;
+        project.wheel->dullness = m_document.project().wheel->dullness;
+    }
     m_document.endMerge();
     m_document.edit(std::move(project), restoreText);
     return true;

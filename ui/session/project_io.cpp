@@ -2,6 +2,7 @@
 #include "ui/session/project_io.h"
 
 #include "core/format/project_file.h"
+#include "core/setup/setup_file.h"
 
 #include <QCryptographicHash>
 #include <QFile>
@@ -13,10 +14,10 @@ namespace sparkout {
 namespace {
 
 /// A text that could not be opened again must never reach the disk.
-bool readsBack(const std::string& text, const Project& project) {
-    const ReadResult back = readProject(text);
-    const auto& same = back.project ? back.project : back.unfinished;
-    return same && sameProject(*same, project);
+bool readsBack(const std::string& text, const Setup& setup) {
+    const ReadSetup back = readSetup(text);
+    const auto& same = back.setup ? back.setup : back.unfinished;
+    return same && sameSetup(*same, setup);
 }
 
 FileError verifyError(const QString& path, int systemError, bool replaced) {
@@ -41,12 +42,12 @@ QByteArray contentHash(std::string_view bytes) {
 
 LoadedProject parseProject(std::string_view text, const std::stop_token& stop) {
     LoadedProject loaded;
-    ReadResult parsed = readProject(text, stop);
+    ReadSetup parsed = readSetup(text, stop);
     if (stop.stop_requested()) {
         return loaded;
     }
     loaded.issues = std::move(parsed.issues);
-    loaded.project = std::move(parsed.project ? parsed.project : parsed.unfinished);
+    loaded.setup = std::move(parsed.setup ? parsed.setup : parsed.unfinished);
     loaded.hash = contentHash(text);
     return loaded;
 }
@@ -61,10 +62,10 @@ LoadedProject loadProject(const QString& path, const std::stop_token& stop) {
     return parseProject(std::get<std::string>(read), stop);
 }
 
-SavedProject saveProject(const Project& project, const QString& path, WriteOptions options) {
+SavedProject saveProject(const Setup& setup, const QString& path, WriteOptions options) {
     SavedProject saved;
-    const std::string text = writeProject(project);
-    if (!readsBack(text, project)) {
+    const std::string text = writeSetup(setup);
+    if (!readsBack(text, setup)) {
         saved.error = verifyError(path, 0, false);
         return saved;
     }

@@ -3,7 +3,7 @@
 
 #include "core/files/safe_file.h"
 #include "core/issue.h"
-#include "core/project/project.h"
+#include "core/setup/setup.h"
 
 #include <QByteArray>
 #include <QString>
@@ -22,15 +22,15 @@ namespace sparkout {
 [[nodiscard]] QByteArray contentHash(std::string_view bytes);
 
 /// A project text read: opened, refused with faults, or not read at all. Unfinished work, in which
-/// only a rule between values is broken, is a project with its faults beside it.
+/// only a rule between values is broken, is a set-up with its faults beside it.
 struct LoadedProject {
-    std::optional<Project> project;
+    std::optional<Setup> setup;
     Issues issues;
     std::optional<FileError> error;
     QByteArray hash; ///< of the bytes read
 };
 
-/// A stop leaves nothing: neither a project, nor issues, nor an error.
+/// A stop leaves nothing: neither a set-up, nor issues, nor an error.
 [[nodiscard]] LoadedProject parseProject(std::string_view text, const std::stop_token& stop = {});
 [[nodiscard]] LoadedProject loadProject(const QString& path, const std::stop_token& stop = {});
 
@@ -41,7 +41,7 @@ struct SavedProject {
 
 /// Serialises, reads the text back and compares before the disk is touched; writes it; reads the
 /// file again and compares the hash. Only then is the project saved.
-[[nodiscard]] SavedProject saveProject(const Project& project, const QString& path,
+[[nodiscard]] SavedProject saveProject(const Setup& setup, const QString& path,
                                        WriteOptions options = {});
 
 } // namespace sparkout

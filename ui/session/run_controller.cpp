@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/run_controller.h"
 
+#include "core/setup/worn_project.h"
+
 #include <QElapsedTimer>
 
 #include <memory>
@@ -11,10 +13,14 @@ namespace sparkout {
 RunController::RunController(QObject* parent, Runner runner)
     : QObject(parent), m_runner(std::move(runner)) {}
 
-void RunController::request(Project project, Issues missing) {
+void RunController::request(Project project) {
+    request(plainSetup(std::move(project)));
+}
+
+void RunController::request(Setup upTo, Issues missing) {
     m_running = true;
     emit started();
-    m_job.start([this, snapshot = std::move(project), missing = std::move(missing)](
+    m_job.start([this, snapshot = std::move(upTo), missing = std::move(missing)](
                     const std::stop_token& stop, const NewestJob::Post& post) {
         QElapsedTimer clock;
         clock.start();
@@ -26,14 +32,22 @@ void RunController::request(Project project, Issues missing) {
     });
 }
 
-OutcomePtr RunController::outcomeOf(const Project& project, const Issues& missing,
+OutcomePtr RunController::outcomeOf(const Setup& upTo, const Issues& missing,
                                     const std::stop_token& stop) const {
+    auto refused = std::make_shared<Outcome>();
+    refused->issues = missing;
     if (missing.empty()) {
-        return m_runner(project, stop);
+        const std::size_t last = upTo.surfaces.size() - 1;
+        WornProject worn = wornProject(upTo, last, stop);
+        if (worn.surface == last) {
+            return m_runner(worn.project, stop);
+        }
+        for (Issue& issue : worn.issues) {
+            issue.path = surfacePath(worn.surface) + issue.path;
+            refused->issues.push_back(std::move(issue));
+        }
     }
-    auto incomplete = std::make_shared<Outcome>();
-    incomplete->issues = missing;
-    return incomplete;
+    return refused;
 }
 
 void RunController::stop() {

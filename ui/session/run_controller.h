@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/setup/setup.h"
 #include "core/study/evaluate.h"
 #include "ui/session/newest_job.h"
 
@@ -22,11 +23,13 @@ public:
 
     explicit RunController(QObject* parent = nullptr, Runner runner = evaluate);
 
-    /// Numbers that are missing are the outcome of a project that is not complete: it is not run.
-    void request(Project project, Issues missing = {});
-    void stop(); ///< and drops its outcome
+    /// Runs the last of these surfaces, with the wheel as those before it leave it. Numbers that
+    /// are missing are the outcome of a project that is not complete: it is not run.
+    void request(Setup upTo, Issues missing = {});
+    void request(Project project); ///< of a surface alone
+    void stop();                   ///< and drops its outcome
     /// The same in the calling thread.
-    [[nodiscard]] OutcomePtr outcomeOf(const Project& project, const Issues& missing,
+    [[nodiscard]] OutcomePtr outcomeOf(const Setup& upTo, const Issues& missing,
                                        const std::stop_token& stop = {}) const;
     [[nodiscard]] const Runner& runner() const { return m_runner; }
     [[nodiscard]] bool running() const { return m_running; }

@@ -4,6 +4,8 @@
 #include "core/printable.h"
 #include "core/project/member.h"
 #include "core/project/project.h"
+#include "core/setup/setup_times.h"
+#include "core/setup/wheel_wear.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_scale.h"
 #include "ui/text/stock_reading.h"
@@ -13,8 +15,10 @@
 #include <QRegularExpression>
 #include <QStringList>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace sparkout {
 
@@ -179,16 +183,37 @@ QString fileIssueText(const Issue& issue) {
 
 namespace {
 
+/// What stands beside the surfaces in the file of a set-up.
+struct SetupPart {
+    const char* key;
+    const StructInfo& (*table)();
+};
+
+const SetupPart* setupPart(const QString& key) {
+    static constexpr SetupPart parts[] = {{"times", tableOf<SetupTimes>},
+                                          {"wear", tableOf<WheelWear>}};
+    const auto* const found = std::ranges::find_if(
+        parts, [&key](const SetupPart& part) { return key == QLatin1StringView(part.key); });
+    return found == std::end(parts) ? nullptr : found;
+}
+
 QString location(const std::string& path, QString (*label)(const Field&)) {
     QStringList words;
     const StructInfo* table = &tableOf<Project>();
     const Field* list = nullptr;
-    const QStringList keys = QString::fromStdString(path).split(u'/', Qt::SkipEmptyParts);
+    QStringList keys = QString::fromStdString(path).split(u'/', Qt::SkipEmptyParts);
+    if (keys.size() > 1 && keys.front() == u"surfaces") { // of a file of several
+        words += QCoreApplication::translate("Location", "Surface %1").arg(keys[1].toInt() + 1);
+        keys.remove(0, 2);
+    }
     for (const QString& key : keys) {
         bool isIndex = false;
         const int index = key.toInt(&isIndex);
         const Field* field = table ? table->find(key.toStdString()) : nullptr;
-        if (isIndex && list && list->nested) {
+        if (const SetupPart* part = words.isEmpty() ? setupPart(key) : nullptr) {
+            words += structText(part->table().name);
+            table = &part->table();
+        } else if (isIndex && list && list->nested) {
             words += QCoreApplication::translate("Location", "%1 %2")
                          .arg(structText(list->nested->name))
                          .arg(index + 1);

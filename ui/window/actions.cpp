@@ -33,6 +33,17 @@ Actions::Actions(QMainWindow& window)
     , undo(make("undo", u"undo", QKeySequence::Undo))
     , redo(make("redo", u"redo", QKeySequence::Redo))
     , keepRun(make("keepRun", u"keep", Qt::CTRL | Qt::Key_K))
+    , addSurface(make("addSurface", u"add", Qt::CTRL | Qt::SHIFT | Qt::Key_A))
+    , duplicateSurface(make("duplicateSurface", u"copy"))
+    , renameSurface(make("renameSurface", u"rename"))
+    , moveSurfaceLeft(make("moveSurfaceLeft", u"back", Qt::CTRL | Qt::SHIFT | Qt::Key_PageUp))
+    , moveSurfaceRight(
+          make("moveSurfaceRight", u"forward", Qt::CTRL | Qt::SHIFT | Qt::Key_PageDown))
+    , removeSurface(make("removeSurface", u"remove"))
+    , previousSurface(make("previousSurface", u"", Qt::CTRL | Qt::Key_PageUp))
+    , nextSurface(make("nextSurface", u"", Qt::CTRL | Qt::Key_PageDown))
+    , wholePart(make("wholePart", u"part", Qt::CTRL | Qt::SHIFT | Qt::Key_W))
+    , standardTimes(make("standardTimes", u""))
     , english(make("english", u""))
     , russian(make("russian", u""))
     , stockOnDiameter(make("stockOnDiameter", u""))
@@ -134,11 +145,26 @@ void Actions::buildMenus(QMenuBar& bar) {
     m_edit->addActions({undo, redo});
     m_edit->addSeparator();
     m_edit->addAction(keepRun);
+    buildPartMenu(bar);
     buildViewMenu(bar);
     m_help = bar.addMenu(QString());
     m_help->addActions({help, helpContents, helpShortcuts, tour, log});
     m_help->addSeparator();
     m_help->addAction(about);
+}
+
+void Actions::buildPartMenu(QMenuBar& bar) {
+    m_part = bar.addMenu(QString());
+    m_part->addActions(surfaceActions());
+    m_part->addSeparator();
+    m_part->addActions({previousSurface, nextSurface});
+    m_part->addSeparator();
+    m_part->addActions({wholePart, standardTimes});
+}
+
+QList<QAction*> Actions::surfaceActions() const {
+    return {addSurface,      duplicateSurface, renameSurface,
+            moveSurfaceLeft, moveSurfaceRight, removeSurface};
 }
 
 void Actions::buildViewMenu(QMenuBar& bar) {
@@ -213,11 +239,34 @@ void Actions::follow(const Document& document, bool refusedText) {
     redo->setIconText(tr("Redo"));
     nameShortcut(*undo);
     nameShortcut(*redo);
+    const std::size_t surface = document.surface(), count = document.surfaceCount();
+    const bool several = count > 1;
+    addSurface->setEnabled(count < limits::surfaces);
+    duplicateSurface->setEnabled(count < limits::surfaces);
+    renameSurface->setEnabled(several);
+    removeSurface->setEnabled(several);
+    for (QAction* back : {moveSurfaceLeft, previousSurface}) {
+        back->setEnabled(surface > 0);
+    }
+    for (QAction* forward : {moveSurfaceRight, nextSurface}) {
+        forward->setEnabled(surface + 1 < count);
+    }
 }
 
 void Actions::retranslate() {
     m_file->setTitle(tr("&File"));
     m_edit->setTitle(tr("&Edit"));
+    m_part->setTitle(tr("&Part"));
+    addSurface->setText(tr("&Add a surface…"));
+    duplicateSurface->setText(tr("&Duplicate the surface"));
+    renameSurface->setText(tr("&Rename the surface…"));
+    moveSurfaceLeft->setText(tr("Grind it &earlier"));
+    moveSurfaceRight->setText(tr("Grind it &later"));
+    removeSurface->setText(tr("Re&move the surface"));
+    previousSurface->setText(tr("&Previous surface"));
+    nextSurface->setText(tr("&Next surface"));
+    wholePart->setText(tr("&Whole part…"));
+    standardTimes->setText(tr("&Standard times and wheel wear…"));
     m_view->setTitle(tr("&View"));
     m_help->setTitle(tr("&Help"));
     m_new->setTitle(tr("&New"));

@@ -47,6 +47,7 @@ public:
     void showLanguage(const QString& code);
     void showTheme(Theme theme);
     void showFontSize(int percent);
+    [[nodiscard]] QList<QAction*> surfaceActions() const; ///< on the one in front
     void nameViews(const std::vector<View*>& views);
 
     QAction* newTraverse;
@@ -64,6 +65,16 @@ public:
     QAction* undo;
     QAction* redo;
     QAction* keepRun;
+    QAction* addSurface;
+    QAction* duplicateSurface;
+    QAction* renameSurface;
+    QAction* moveSurfaceLeft; ///< earlier in the order of grinding
+    QAction* moveSurfaceRight;
+    QAction* removeSurface;
+    QAction* previousSurface;
+    QAction* nextSurface;
+    QAction* wholePart;
+    QAction* standardTimes;
     QAction* english;
     QAction* russian;
     std::array<QAction*, allThemes.size()> themes; ///< in the order of allThemes
@@ -84,12 +95,14 @@ private:
     QAction* make(const char* name, const char16_t* icon, const QKeySequence& keys = {});
     [[nodiscard]] ReportActions makeReport(report::Kind kind);
     void buildMenus(QMenuBar& bar);
+    void buildPartMenu(QMenuBar& bar);
     void buildViewMenu(QMenuBar& bar);
     void buildToolBar(QToolBar& bar);
 
     WindowHead* m_head;
     QMenu* m_file;
     QMenu* m_edit;
+    QMenu* m_part;
     QMenu* m_view;
     QMenu* m_language;
     QMenu* m_theme;

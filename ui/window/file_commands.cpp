@@ -146,7 +146,7 @@ bool FileCommands::openFile(const QString& given) {
         m_guard.dropClaim();
         return false;
     }
-    if (loaded.project) {
+    if (loaded.setup) {
         take(std::move(loaded), path, *opening);
         return true;
     }
@@ -166,10 +166,9 @@ void FileCommands::showWhyRefused(const LoadedProject& loaded, const QString& pa
 void FileCommands::take(LoadedProject loaded, const QString& path, Opening opening) {
     if (opening == Opening::copy) {
         m_guard.dropClaim();
-        m_document.startUntitled(std::move(*loaded.project));
+        m_document.startUntitled(std::move(*loaded.setup));
     } else {
-        m_document.take(std::move(*loaded.project), path, loaded.hash,
-                        opening == Opening::readOnly);
+        m_document.take(std::move(*loaded.setup), path, loaded.hash, opening == Opening::readOnly);
     }
     if (isExample(loaded.hash)) {
         m_guard.unlock();
@@ -212,8 +211,8 @@ void FileCommands::openEarlierVersion() {
 bool FileCommands::openAsCopy(const QString& path) {
     LoadedProject loaded;
     m_wait.aside([&] { loaded = loadProject(path); });
-    if (loaded.project) {
-        m_document.startUntitled(std::move(*loaded.project));
+    if (loaded.setup) {
+        m_document.startUntitled(std::move(*loaded.setup));
         return true;
     }
     showWhyRefused(loaded, path);
@@ -225,8 +224,8 @@ void FileCommands::reload() {
     const QString path = m_document.filePath();
     LoadedProject loaded;
     m_wait.aside([&] { loaded = loadProject(path); });
-    if (loaded.project) {
-        m_document.reload(std::move(*loaded.project), loaded.hash);
+    if (loaded.setup) {
+        m_document.reload(std::move(*loaded.setup), loaded.hash);
         m_guard.followDisk();
         m_notices.followDisk();
         m_notices.showOpened(loaded.issues);

@@ -10,8 +10,11 @@
 #include "ui/kit/font_size.h"
 #include "ui/kit/keyboard.h"
 #include "ui/kit/tool_tips.h"
+#include "ui/part/part_strip.h"
+#include "ui/part/part_window.h"
 #include "ui/session/background.h"
 #include "ui/session/kept_runs.h"
+#include "ui/session/part_runs.h"
 #include "ui/step/step_sheet.h"
 #include "ui/text/stock_reading.h"
 #include "ui/text/texts.h"
@@ -28,10 +31,12 @@
 #include "ui/views/verdict/verdict_panel.h"
 #include "ui/window/actions.h"
 #include "ui/window/dialogs/company_dialog.h"
+#include "ui/window/dialogs/file_questions.h"
 #include "ui/window/export_commands.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_desk.h"
 #include "ui/window/operation_notice.h"
+#include "ui/window/part_commands.h"
 #include "ui/window/playback_bar.h"
 #include "ui/window/recent_files_menu.h"
 #include "ui/window/remedy_offers.h"
@@ -59,6 +64,7 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
     : m_settings(settings)
     , m_language(language)
     , m_kept(new KeptRuns(m_document, this))
+    , m_partRuns(new PartRuns(m_document, this))
     , m_inputs(new InputsPanel(m_document, this, &m_settings))
     , m_tabs(new ViewTabs(this))
     , m_feeds(new FeedsView(this, &m_settings))
@@ -87,6 +93,7 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
                                 *m_playback, m_settings);
     StockReading::instance().setOnDiameter(m_settings.stockOnDiameter());
     connectActions();
+    connectPart();
     connectDocument();
     retranslate();
     keepMnemonics(*this);
@@ -113,7 +120,7 @@ void MainWindow::buildViews() {
     };
     connect(m_batch, &BatchView::editWanted, this, edit);
     connect(m_batch, &BatchView::runWanted, this, [this](const auto& change, const QString& name) {
-        if (auto inputs = change(m_document.project())) {
+        if (auto inputs = change(asRun())) {
             m_keeper->keepAside(*std::move(inputs), name);
         }
     });
@@ -145,6 +152,8 @@ void MainWindow::buildViews() {
     auto* column = new QVBoxLayout(middle);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    m_strip = new PartStrip(m_document, *m_partRuns, middle);
+    column->addWidget(m_strip);
     column->addWidget(m_tabs, 1);
     column->addWidget(m_playback);
     setCentralWidget(m_files->notices().above(middle));
@@ -250,12 +259,57 @@ void MainWindow::connectActions() {
     connectReports();
 }
 
+const Project& MainWindow::asRun() const {
+    return m_document.surfaceCount() > 1 && m_outcome && m_outcome->ran() && !m_runs.running()
+               ? m_outcome->result.project
+               : m_document.project();
+}
+
+/// A text that was refused stands in a field of this surface alone.
+bool MainWindow::mayLeaveSurface() {
+    m_inputs->endTyping();
+    const QStringList refused = refusedLines();
+    return refused.isEmpty() || mayLoseRefused(this, refused);
+}
+
+void MainWindow::connectPart() {
+    m_part = new PartCommands(
+        m_document, *m_partRuns, [this] { return mayLeaveSurface(); }, this);
+    m_strip->setActions(m_actions->surfaceActions());
+    const auto on = [this](QAction* action, auto slot) {
+        connect(action, &QAction::triggered, this, slot);
+    };
+    on(m_actions->addSurface, [this] { m_part->add(); });
+    on(m_actions->duplicateSurface, [this] { m_part->duplicate(); });
+    on(m_actions->renameSurface, [this] { m_part->rename(); });
+    on(m_actions->moveSurfaceLeft, [this] { m_part->move(-1); });
+    on(m_actions->moveSurfaceRight, [this] { m_part->move(1); });
+    on(m_actions->removeSurface, [this] { m_part->remove(); });
+    on(m_actions->previousSurface, [this] { m_part->showNext(-1); });
+    on(m_actions->nextSurface, [this] { m_part->showNext(1); });
+    on(m_actions->standardTimes, [this] { m_part->editTimes(); });
+    m_partWindow = new PartWindow(m_document, *m_partRuns, this);
+    on(m_actions->wholePart, [this] {
+        m_partWindow->show();
+        m_partWindow->raise();
+        m_partWindow->activateWindow();
+    });
+    connect(m_partWindow, &PartWindow::surfaceWanted, m_part, &PartCommands::show);
+    connect(m_strip, &PartStrip::surfaceWanted, m_part, &PartCommands::show);
+    connect(m_strip, &PartStrip::surfaceOnStepWanted, m_part,
+            [this](std::size_t step) { m_part->add(step); });
+    connect(m_strip, &PartStrip::wholePartWanted, m_actions->wholePart, &QAction::trigger);
+    connect(m_part, &PartCommands::stayed, m_strip, &PartStrip::follow);
+    connect(&m_document, &Document::changed, this,
+            [this] { m_actions->follow(m_document, !m_inputs->refusals().empty()); });
+}
+
 void MainWindow::connectReports() {
     const auto outcomeOfNow = [this] {
         OutcomePtr outcome = m_outcome;
         if (m_runs.running()) { // that one is of the inputs before
-            runAside([&, project = m_document.project(), missing = m_document.missingInputs()] {
-                outcome = m_runs.outcomeOf(project, missing);
+            runAside([&, upTo = m_document.upToPresent(), missing = m_document.missingInputs()] {
+                outcome = m_runs.outcomeOf(upTo, missing);
             });
         }
         return outcome;
@@ -265,7 +319,7 @@ void MainWindow::connectReports() {
             return {outcomeOfNow(), m_document.filePath(), m_batch->batch(), &m_cursor};
         },
         m_settings, this);
-    const auto studies = [this] { return studiesShown(views(), m_document.project()); };
+    const auto studies = [this] { return studiesShown(views(), asRun()); };
     auto* exports = new ExportCommands(outcomeOfNow, studies, m_settings, this);
     const auto on = [this](QAction* action, const std::function<void()>& command) {
         connect(action, &QAction::triggered, this, [this, command] {
@@ -339,7 +393,7 @@ void MainWindow::toggleDetached() {
 
 void MainWindow::connectDocument() {
     connect(&m_document, &Document::changed, this, [this] {
-        m_runs.request(m_document.project(), m_document.missingInputs());
+        m_runs.request(m_document.upToPresent(), m_document.missingInputs());
         showTitle();
     });
     connect(&m_document, &Document::stepped, m_inputs, &InputsPanel::revealPath);
@@ -347,8 +401,8 @@ void MainWindow::connectDocument() {
         showOperationNotice(m_files->notices(), before, m_document.project());
     });
     const auto drop = [this] { dropOperationNotice(m_files->notices()); };
-    connect(&m_document, &Document::replaced, this, drop);
-    connect(&m_document, &Document::replaced, this, [this] {
+    connect(&m_document, &Document::projectReplaced, this, drop);
+    connect(&m_document, &Document::projectReplaced, this, [this] {
         for (View* view : views()) {
             view->forget();
         }
@@ -372,13 +426,7 @@ void MainWindow::connectDocument() {
                 : tr("Saved; %n fields hold a refused text, their last good values were saved.",
                      nullptr, refused));
     });
-    m_files->askRefusedTexts([this] {
-        QStringList lines;
-        for (const Refusal& refusal : m_inputs->refusals()) {
-            lines += tr("%1: %2").arg(inputLocation(refusal.path), refusal.reason);
-        }
-        return lines;
-    });
+    m_files->askRefusedTexts([this] { return refusedLines(); });
     m_recolour.setSingleShot(true);
     m_recolour.setInterval(0); // palettes reach the widgets one by one
     connect(&m_recolour, &QTimer::timeout, this, &MainWindow::recolour);
@@ -392,10 +440,7 @@ void MainWindow::connectDocument() {
         showTitle();
     });
     connect(m_inputs, &InputsPanel::refusalsChanged, this, [this] { m_refusalsTimer.start(); });
-    const auto showInput = [this](const std::string& path) {
-        m_layout->showInputs();
-        m_inputs->focusPath(path);
-    };
+    const auto showInput = [this](const std::string& path) { this->showInput(path); };
     connect(m_messages, &MessagesPanel::pathActivated, this, showInput);
     for (View* view : views()) {
         connect(view, &View::inputAsked, this, showInput);
@@ -415,6 +460,28 @@ void MainWindow::connectDocument() {
             });
 }
 
+QStringList MainWindow::refusedLines() const {
+    QStringList lines;
+    for (const Refusal& refusal : m_inputs->refusals()) {
+        lines += tr("%1: %2").arg(inputLocation(refusal.path), refusal.reason);
+    }
+    return lines;
+}
+
+/// Of another surface, where its path says so.
+void MainWindow::showInput(const std::string& path) {
+    std::string place = path;
+    for (std::size_t i = 0; i < m_document.surfaceCount(); ++i) {
+        const std::string surface = surfacePath(i) + '/';
+        if (path.starts_with(surface)) {
+            m_part->show(i);
+            place = path.substr(surface.size() - 1);
+        }
+    }
+    m_layout->showInputs();
+    m_inputs->focusPath(place);
+}
+
 /// The field it is set in, the passes it was worst in, or the profile it was measured on.
 void MainWindow::showRequirement(const ConstraintResult& requirement) {
     if (const std::string path = verdict::inputPath(requirement); !path.empty()) {
@@ -431,6 +498,7 @@ void MainWindow::showRequirement(const ConstraintResult& requirement) {
 
 void MainWindow::showOutcome(const OutcomePtr& outcome) {
     m_outcome = outcome;
+    m_partRuns->setOutcome(outcome);
     m_inputs->setOutcome(outcome);
     m_messages->setOutcome(outcome);
     m_cursor.setOutcome(outcome);
@@ -487,6 +555,8 @@ void MainWindow::retranslate() {
     }
     m_tabs->retranslate();
     m_verdict->retranslate();
+    m_strip->retranslate();
+    m_partWindow->retranslate();
     if (m_outcome) {
         m_inputs->setOutcome(m_outcome);
     }

@@ -25,6 +25,10 @@ class InputsPanel;
 class KeptRuns;
 class MessagesPanel;
 class OverviewView;
+class PartCommands;
+class PartRuns;
+class PartStrip;
+class PartWindow;
 class PlaybackBar;
 class ProfilesView;
 class RemedyOffers;
@@ -73,6 +77,12 @@ private:
     void connectActions();
     void connectReports();
     void connectDocument();
+    void connectPart();
+    /// The project in front with the wheel that its run had; while it runs the project itself.
+    [[nodiscard]] const Project& asRun() const;
+    [[nodiscard]] bool mayLeaveSurface();
+    [[nodiscard]] QStringList refusedLines() const;
+    void showInput(const std::string& path);
     void setLanguage(const QString& code);
     void setTheme(Theme theme);
     void setFontSize(int percent);
@@ -91,6 +101,10 @@ private:
     OutcomePtr m_outcome;
     CycleCursor m_cursor;
     KeptRuns* m_kept;
+    PartRuns* m_partRuns;
+    PartStrip* m_strip = nullptr;
+    PartCommands* m_part = nullptr;
+    PartWindow* m_partWindow = nullptr;
     InputsPanel* m_inputs;
     ViewTabs* m_tabs;
     FeedsView* m_feeds;

@@ -29,8 +29,13 @@ ProjectSaver::ProjectSaver(Document& document, const Settings& settings, FileGua
 /// What stands in for numbers yet to be given would be read as theirs.
 bool ProjectSaver::isComplete() {
     QStringList missing;
-    for (const std::string& path : m_document.openInputs()) {
-        missing += locationText(path);
+    for (const SurfaceStatePtr& surface : m_document.state().surfaces) {
+        for (const std::string& path : surface->open) {
+            missing +=
+                surface->name.empty()
+                    ? locationText(path)
+                    : tr("%1: %2").arg(QString::fromStdString(surface->name), locationText(path));
+        }
     }
     if (!missing.isEmpty()) {
         showFailure(m_window, tr("The project is not complete"),

@@ -32,7 +32,7 @@ RemedyOffers::RemedyOffers(Document& document, RemedySection& section,
         m_finder->drop();
         m_section.setStale();
     });
-    connect(&m_document, &Document::replaced, this, [this] { m_section.clear(); });
+    connect(&m_document, &Document::projectReplaced, this, [this] { m_section.clear(); });
     connect(m_finder, &RemedyFinder::found, this,
             [this](const OutcomePtr& outcome, const RemedyResultPtr& result) {
                 m_section.setRemedies(outcome, result, m_finder->running());

@@ -58,7 +58,7 @@ bool WorkRecovery::recover(const RecoveryItem& item) {
             content = readRecovery(*text);
         }
     });
-    if (!content.project) { // it was whole when it was listed
+    if (!content.setup) { // it was whole when it was listed
         const auto* error = std::get_if<FileError>(&read);
         showFailure(m_window, tr("The file was not opened"),
                     error ? readErrorText(*error)
@@ -77,7 +77,7 @@ bool WorkRecovery::recover(const RecoveryItem& item) {
     const bool readOnly =
         !header.path.isEmpty()
         && (m_guard.claim(header.path) != FileGuard::Access::write || header.readOnly);
-    m_document.recover(std::move(*content.project), header.path, header.diskHash, readOnly,
+    m_document.recover(std::move(*content.setup), header.path, header.diskHash, readOnly,
                        header.open);
     m_guard.adoptRecovery(std::move(claim));
     if (readOnly) {

@@ -51,7 +51,9 @@ private slots:
                     Project project = loadProject(QStringLiteral(SPARKOUT_SOURCE_DIR
                                                                  "/resources/examples/%1.sparkout")
                                                       .arg(QString::fromLatin1(name)))
-                                          .project.value();
+                                          .setup.value()
+                                          .surfaces.front()
+                                          .project;
                     const Project taken = withEntry(item.entry, project);
                     QCOMPARE(textOf(taken, kind), entryName(item.entry));
                     const bool sound = !hasErrors(validate(taken));

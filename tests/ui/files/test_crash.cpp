@@ -195,7 +195,8 @@ private slots:
                         worst_ms = std::max(worst_ms, victim.killed - victim.edits[next]);
                     }
                 }
-                QCOMPARE(editOf(*loadProject(victim.file).project), 0); // never touched
+                QCOMPARE(editOf(loadProject(victim.file).setup->surfaces.front().project),
+                         0); // never touched
             }
             for (const RecoveryItem& item : store.left()) {
                 store.discard(item.file);
@@ -255,8 +256,8 @@ private slots:
         QVERIFY(makePrivateFolder(store.folder()));
         RecoveryHeader header;
         header.title = QStringLiteral("good");
-        const QByteArray good =
-            QByteArray::fromStdString(recoveryText(header, newProject(Operation::traverse)));
+        const QByteArray good = QByteArray::fromStdString(
+            recoveryText(header, plainSetup(newProject(Operation::traverse))));
         QRandomGenerator chance(9);
         int started = 0;
         constexpr int cases = 10;
@@ -347,7 +348,8 @@ private:
     static std::optional<Project> offerOf(const RecoveryStore& store, const QString& file) {
         for (const RecoveryItem& item : store.left()) {
             if (item.state == RecoveryItem::State::ready && item.header.path == file) {
-                return readRecovery(trouble::bytesOf(item.file).toStdString()).project;
+                const auto setup = readRecovery(trouble::bytesOf(item.file).toStdString()).setup;
+                return setup ? std::optional(setup->surfaces.front().project) : std::nullopt;
             }
         }
         return {};

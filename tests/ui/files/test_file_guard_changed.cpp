@@ -135,7 +135,7 @@ private slots:
         setDiameter(bench.document, 31);
         trouble::write(bench.path, textWith(35));
         LoadedProject loaded = loadProject(bench.path);
-        bench.document.reload(*loaded.project, loaded.hash);
+        bench.document.reload(*loaded.setup, loaded.hash);
         bench.guard.followDisk();
         QVERIFY(!bench.document.modified());
         QCOMPARE(bench.document.project().part->diameter_mm, 35.0);

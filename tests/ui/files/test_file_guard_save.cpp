@@ -130,7 +130,7 @@ private slots:
         FileGuard guard(document);
         QCOMPARE(guard.claim(bench.path), Access::write);
         LoadedProject loaded = loadProject(bench.path);
-        document.take(*loaded.project, bench.path, loaded.hash, false);
+        document.take(*loaded.setup, bench.path, loaded.hash, false);
         QCOMPARE(trouble::entries(bench.folder.path()),
                  QStringList{QStringLiteral("вал.sparkout")});
         QVERIFY(trouble::entries(bench.state.path()).isEmpty());
@@ -151,12 +151,13 @@ private slots:
         }
         QElapsedTimer clock;
         clock.start();
-        const SavedProject saved = saveProject(project, bench.path, {.keepBackup = true});
+        const SavedProject saved =
+            saveProject(plainSetup(project), bench.path, {.keepBackup = true});
         const qint64 saving_ms = clock.restart();
         QVERIFY(!saved.error);
         const LoadedProject loaded = loadProject(bench.path);
         const qint64 loading_ms = clock.restart();
-        QVERIFY(loaded.project.has_value());
+        QVERIFY(loaded.setup.has_value());
         bench.open();
         double diameter_mm = 30;
         const double edit_ms = leastOfTries_ms(4 * 50, [&] {

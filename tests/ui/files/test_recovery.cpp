@@ -74,8 +74,8 @@ private slots:
                                     true,
                                     true,
                                     {"/part/length_mm", "/part/stock_mm"}};
-        const RecoveryContent content = readRecovery(recoveryText(header, project));
-        QVERIFY(content.project && sameProject(*content.project, project));
+        const RecoveryContent content = readRecovery(recoveryText(header, plainSetup(project)));
+        QVERIFY(content.setup && sameProject(content.setup->surfaces.front().project, project));
         QCOMPARE(content.header.title, header.title);
         QCOMPARE(content.header.path, header.path);
         QCOMPARE(content.header.when.toMSecsSinceEpoch(), header.when.toMSecsSinceEpoch());
@@ -93,11 +93,11 @@ private slots:
         setDiameter(bench.document, 31);
         QTRY_VERIFY(!bench.autosave->file().isEmpty());
         const RecoveryContent content = contentOf(bench.autosave->file());
-        QVERIFY(content.project && content.project->part->diameter_mm == 31);
+        QVERIFY(content.setup && content.setup->surfaces.front().project.part->diameter_mm == 31);
         QCOMPARE(content.header.open, bench.document.openInputs());
         QCOMPARE(content.header.open.size(), drawingInputs().size() - 1);
         Document after;
-        after.recover(*content.project, {}, {}, false, content.header.open);
+        after.recover(*content.setup, {}, {}, false, content.header.open);
         QVERIFY(after.modified());
         QCOMPARE(after.openInputs(), bench.document.openInputs());
         QCOMPARE(after.missingInputs().size(), content.header.open.size());
@@ -106,7 +106,7 @@ private slots:
         after.edit(given, editText);
         QVERIFY(!after.isOpen("/part/length_mm"));
         // Names that are no number of a project are left out.
-        after.recover(*content.project, {}, {}, false,
+        after.recover(*content.setup, {}, {}, false,
                       {"/part/length_mm", "/part", "/nothing", "", "/cycle/stages/9/stock_mm"});
         QCOMPARE(after.openInputs(), std::vector<std::string>{"/part/length_mm"});
     }
@@ -114,26 +114,27 @@ private slots:
     void damagedNamesOfOpenInputsAreNoticed() {
         std::string text = recoveryText(
             {{}, {}, QDateTime::currentDateTimeUtc(), {}, false, true, {"/part/length_mm"}},
-            newProject(Operation::plunge));
-        QVERIFY(readRecovery(text).project);
+            plainSetup(newProject(Operation::plunge)));
+        QVERIFY(readRecovery(text).setup);
         text.replace(text.find("length"), 6, "xength");
-        QVERIFY(!readRecovery(text).project);
+        QVERIFY(!readRecovery(text).setup);
     }
 
     // Cut at every byte, every bit of every byte turned: never a crash, never another project.
     void noDamageOfTheTextGoesUnnoticed() {
         const Project project = newProject(Operation::plunge);
-        const std::string whole = recoveryText({}, project);
+        const std::string whole = recoveryText({}, plainSetup(project));
         for (std::size_t length = 0; length < whole.size(); ++length) {
-            QVERIFY(!readRecovery(std::string_view(whole).substr(0, length)).project);
+            QVERIFY(!readRecovery(std::string_view(whole).substr(0, length)).setup);
         }
         int told = 0;
         for (std::size_t at = 0; at < whole.size(); ++at) {
             std::string damaged = whole;
             damaged[at] = char(damaged[at] ^ (1 << (at % 8)));
             const RecoveryContent content = readRecovery(damaged);
-            told += !content.project;
-            QVERIFY(!content.project || sameProject(*content.project, project));
+            told += !content.setup;
+            QVERIFY(!content.setup
+                    || sameProject(content.setup->surfaces.front().project, project));
         }
         QVERIFY2(std::size_t(told) + 400 > whole.size(),
                  "only the header's plain words may differ");
@@ -148,7 +149,8 @@ private slots:
         setDiameter(bench.document, 31);
         QTRY_VERIFY(!bench.autosave->file().isEmpty());
         const RecoveryContent content = contentOf(bench.autosave->file());
-        QVERIFY(content.project && sameProject(*content.project, bench.document.project()));
+        QVERIFY(content.setup
+                && sameProject(content.setup->surfaces.front().project, bench.document.project()));
         QCOMPARE(content.header.path, path);
         QCOMPARE(content.header.diskHash, contentHash(before.toStdString()));
         QCOMPARE(trouble::bytesOf(path), before);
@@ -195,7 +197,7 @@ private slots:
         bench.document.undo();
         bench.autosave->flush();
         const RecoveryContent content = contentOf(bench.autosave->file());
-        QVERIFY(content.project && content.project->part->diameter_mm == 30);
+        QVERIFY(content.setup && content.setup->surfaces.front().project.part->diameter_mm == 30);
         QVERIFY(content.header.modified);
     }
 
@@ -208,7 +210,8 @@ private slots:
         const auto discarded = bench.store.discarded();
         QCOMPARE(discarded.size(), std::size_t{1});
         QVERIFY(discarded[0].state == RecoveryItem::State::discarded);
-        QCOMPARE(contentOf(discarded[0].file).project->part->diameter_mm, 31.0);
+        QCOMPARE(contentOf(discarded[0].file).setup->surfaces.front().project.part->diameter_mm,
+                 31.0);
     }
 
     void anotherDocumentNeverOverwritesTheRecoveryFileOfTheLast() {
@@ -218,9 +221,14 @@ private slots:
         bench.document.startUntitled(newProject(Operation::plunge));
         setDiameter(bench.document, 50);
         bench.autosave->flush();
-        QCOMPARE(contentOf(bench.autosave->file()).project->part->diameter_mm, 50.0);
+        QCOMPARE(
+            contentOf(bench.autosave->file()).setup->surfaces.front().project.part->diameter_mm,
+            50.0);
         QCOMPARE(bench.store.discarded().size(), std::size_t{1});
-        QCOMPARE(contentOf(bench.store.discarded()[0].file).project->part->diameter_mm, 31.0);
+        QCOMPARE(contentOf(bench.store.discarded()[0].file)
+                     .setup->surfaces.front()
+                     .project.part->diameter_mm,
+                 31.0);
     }
 
     void aProgramThatEndsWithoutAskingKeepsTheLastKeystroke() {
@@ -229,7 +237,7 @@ private slots:
         bench.autosave.reset();
         const auto left = bench.store.left();
         QCOMPARE(left.size(), std::size_t{1});
-        QCOMPARE(contentOf(left[0].file).project->part->diameter_mm, 31.0);
+        QCOMPARE(contentOf(left[0].file).setup->surfaces.front().project.part->diameter_mm, 31.0);
     }
 
     void editsThatWereUndoneAreNotOffered() {
@@ -284,7 +292,8 @@ private slots:
             RecoveryHeader header;
             header.title = QString::number(hours);
             header.when = now.addSecs(-3600 * hours);
-            const std::string text = recoveryText(header, newProject(Operation::plunge));
+            const std::string text =
+                recoveryText(header, plainSetup(newProject(Operation::plunge)));
             const QString name = QStringLiteral("/%1.recovery").arg(9 - hours);
             trouble::write(bench.store.folder() + name, QByteArray::fromStdString(text));
         }
@@ -468,13 +477,14 @@ private slots:
 
         Document document;
         Autosave autosave(document, bench.store, {20ms, 300ms});
-        document.recover(*content.project, content.header.path, content.header.diskHash, true);
+        document.recover(*content.setup, content.header.path, content.header.diskHash, true);
         autosave.adopt(bench.store.claim(left[0]));
         QVERIFY(document.modified());
         QVERIFY(document.readOnly());
         QVERIFY(!document.canUndo());
         setDiameter(document, 32);
-        QTRY_COMPARE(contentOf(left[0].file).project->part->diameter_mm, 32.0);
+        QTRY_COMPARE(contentOf(left[0].file).setup->surfaces.front().project.part->diameter_mm,
+                     32.0);
         QCOMPARE(autosave.file(), left[0].file);
         document.undo();
         QVERIFY2(document.modified(), "the state that was recovered is saved nowhere");
@@ -513,7 +523,9 @@ private slots:
             bench.autosave->flush();
         }
         QCOMPARE(failed.count(), 1);
-        QCOMPARE(contentOf(bench.autosave->file()).project->part->diameter_mm, 31.0);
+        QCOMPARE(
+            contentOf(bench.autosave->file()).setup->surfaces.front().project.part->diameter_mm,
+            31.0);
     }
 
     void whatAKilledSessionLeftHalfWrittenIsTidiedAway() {

@@ -340,7 +340,9 @@ private slots:
         const Project project =
             loadProject(
                 QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/slender-shaft.sparkout"))
-                .project.value();
+                .setup.value()
+                .surfaces.front()
+                .project;
         const OutcomePtr outcome = run(project);
         QVERIFY(outcome->ran());
         ComplianceView view;

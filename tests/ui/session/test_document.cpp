@@ -5,6 +5,7 @@
 #include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
+#include "core/setup/setup_file.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
 #include "ui/session/document.h"
@@ -38,6 +39,14 @@ Project withDiameter(Project project, double diameter_mm) {
 QByteArray hashOf(const Document& document) {
     return QCryptographicHash::hash(QByteArray::fromStdString(writeProject(document.project())),
                                     QCryptographicHash::Sha256);
+}
+
+Setup threeSurfaces() {
+    Setup setup;
+    for (const char* name : {"journal", "seat", "end"}) {
+        setup.surfaces.push_back({name, newProject(Operation::traverse)});
+    }
+    return setup;
 }
 
 QStringList examplePaths() {
@@ -298,6 +307,136 @@ private slots:
         QCOMPARE(std::get<std::vector<double>>(more.machine->compliance_mm_per_n).size(), 7u);
         QVERIFY(!hasErrors(validate(more)));
         QVERIFY(!hasErrors(validate(withSections(more, 1))));
+    }
+
+    // --- several surfaces ---------------------------------------------------------------------
+
+    void whatIsSharedChangesInEverySurface() {
+        Document document;
+        document.startUntitled(threeSurfaces());
+        document.showSurface(1);
+        const SurfaceStatePtr first = document.state().surfaces[0];
+        Project project = document.project();
+        project.part->stock_mm = 0.2;
+        document.edit(project, editText);
+        QCOMPARE(document.state().surfaces[0], first); // is not touched
+        project.wheel->width_mm = 55;
+        document.edit(project, editText);
+        for (const GroundSurface& surface : document.setup().surfaces) {
+            QCOMPARE(surface.project.wheel->width_mm, 55.0);
+        }
+        QVERIFY(document.setup().surfaces[0].project.part->stock_mm != 0.2);
+        QCOMPARE(document.setup().surfaces[1].project.part->stock_mm, 0.2);
+        document.undo();
+        for (const GroundSurface& surface : document.setup().surfaces) {
+            QVERIFY(surface.project.wheel->width_mm != 55.0);
+        }
+    }
+
+    void undoBringsTheSurfaceToTheFrontThatItConcerns() {
+        Document document;
+        document.startUntitled(threeSurfaces());
+        document.showSurface(1);
+        QVERIFY(!document.modified() && !document.canUndo()); // that is no edit
+        document.edit(withDiameter(document.project(), 31), editText);
+        document.showSurface(2);
+        document.edit(withDiameter(document.project(), 32), editText);
+        document.showSurface(0);
+        QSignalSpy shown(&document, &Document::projectReplaced);
+        std::string path;
+        connect(&document, &Document::stepped, this,
+                [&path](const std::string& stepped) { path = stepped; });
+        document.undo();
+        QCOMPARE(document.surface(), std::size_t{2});
+        QCOMPARE(path, std::string("/part/diameter_mm"));
+        QCOMPARE(shown.count(), 1);
+        document.undo();
+        QCOMPARE(document.surface(), std::size_t{1});
+        QCOMPARE(document.project().part->diameter_mm, 30.0);
+        document.showSurface(2);
+        document.redo();
+        QCOMPARE(document.surface(), std::size_t{1});
+        QCOMPARE(document.project().part->diameter_mm, 31.0);
+    }
+
+    void typingInTwoSurfacesIsTwoSteps() {
+        Document document;
+        document.startUntitled(threeSurfaces());
+        const QString key = QStringLiteral("/part/diameter_mm");
+        document.edit(withDiameter(document.project(), 31), editText, key);
+        document.showSurface(1);
+        QCOMPARE(document.beforeEditsOf(key).part->diameter_mm, 30.0);
+        document.edit(withDiameter(document.project(), 32), editText, key);
+        document.undo();
+        QCOMPARE(document.setup().surfaces[0].project.part->diameter_mm, 31.0);
+        QCOMPARE(document.setup().surfaces[1].project.part->diameter_mm, 30.0);
+    }
+
+    void aSetupIsSavedAndOpenedAsAWhole() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("three.sparkout"));
+        Document document;
+        document.startUntitled(threeSurfaces());
+        document.showSurface(2);
+        Project project = withDiameter(document.project(), 33);
+        project.part->lower_deviation_um = project.part->upper_deviation_um + 1; // unfinished
+        document.edit(project, editText);
+        QVERIFY(!document.saveAs(path));
+        QVERIFY(!document.modified());
+        Document again;
+        const OpenResult opened = again.open(path);
+        QVERIFY(opened.opened() && hasErrors(opened.issues));
+        QCOMPARE(again.surface(), std::size_t{0});
+        QVERIFY(sameSetup(again.setup(), document.setup()));
+        again.showSurface(2);
+        QCOMPARE(again.project().part->diameter_mm, 33.0);
+    }
+
+    /// Of a set-up that was edited and undone not a byte differs.
+    void everySampleOfASetupIsSavedAsItWasRead() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("setup.sparkout"));
+        Setup setup = threeSurfaces();
+        setup.times.handling_s = 30;
+        setup.wear.dulling_per_mm2 = 1e-5;
+        const std::string text = writeSetup(setup);
+        Document document;
+        document.startUntitled(setup);
+        document.showSurface(1);
+        document.edit(withDiameter(document.project(), 31), editText);
+        document.undo();
+        QVERIFY(!document.saveAs(path));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll().toStdString(), text);
+    }
+
+    void aReloadKeepsTheSurfaceInFrontAndCanBeUndone() {
+        Document document;
+        document.startUntitled(threeSurfaces());
+        document.showSurface(2);
+        Setup shorter = threeSurfaces();
+        shorter.surfaces.pop_back();
+        document.reload(shorter, "hash");
+        QCOMPARE(document.surfaceCount(), std::size_t{2});
+        QCOMPARE(document.surface(), std::size_t{1});
+        QVERIFY(!document.modified());
+        document.undo();
+        QCOMPARE(document.surfaceCount(), std::size_t{3});
+        QCOMPARE(document.surface(), std::size_t{2});
+    }
+
+    void openInputsOfASurfaceAreRecoveredWithIt() {
+        Document document;
+        document.recover(threeSurfaces(), {}, {}, false,
+                         {"/part/length_mm", "/surfaces/2/part/diameter_mm", "/surfaces/7/part"});
+        QCOMPARE(document.openInputs(), std::vector<std::string>{"/part/length_mm"});
+        document.showSurface(1);
+        QVERIFY(document.openInputs().empty());
+        document.showSurface(2);
+        QVERIFY(document.isOpen("/part/diameter_mm"));
+        const std::vector<std::string> all{"/part/length_mm", "/surfaces/2/part/diameter_mm"};
+        QCOMPARE(document.allOpenInputs(), all);
     }
 };
 

@@ -86,11 +86,11 @@ private slots:
         });
         const Project project = newProject(Operation::traverse);
         const Issues missing{{IssueCode::missingKey, Severity::error, "/part/diameter_mm", {}, {}}};
-        const OutcomePtr outcome = runs.outcomeOf(project, missing);
+        const OutcomePtr outcome = runs.outcomeOf(plainSetup(project), missing);
         QVERIFY(!outcome->ran());
         QCOMPARE(outcome->issues.size(), std::size_t(1));
         QCOMPARE(begun, 0);
-        QVERIFY(runs.outcomeOf(project, {})->ran());
+        QVERIFY(runs.outcomeOf(plainSetup(project), {})->ran());
         QCOMPARE(begun, 1);
     }
 

@@ -43,8 +43,8 @@ struct Bench {
     void open() {
         access = guard.claim(path);
         LoadedProject loaded = loadProject(path);
-        QVERIFY(loaded.project);
-        document.take(*loaded.project, path, loaded.hash, access != Access::write);
+        QVERIFY(loaded.setup);
+        document.take(*loaded.setup, path, loaded.hash, access != Access::write);
     }
     QTemporaryDir state;
     QTemporaryDir folder;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window/monkey.h"
 
+#include "tests/ui/support/setup_fixtures.h"
 #include "tests/ui/support/text_checks.h"
 #include "ui/plot/view.h"
 #include "ui/window/view_tabs.h"
@@ -65,6 +66,8 @@ Monkey::Monkey(quint32 seed, int events, const QString& logFile)
         QFile::copy(path, m_files.back());
         QFile::setPermissions(m_files.back(), QFile::ReadOwner | QFile::WriteOwner);
     }
+    m_files += m_folder.filePath(QStringLiteral("three surfaces.sparkout"));
+    setup_fixtures::writeSetupFile(setup_fixtures::steppedShaft(), m_files.back());
     QFile broken(m_folder.filePath(QStringLiteral("broken.sparkout")));
     if (broken.open(QIODevice::WriteOnly)) {
         broken.write("{\"format\":\"sparkout-project\",\"version\":1,\"x\":1}");

@@ -39,7 +39,7 @@ private slots:
             QByteArray::fromStdString(recoveryText(
                 {QStringLiteral("Lost <b>work</b>"), bench.path, QDateTime::currentDateTimeUtc(),
                  contentHash(textWith(30).toStdString()), false, true},
-                project)));
+                plainSetup(project))));
         QStringList list{answer};
         if (answer == u"discard") {
             list += QStringLiteral("later");
@@ -68,7 +68,8 @@ private slots:
             QVERIFY(bench.window->files().save());
             QCOMPARE(bench.diameter(), 33.0);
             QVERIFY(store.left().empty() && store.discarded().empty());
-            QCOMPARE(loadProject(bench.path).project->part->diameter_mm, 33.0);
+            QCOMPARE(loadProject(bench.path).setup->surfaces.front().project.part->diameter_mm,
+                     33.0);
         }
     }
 

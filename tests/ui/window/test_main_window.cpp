@@ -219,7 +219,10 @@ private slots:
 
     void aRequirementLeadsToWhereItIsSeen() {
         Bench bench(QStringLiteral("en"));
-        Project project = loadProject(example("shaft-30h6-factory.sparkout")).project.value();
+        Project project = loadProject(example("shaft-30h6-factory.sparkout"))
+                              .setup.value()
+                              .surfaces.front()
+                              .project;
         project.machine->limits.work_speed_rpm = std::vector<double>{100, 101, 1};
         project.machine->wheel_drive_kw = 0.1;
         QSignalSpy shown(bench.window.get(), &MainWindow::outcomeShown);

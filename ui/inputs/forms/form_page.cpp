@@ -4,9 +4,11 @@
 #include "core/project/batch.h"
 #include "core/project/cycle.h"
 #include "core/project/member.h"
+#include "core/setup/shared_members.h"
 #include "core/study/batch_edits.h"
 #include "core/study/search_edits.h"
 #include "ui/fields/reason_label.h"
+#include "ui/fields/shared_mark.h"
 #include "ui/inputs/forms/catalogue_bar.h"
 #include "ui/inputs/forms/compliance_box.h"
 #include "ui/inputs/forms/correlation_box.h"
@@ -23,6 +25,7 @@
 #include "ui/text/texts.h"
 
 #include <QGridLayout>
+#include <QLabel>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -64,7 +67,7 @@ FormPage::FormPage(Page page, Document& document, QWidget* parent, Settings* set
     addCatalogue(settings, {*layout, 0});
     addStruct(tableOf<Project>(), {}, {*layout, 0});
     addProjectTexts({*layout, 0});
-    connect(&document, &Document::replaced, this, [this] { m_replaced = true; });
+    connect(&document, &Document::projectReplaced, this, [this] { m_replaced = true; });
     connect(&document, &Document::changed, this, [this] {
         showProject(m_replaced);
         m_replaced = false;
@@ -178,6 +181,13 @@ void FormPage::addList(const Field& field, const std::string& path, Place into) 
     }
     const int inset = SectionBox::inset(into.depth);
     table->setContentsMargins(inset, 0, inset, 0);
+    if (isShared(path)) {
+        auto* note = new QLabel(parent);
+        note->setContentsMargins(inset, 0, inset, 0);
+        note->setVisible(false);
+        into.rows.addWidget(note);
+        m_sharedLists.emplace_back(table, note);
+    }
     if (table == m_stages) {
         into.rows.addWide(table);
     } else {
@@ -260,7 +270,25 @@ void FormPage::showProject(bool replaced) {
     for (InputBox* box : m_inputBoxes) {
         box->showProject(replaced);
     }
+    showShared();
     emit refusalsChanged();
+}
+
+/// Of a surface alone nothing is shared.
+void FormPage::showShared() {
+    const bool several = m_document.surfaceCount() > 1;
+    for (FormRow* row : m_rows) {
+        row->setShared(several && isShared(row->editor().path()));
+    }
+    for (const auto& [list, note] : m_sharedLists) {
+        note->setText(SharedMark::text());
+        note->setVisible(several && !list->isHidden());
+    }
+    for (const Box& box : m_boxes) {
+        const QString title = inputText(box.field->label);
+        box.box->setTitle(
+            several && isShared(box.path) ? tr("%1 (%2)").arg(title, SharedMark::text()) : title);
+    }
 }
 
 void FormPage::setOutcome(const OutcomePtr& outcome) {
@@ -293,7 +321,6 @@ void FormPage::retranslate() {
         row->retranslate();
     }
     for (const Box& box : m_boxes) {
-        box.box->setTitle(inputText(box.field->label));
         box.box->setAccessibleName(inputText(box.field->label));
         box.box->setToolTip(inputText(box.field->hint));
     }
@@ -307,6 +334,7 @@ void FormPage::retranslate() {
     for (ListTable* list : m_lists) {
         list->retranslate();
     }
+    showShared();
 }
 
 std::vector<Refusal> FormPage::refusals() const {

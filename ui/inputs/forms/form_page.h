@@ -9,9 +9,11 @@
 #include <QScrollArea>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 class QGridLayout;
+class QLabel;
 
 namespace sparkout {
 
@@ -79,6 +81,7 @@ private:
     [[nodiscard]] InputBox* inputBoxAt(const std::string& path) const;
     [[nodiscard]] bool shows(const StructInfo& table) const;
     void showProject(bool replaced);
+    void showShared();
     void toggleOptional(const Box& box, bool given);
 
     Page m_page;
@@ -89,7 +92,8 @@ private:
     std::vector<RowHelper*> m_helpers;
     std::vector<InputBox*> m_inputBoxes;
     std::vector<ListTable*> m_lists;
-    StageTable* m_stages = nullptr; ///< one of them
+    std::vector<std::pair<ListTable*, QLabel*>> m_sharedLists; ///< with what says that they are
+    StageTable* m_stages = nullptr;                            ///< one of them
     SectionBox* m_projectBox = nullptr;
     bool m_replaced = false;
 };

@@ -4,6 +4,7 @@
 #include "core/project/member.h"
 #include "ui/fields/number_field.h"
 #include "ui/fields/reset_mark.h"
+#include "ui/fields/shared_mark.h"
 #include "ui/inputs/editors/form_metrics.h"
 #include "ui/inputs/editors/hint_strip.h"
 #include "ui/inputs/forms/section_box.h"
@@ -37,7 +38,8 @@ FormRow::FormRow(std::unique_ptr<FieldEditor> editor, QGridLayout& grid, QWidget
     , m_head(new QWidget(parent))
     , m_label(new QLabel(m_head))
     , m_unit(new QLabel(parent))
-    , m_reason(new QLabel(parent)) {
+    , m_reason(new QLabel(parent))
+    , m_shared(new SharedMark(m_head)) {
     m_label->setTextFormat(Qt::RichText);
     m_label->setWordWrap(true);
     m_label->setBuddy(m_editor->widget());
@@ -64,6 +66,7 @@ void FormRow::addTo(QGridLayout& grid) {
     head->setContentsMargins(0, 0, 0, 0);
     head->setSpacing(metrics::hair);
     head->addWidget(m_label, 1);
+    head->addWidget(m_shared);
     if (m_mark) {
         head->addWidget(m_mark);
     }
@@ -113,6 +116,14 @@ void FormRow::show(const Project& project, bool replaced) {
         m_mark->showChanged(m_editor->changedFromDefault());
     }
     showRemark();
+}
+
+void FormRow::setShared(bool shared) {
+    if (m_isShared != shared) {
+        m_isShared = shared;
+        m_shared->setVisible(shared);
+        showHint();
+    }
 }
 
 void FormRow::setIssues(const Issues& issues) {
@@ -173,7 +184,22 @@ void FormRow::retranslate() {
     fitWide();
     m_label->setText(labelMarkup(field));
     m_unit->setText(unitText(field.unit));
-    const QString hint = hintMarkup(field);
+    m_shared->retranslate();
+    showHint();
+    if (m_mark) {
+        m_mark->showDefault(inputText(field.label), defaultText(field));
+    }
+    showRemark();
+}
+
+void FormRow::showHint() {
+    const Field& field = m_editor->field();
+    const QString shared = SharedMark::text();
+    const QString hint = m_isShared
+                             ? QStringLiteral("%1<p><b>%2</b></p>").arg(hintMarkup(field), shared)
+                             : hintMarkup(field);
+    const QString plain =
+        m_isShared ? QStringLiteral("%1 (%2)").arg(hintPlain(field), shared) : hintPlain(field);
     QWidget* const widget = m_editor->widget();
     for (QWidget* one : {static_cast<QWidget*>(m_label), widget, m_editor->slider()}) {
         if (one) {
@@ -185,17 +211,13 @@ void FormRow::retranslate() {
         *field.unit ? tr("%1, %2").arg(StockReading::label(field), unitText(field.unit))
                     : StockReading::label(field));
     if (auto* line = qobject_cast<NumberField*>(widget)) {
-        line->setHint(hintPlain(field));
+        line->setHint(plain);
         if (meaningIsLong()) {
             line->setPlaceholderText(QStringLiteral("—")); // its meaning stands below
         }
     } else {
-        widget->setAccessibleDescription(hintPlain(field));
+        widget->setAccessibleDescription(plain);
     }
-    if (m_mark) {
-        m_mark->showDefault(inputText(field.label), defaultText(field));
-    }
-    showRemark();
 }
 
 void FormRow::fillMenu(QMenu& menu) {

@@ -13,6 +13,7 @@ namespace sparkout {
 
 class ReasonLabel;
 class ResetMark;
+class SharedMark;
 
 /// One row of a form: label with symbol, mark of a change from the default, field, unit, slider,
 /// and below them the reason of a mark.
@@ -25,6 +26,7 @@ public:
     [[nodiscard]] FieldEditor& editor() const { return *m_editor; }
     [[nodiscard]] ResetMark* resetMark() const { return m_mark; }
     void show(const Project& project, bool replaced);
+    void setShared(bool shared); ///< with the other surfaces of the set-up
     void setIssues(const Issues& issues);
     void retranslate();
     /// Adds what one can do with the input to a context menu.
@@ -37,6 +39,7 @@ private:
     void addTo(QGridLayout& grid);
     void fitWide();
     void showRemark();
+    void showHint();
     [[nodiscard]] bool meaningIsLong() const; ///< of an empty field, for the field itself
     [[nodiscard]] QString emptyCaption() const;
 
@@ -46,6 +49,8 @@ private:
     QLabel* m_unit;
     QLabel* m_reason;
     ResetMark* m_mark = nullptr; ///< null where there is no default to go back to
+    SharedMark* m_shared;
+    bool m_isShared = false;
     bool m_relevant = true;
 };
 

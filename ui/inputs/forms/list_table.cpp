@@ -107,7 +107,7 @@ void ListTable::setUp() {
     layout->addWidget(m_view);
     layout->addWidget(m_sliders);
     layout->addWidget(m_reasons); // below: what is dragged stays where it is
-    connect(&m_document, &Document::replaced, this, [this] { m_replaced = true; });
+    connect(&m_document, &Document::projectReplaced, this, [this] { m_replaced = true; });
     connect(&m_document, &Document::changed, this, &ListTable::takeProject);
     connect(m_model, &ListModel::refusalsChanged, this, [this] {
         updateReasons();

@@ -194,7 +194,7 @@ SizeHelper::SizeHelper(Document& document, QWidget* parent)
     layout->addWidget(m_meaning);
     connect(m_size, &QLineEdit::textChanged, this, &SizeHelper::showTyped);
     connect(m_size, &QLineEdit::editingFinished, this, &SizeHelper::fill);
-    connect(&document, &Document::replaced, this, [this] { m_size->clear(); });
+    connect(&document, &Document::projectReplaced, this, [this] { m_size->clear(); });
     connect(&document, &Document::changed, this, &SizeHelper::showPart);
     retranslate();
 }

@@ -519,7 +519,8 @@ private slots:
             const QString path =
                 QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
                     .arg(QString::fromLatin1(name));
-            const Project usual = withUsualBatch(loadProject(path).project.value());
+            const Project usual =
+                withUsualBatch(loadProject(path).setup.value().surfaces.front().project);
             QVERIFY2(checkBatch(usual).empty(), name);
             QVERIFY2(givenFactors(usual).size() >= 2, name);
         }

@@ -37,7 +37,9 @@ namespace {
 Project example(const char* name) {
     return loadProject(QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
                            .arg(QString::fromLatin1(name)))
-        .project.value();
+        .setup.value()
+        .surfaces.front()
+        .project;
 }
 
 /// A stepped shaft between centres, ground by plunge in sections that can be coupled.

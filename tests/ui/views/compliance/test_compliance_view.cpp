@@ -25,7 +25,7 @@ namespace {
 OutcomePtr example(const char* name) {
     const QString path = QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
                              .arg(QString::fromLatin1(name));
-    return evaluate(loadProject(path).project.value(), {});
+    return evaluate(loadProject(path).setup.value().surfaces.front().project, {});
 }
 
 /// A view as it stands in the window, with a run drawn.

@@ -146,7 +146,7 @@ private slots:
     void everyInputHasANameOfItsOwn() {
         const auto read = loadProject(
             QStringLiteral(SPARKOUT_SOURCE_DIR "/tests/data/projects/everything.sparkout"));
-        Bench bench(read.project.value());
+        Bench bench(read.setup.value().surfaces.front().project);
         const auto& box = bench.part<QComboBox>("sweep1Input");
         std::set<QString> names;
         for (int i = 0; i < box.count(); ++i) {

@@ -1,0 +1,513 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window on a set-up of several surfaces, as its user has it.
+#include "core/project/batch.h"
+#include "core/project/wheel.h"
+#include "core/setup/setup_run.h"
+#include "core/setup/worn_project.h"
+#include "core/study/batch_edits.h"
+#include "core/study/whole_search.h"
+#include "tests/registry.h"
+#include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/search_fixtures.h"
+#include "tests/ui/support/setup_fixtures.h"
+#include "tests/ui/support/text_checks.h"
+#include "tests/ui/support/window_bench.h"
+#include "ui/fields/number_field.h"
+#include "ui/fields/shared_mark.h"
+#include "ui/files/recovery_store.h"
+#include "ui/inputs/inputs_panel.h"
+#include "ui/part/part_drawing.h"
+#include "ui/part/part_model.h"
+#include "ui/part/part_strip.h"
+#include "ui/part/part_window.h"
+#include "ui/session/kept_runs.h"
+#include "ui/session/part_runs.h"
+#include "ui/window/file_commands.h"
+#include "ui/window/view_tabs.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTabBar>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <memory>
+
+namespace test_surfaces {
+
+using namespace sparkout;
+using namespace setup_fixtures;
+
+namespace {
+
+/// A window with the stepped shaft in a file of its own.
+struct Desk {
+    explicit Desk(const Setup& setup = steppedShaft(),
+                  const QString& language = QStringLiteral("en"))
+        : bench(language) {
+        writeSetupFile(setup, path);
+        isOpen = bench.open(path);
+        calm();
+    }
+    void calm() {
+        QTRY_VERIFY(!bench.window->runs().running() && !runs().running());
+        bench.settle();
+    }
+    void press(const char* action) {
+        bench.action(action)->trigger();
+        calm();
+    }
+    [[nodiscard]] Document& document() { return bench.window->document(); }
+    [[nodiscard]] PartStrip& strip() { return *bench.window->findChild<PartStrip*>(); }
+    [[nodiscard]] PartRuns& runs() { return *bench.window->findChild<PartRuns*>(); }
+    [[nodiscard]] QTabBar& tabs() { return strip().tabs(); }
+    [[nodiscard]] NumberField* field(const char* name) {
+        bench.window->inputs().focusPath(name);
+        bench.settle();
+        return bench.window->findChild<NumberField*>(QString::fromUtf8(name));
+    }
+    void type(const char* name, const QString& text) {
+        NumberField* const number = field(name);
+        number->selectAll();
+        QTest::keyClicks(number, text);
+        QTest::keyClick(number, Qt::Key_Return);
+        calm();
+    }
+    void clickSurface(std::size_t surface) {
+        PartDrawing& drawing = strip().drawing();
+        const PartOutline::Ground& ground = drawing.outline().surfaces[surface];
+        QTest::mouseClick(
+            &drawing, Qt::LeftButton, {},
+            QPoint(int(drawing.xOf(ground.from_mm + ground.length_mm / 2)), drawing.height() / 2));
+        calm();
+    }
+    [[nodiscard]] QStringList names() {
+        QStringList list;
+        for (const SurfaceStatePtr& surface : document().state().surfaces) {
+            list += QString::fromStdString(surface->name);
+        }
+        return list;
+    }
+
+    QTemporaryDir folder;
+    QString path = folder.filePath(QStringLiteral("shaft.sparkout"));
+    Bench bench;
+    bool isOpen = false;
+};
+
+/// Two surfaces with a small grid each.
+Setup searchedSetup() {
+    Setup setup = plainSetup(fixtures::searchedShaft());
+    setup.surfaces.push_back(setup.surfaces.front());
+    setup.surfaces[0].name = "first";
+    setup.surfaces[1].name = "second";
+    setup.wear.dulling_per_mm2 = 1e-4;
+    return setup;
+}
+
+QByteArray bytesOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+class TestSurfaces : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aFileOfSeveralOpensWithItsFirstInFront() {
+        Desk desk;
+        QVERIFY(desk.isOpen);
+        QVERIFY(desk.strip().isVisible());
+        QCOMPARE(desk.tabs().count(), 3);
+        QCOMPARE(desk.tabs().currentIndex(), 0);
+        QCOMPARE(desk.tabs().tabText(1), QStringLiteral("2 Seat"));
+        QVERIFY(desk.bench.window->outcome()->ran());
+        QVERIFY(!desk.document().modified());
+    }
+
+    void aSurfaceAloneHasNoStrip() {
+        Desk desk(plainSetup(newProject(Operation::traverse)));
+        QVERIFY(desk.isOpen);
+        QVERIFY(!desk.strip().isVisible());
+        const QByteArray before = bytesOf(desk.path);
+        desk.press("duplicateSurface");
+        QVERIFY(desk.strip().isVisible());
+        QCOMPARE(desk.tabs().count(), 2);
+        desk.press("undo");
+        QVERIFY(!desk.strip().isVisible());
+        QVERIFY(desk.bench.window->files().save());
+        QCOMPARE(bytesOf(desk.path), before); // version 1, to the byte
+        desk.press("duplicateSurface");
+        desk.press("removeSurface");
+        QVERIFY(desk.bench.window->files().save());
+        QCOMPARE(bytesOf(desk.path), before);
+    }
+
+    void mouseAndKeysChooseASurface() {
+        Desk desk;
+        desk.clickSurface(2);
+        QCOMPARE(desk.document().surface(), std::size_t{2});
+        QCOMPARE(desk.tabs().currentIndex(), 2);
+        QTest::mouseClick(&desk.tabs(), Qt::LeftButton, {}, desk.tabs().tabRect(1).center());
+        desk.calm();
+        QCOMPARE(desk.document().surface(), std::size_t{1});
+        QCOMPARE(desk.field("/part/diameter_mm")->value().value(), 36.0);
+        desk.tabs().setFocus(Qt::TabFocusReason);
+        QTest::keyClick(&desk.tabs(), Qt::Key_Left);
+        desk.calm();
+        QCOMPARE(desk.document().surface(), std::size_t{0});
+        QTest::keyClick(desk.bench.window.get(), Qt::Key_PageDown, Qt::ControlModifier);
+        desk.calm();
+        QCOMPARE(desk.document().surface(), std::size_t{1});
+        QVERIFY(!desk.document().modified() && !desk.document().canUndo());
+    }
+
+    /// The numbers of the window are those of `sparkout-cli simulate --surface N`.
+    void everySurfaceIsRunWithTheWheelAsThoseBeforeLeaveIt() {
+        Desk desk;
+        const Setup setup = steppedShaft();
+        const SetupRun run = runSetup(setup);
+        QVERIFY(run.isCompleted(setup));
+        for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
+            desk.clickSurface(i);
+            const SimulationResult& shown = desk.bench.window->outcome()->result;
+            QCOMPARE(shown.time_s, run.surfaces[i].result.time_s);
+            QCOMPARE(shown.project.wheel->dullness, run.surfaces[i].result.project.wheel->dullness);
+            QCOMPARE(desk.runs().statuses()[i].time_s, run.surfaces[i].result.time_s);
+            QCOMPARE(desk.runs().statuses()[i].holds(), run.surfaces[i].holds());
+        }
+        QVERIFY(run.surfaces[2].result.project.wheel->dullness
+                > setup.surfaces[0].project.wheel->dullness);
+        QCOMPARE(desk.runs().time()->piece_min, run.time.piece_min);
+    }
+
+    void editsAreOfTheirSurfaceAndUndoneThere() {
+        Desk desk;
+        desk.clickSurface(1);
+        desk.type("/machine/work_speed_rpm", QStringLiteral("150"));
+        desk.clickSurface(0);
+        desk.type("/wheel/width_mm", QStringLiteral("41"));
+        for (const GroundSurface& surface : desk.document().setup().surfaces) {
+            QCOMPARE(surface.project.wheel->width_mm, 41.0);
+        }
+        QVERIFY(desk.document().setup().surfaces[0].project.machine->work_speed_rpm != 150);
+        desk.clickSurface(2);
+        desk.press("undo");
+        QCOMPARE(desk.document().surface(), std::size_t{0});
+        desk.press("undo");
+        QCOMPARE(desk.document().surface(), std::size_t{1});
+        QVERIFY(!desk.document().modified());
+        desk.press("redo");
+        desk.press("redo");
+        QVERIFY(desk.bench.window->files().save());
+        const Setup saved = *readSetup(bytesOf(desk.path).toStdString()).setup;
+        QCOMPARE(saved.surfaces[1].project.machine->work_speed_rpm, 150.0);
+        QCOMPARE(saved.surfaces[2].project.wheel->width_mm, 41.0);
+        QVERIFY(desk.bench.open(desk.path));
+        QVERIFY(sameSetup(desk.document().setup(), saved));
+    }
+
+    void surfacesAreMovedRenamedDuplicatedAndRemoved() {
+        Desk desk;
+        const QStringList names = desk.names();
+        desk.clickSurface(0);
+        desk.press("moveSurfaceRight");
+        QCOMPARE(desk.names(), QStringList({names[1], names[0], names[2]}));
+        QCOMPARE(desk.document().surface(), std::size_t{1});
+        QCOMPARE(desk.tabs().currentIndex(), 1);
+        DialogAnswers rename({QStringLiteral("Enter")});
+        rename.seen = [](QDialog& dialog) {
+            dialog.findChild<QLineEdit*>(QStringLiteral("surfaceName"))
+                ->setText(QStringLiteral("  Cone <b>  "));
+        };
+        desk.press("renameSurface");
+        QVERIFY2(rename.fault().isEmpty(), qPrintable(rename.fault()));
+        QCOMPARE(desk.names().at(1), QStringLiteral("Cone <b>"));
+        desk.press("duplicateSurface");
+        QCOMPARE(desk.tabs().count(), 4);
+        QCOMPARE(desk.document().surface(), std::size_t{2});
+        desk.press("removeSurface");
+        desk.press("removeSurface");
+        QCOMPARE(desk.names(), QStringList({names[1], QStringLiteral("Cone <b>")}));
+        while (desk.document().canUndo()) {
+            desk.press("undo");
+        }
+        QCOMPARE(desk.names(), names);
+        QVERIFY(!desk.document().modified());
+        while (desk.document().canRedo()) {
+            desk.press("redo");
+        }
+        QCOMPARE(desk.names(), QStringList({names[1], QStringLiteral("Cone <b>")}));
+    }
+
+    void theLastSurfaceStays() {
+        Desk desk;
+        desk.press("removeSurface");
+        desk.press("removeSurface");
+        QCOMPARE(desk.tabs().count(), 1);
+        QVERIFY(!desk.bench.action("removeSurface")->isEnabled());
+        QVERIFY(!desk.strip().isVisible());
+    }
+
+    /// A step that is picked gives place, length and diameter.
+    void aSurfaceIsAddedOnAStepOfTheShaft() {
+        Setup setup = steppedShaft();
+        setup.surfaces.erase(setup.surfaces.begin() + 1);
+        Desk desk(setup);
+        PartDrawing& drawing = desk.strip().drawing();
+        const PartOutline::Step step = drawing.outline().steps[1];
+        DialogAnswers answers({QStringLiteral("Enter")});
+        QString chosen;
+        answers.seen = [&chosen](QDialog& dialog) {
+            chosen = dialog.findChild<QListWidget*>()->currentItem()->text();
+            QVERIFY(dialog.findChild<PartDrawing*>()->isVisible());
+        };
+        QTest::mouseDClick(
+            &drawing, Qt::LeftButton, {},
+            QPoint(int(drawing.xOf(step.from_mm + step.length_mm / 2)), drawing.height() / 2));
+        desk.calm();
+        QVERIFY2(answers.fault().isEmpty(), qPrintable(answers.fault()));
+        QVERIFY(chosen.contains(QStringLiteral("Step 2")));
+        QCOMPARE(desk.document().surfaceCount(), std::size_t{3});
+        const Part& part = *desk.document().project().part;
+        QCOMPARE(part.shaft.ground_from_mm, step.from_mm);
+        QCOMPARE(part.length_mm, step.length_mm);
+        QCOMPARE(part.diameter_mm, step.diameter_mm);
+        QVERIFY(desk.bench.window->outcome()->ran());
+        desk.press("undo");
+        QCOMPARE(desk.document().surfaceCount(), std::size_t{2});
+    }
+
+    void whatIsSharedLooksSoWhileThereAreSeveral() {
+        Desk desk;
+        const auto marked = [&desk](const char* path) {
+            desk.bench.window->inputs().focusPath(path);
+            desk.bench.settle();
+            const auto* widget =
+                desk.bench.window->findChild<NumberField*>(QString::fromUtf8(path));
+            return widget->toolTip().contains(SharedMark::text());
+        };
+        QVERIFY(marked("/wheel/width_mm"));
+        QVERIFY(marked("/machine/wheel_speed_m_s"));
+        QVERIFY(!marked("/machine/work_speed_rpm"));
+        QVERIFY(!marked("/part/diameter_mm"));
+        int shown = 0;
+        desk.bench.window->inputs().focusPath("/wheel/width_mm");
+        desk.bench.settle();
+        for (const auto* mark : desk.bench.window->findChildren<SharedMark*>()) {
+            shown += mark->isVisible();
+        }
+        QVERIFY(shown > 2);
+        desk.press("removeSurface");
+        desk.press("removeSurface");
+        QVERIFY(!marked("/wheel/width_mm"));
+        for (const auto* mark : desk.bench.window->findChildren<SharedMark*>()) {
+            QVERIFY(!mark->isVisible());
+        }
+    }
+
+    void keptRunsBelongToTheirSurface() {
+        Desk desk;
+        auto* kept = desk.bench.window->findChild<KeptRuns*>();
+        desk.clickSurface(2);
+        desk.press("keepRun");
+        QCOMPARE(kept->count(), 1);
+        desk.clickSurface(0);
+        QCOMPARE(kept->count(), 0);
+        desk.press("keepRun");
+        desk.clickSurface(2);
+        QCOMPARE(kept->count(), 1);
+        const double diameter_mm = desk.document().project().wheel->diameter_mm;
+        QVERIFY(kept->restore(0)); // with the wheel of the set-up, not the worn one
+        desk.calm();
+        QCOMPARE(desk.document().project().wheel->diameter_mm, diameter_mm);
+        QVERIFY(desk.bench.window->files().save());
+        const Setup saved = *readSetup(bytesOf(desk.path).toStdString()).setup;
+        QCOMPARE(saved.surfaces[0].project.runs.size(), std::size_t{1});
+        QCOMPARE(saved.surfaces[1].project.runs.size(), std::size_t{0});
+        QCOMPARE(saved.surfaces[2].project.runs.size(), std::size_t{1});
+    }
+
+    /// A refused text stands in a field of its surface: it is not lost without a question.
+    void aRefusedTextKeepsItsSurfaceInFront() {
+        Desk desk;
+        NumberField* const width = desk.field("/part/length_mm");
+        width->selectAll();
+        QTest::keyClicks(width, QStringLiteral("abc"));
+        QTest::keyClick(width, Qt::Key_Tab);
+        QTRY_VERIFY(width->refused());
+        DialogAnswers stay({QStringLiteral("Escape")});
+        QTest::mouseClick(&desk.tabs(), Qt::LeftButton, {}, desk.tabs().tabRect(1).center());
+        desk.calm();
+        QVERIFY2(stay.fault().isEmpty(), qPrintable(stay.fault()));
+        QCOMPARE(desk.document().surface(), std::size_t{0});
+        QCOMPARE(desk.tabs().currentIndex(), 0);
+        DialogAnswers go({QStringLiteral("discard")});
+        desk.press("nextSurface");
+        QVERIFY2(go.fault().isEmpty(), qPrintable(go.fault()));
+        QCOMPARE(desk.document().surface(), std::size_t{1});
+        QVERIFY(!width->refused());
+    }
+
+    /// With the wheel that wears, what is refused before stops those behind it, and is named.
+    void faultsOfASurfaceBeforeAreNamedWithIt() {
+        Desk desk;
+        Project project = desk.document().project();
+        project.part->lower_deviation_um = project.part->upper_deviation_um + 1;
+        desk.document().edit(project, {"Input", "Diameter"});
+        desk.clickSurface(2);
+        const OutcomePtr outcome = desk.bench.window->outcome();
+        QVERIFY(!outcome->ran());
+        QVERIFY(outcome->issues.front().path.starts_with("/surfaces/0/part/"));
+        QCOMPARE(desk.runs().statuses()[0].state, SurfaceStatus::State::refused);
+        QCOMPARE(desk.runs().statuses()[1].state, SurfaceStatus::State::notRun);
+    }
+
+    void unsavedWorkIsRecoveredWithAllSurfaces() {
+        const QTemporaryDir state;
+        Setup kept;
+        {
+            Desk desk;
+            desk.bench.window->files().protect(state.path());
+            desk.clickSurface(1);
+            desk.type("/machine/work_speed_rpm", QStringLiteral("150"));
+            kept = desk.document().setup();
+            desk.bench.window->files().guard().autosave()->flush();
+            const QString file = desk.bench.window->files().guard().autosave()->file();
+            const RecoveryContent content = readRecovery(bytesOf(file).toStdString());
+            QVERIFY(content.setup && sameSetup(*content.setup, kept));
+        }
+    }
+
+    void theWholePartIsListedWithItsTimes() {
+        Desk desk;
+        auto* whole = desk.bench.window->findChild<PartWindow*>();
+        desk.press("wholePart");
+        QVERIFY(whole->isVisible());
+        const auto* table = whole->findChild<QTableView*>(QStringLiteral("partTable"));
+        QCOMPARE(table->model()->rowCount(), 3);
+        const auto* times = whole->findChild<QLabel*>(QStringLiteral("pieceTime"));
+        QVERIFY(times->text().contains(QStringLiteral("T<sub>1</sub>")));
+        DialogAnswers answers({QStringLiteral("Enter")});
+        answers.seen = [](QDialog& dialog) {
+            auto* handling = dialog.findChild<NumberField*>(QStringLiteral("handling_s"));
+            handling->selectAll();
+            QTest::keyClicks(handling, QStringLiteral("60"));
+        };
+        const double before_min = desk.runs().time()->piece_min;
+        desk.press("standardTimes");
+        QVERIFY2(answers.fault().isEmpty(), qPrintable(answers.fault()));
+        QCOMPARE(desk.document().state().times.handling_s, 60.0);
+        QCOMPARE(desk.runs().time()->piece_min, before_min + 1);
+        QVERIFY(desk.bench.window->files().save());
+        QCOMPARE(readSetup(bytesOf(desk.path).toStdString()).setup->times.handling_s, 60.0);
+        desk.press("undo");
+        QCOMPARE(desk.document().state().times.handling_s, 0.0);
+    }
+
+    /// The same as the command line's: each with the wheel as the cycles found before leave it.
+    void allAreOptimisedAndTheCyclesFoundAreOneStep() {
+        Setup setup = searchedSetup();
+        Desk desk(setup);
+        auto* whole = desk.bench.window->findChild<PartWindow*>();
+        desk.press("wholePart");
+        QSignalSpy ended(&whole->study(), &PartStudy::finished);
+        QTest::mouseClick(whole->findChild<QPushButton*>(QStringLiteral("searchAll")),
+                          Qt::LeftButton);
+        QVERIFY(ended.wait(120'000));
+        auto* take = whole->findChild<QPushButton*>(QStringLiteral("takeFound"));
+        QVERIFY(take->isEnabled());
+        QTest::mouseClick(take, Qt::LeftButton);
+        desk.calm();
+        for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
+            const auto outcome =
+                runWholeSearch(wornProject(setup, i).project, {}, {}, [](const SearchState&) {});
+            Project& project = setup.surfaces[i].project;
+            project = withFound(std::move(project), *outcome.best());
+        }
+        QVERIFY(sameSetup(desk.document().setup(), setup));
+        QVERIFY(!take->isEnabled()); // it is of the inputs before
+        desk.press("undo");
+        QVERIFY(sameSetup(desk.document().setup(), searchedSetup()));
+    }
+
+    void allBatchesAreRunAndCanBeStopped() {
+        Setup setup = steppedShaft();
+        for (GroundSurface& surface : setup.surfaces) {
+            surface.project = withUsualBatch(surface.project);
+            surface.project.batch->parts = 8;
+        }
+        setup.surfaces[1].project.batch.reset();
+        Desk desk(setup);
+        auto* whole = desk.bench.window->findChild<PartWindow*>();
+        desk.press("wholePart");
+        QSignalSpy ended(&whole->study(), &PartStudy::finished);
+        auto* batch = whole->findChild<QPushButton*>(QStringLiteral("batchAll"));
+        QTest::mouseClick(batch, Qt::LeftButton);
+        QVERIFY(ended.wait(60'000));
+        const auto shown = [whole](int row) {
+            return whole->model().index(row, PartModel::batch).data().toString();
+        };
+        QVERIFY2(shown(0).contains(QStringLiteral("of 8")), qPrintable(shown(0)));
+        QCOMPARE(shown(1), QStringLiteral("not set up"));
+        QVERIFY(shown(2).contains(QStringLiteral("of 8")));
+        desk.clickSurface(0);
+        Project project = desk.document().project();
+        project.batch->parts = 100'000;
+        desk.document().edit(project, {"Input", "Batch"});
+        desk.calm();
+        QTest::mouseClick(batch, Qt::LeftButton);
+        auto* stop = whole->findChild<QPushButton*>(QStringLiteral("stopAll"));
+        QTRY_VERIFY(stop->isVisible());
+        QTest::qWait(100);
+        QTest::mouseClick(stop, Qt::LeftButton);
+        QVERIFY(ended.wait(20'000));
+        QCOMPARE(ended.back().front().toBool(), true);
+    }
+
+    /// A surface that is gone, or another file, while all of it runs.
+    void whatRunsIsDroppedWithItsSurface() {
+        Desk desk(searchedSetup());
+        auto* whole = desk.bench.window->findChild<PartWindow*>();
+        desk.press("wholePart");
+        for (const char* action : {"removeSurface", "undo", "removeSurface"}) {
+            QTest::mouseClick(whole->findChild<QPushButton*>(QStringLiteral("searchAll")),
+                              Qt::LeftButton);
+            desk.bench.action(action)->trigger();
+        }
+        QVERIFY(desk.bench.open(examplePaths().front()));
+        desk.calm();
+        QVERIFY(!whole->study().running());
+        QCOMPARE(whole->model().rowCount(), 1);
+        desk.bench.window.reset();
+    }
+
+    void russianWordsStandThroughout() {
+        Desk desk(steppedShaft(), QStringLiteral("ru"));
+        desk.press("wholePart");
+        auto* whole = desk.bench.window->findChild<PartWindow*>();
+        for (const QWidget* part :
+             {static_cast<QWidget*>(whole), static_cast<QWidget*>(&desk.strip())}) {
+            for (const auto* label : part->findChildren<QLabel*>()) {
+                QVERIFY2(englishIn(label->text()).isEmpty(), qPrintable(label->text()));
+            }
+            for (const auto* button : part->findChildren<QAbstractButton*>()) {
+                QVERIFY2(englishIn(button->text()).isEmpty(), qPrintable(button->text()));
+            }
+        }
+        QVERIFY(desk.tabs().accessibleTabName(0).startsWith(QStringLiteral("Поверхность 1")));
+        QVERIFY(desk.tabs().accessibleName().startsWith(QStringLiteral("Поверхности детали")));
+    }
+};
+
+} // namespace test_surfaces
+
+SPARKOUT_TEST(test_surfaces, TestSurfaces)
+#include "test_surfaces.moc"

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+namespace sparkout {
+
+/// Two linked rings beside an input that all surfaces of a set-up share.
+class SharedMark : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SharedMark(QWidget* parent = nullptr);
+
+    [[nodiscard]] static QString text(); ///< "for all surfaces"
+    void retranslate();
+    [[nodiscard]] QSize sizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+};
+
+} // namespace sparkout

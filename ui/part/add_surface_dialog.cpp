@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/part/add_surface_dialog.h"
+
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/setup/shared_members.h"
+#include "core/study/new_project.h"
+#include "core/study/operation.h"
+#include "ui/kit/font_size.h"
+#include "ui/kit/help_topic.h"
+#include "ui/part/part_drawing.h"
+#include "ui/session/surface_edits.h"
+#include "ui/text/number_text.h"
+#include "ui/text/texts.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <utility>
+#include <variant>
+
+namespace sparkout {
+
+namespace {
+
+enum class BeginWith { copy, traverse, plunge };
+
+/// Place, length and diameter are those of the step; what was given for another place goes.
+void putOnStep(Project& project, const PartOutline::Step& step) {
+    Part& part = *project.part;
+    part.shaft.ground_from_mm = step.from_mm;
+    part.length_mm = step.length_mm;
+    if (part.surface == Surface::external) {
+        part.diameter_mm = step.diameter_mm;
+        part.target_diameter_mm.reset();
+    }
+    if (project.gauge->position_mm) {
+        project.gauge->position_mm = step.length_mm / 2;
+        project.gauge->compliance_mm_per_n.reset();
+    }
+}
+
+} // namespace
+
+AddSurfaceDialog::AddSurfaceDialog(const SetupState& state, const QString& name, IsFreeName isFree,
+                                   std::optional<std::size_t> step, QWidget* parent)
+    : QDialog(parent)
+    , m_state(state)
+    , m_outline(PartOutline::of(state))
+    , m_isFree(std::move(isFree))
+    , m_drawing(new PartDrawing(this))
+    , m_places(new QListWidget(this))
+    , m_begin(new QComboBox(this))
+    , m_name(new QLineEdit(name, this))
+    , m_buttons(new QDialogButtonBox(this)) {
+    setWindowTitle(tr("Add a surface"));
+    setHelpTopic(*this, QStringLiteral("surfaces#add"));
+    m_drawing->setAccessibleName(tr("The part with its surfaces"));
+    m_drawing->setOutline(m_outline);
+    m_drawing->setMinimumHeight(atFontSize(100));
+    m_places->setObjectName(QStringLiteral("places"));
+    m_places->setAccessibleName(tr("Place on the part"));
+    m_begin->setObjectName(QStringLiteral("begin"));
+    m_begin->setAccessibleName(tr("Begins with"));
+    const QString present = printableText(SurfaceEdits::nameOf(state, state.present));
+    m_begin->addItem(tr("the inputs of “%1”").arg(present), int(BeginWith::copy));
+    m_begin->addItem(tr("a new traverse cycle"), int(BeginWith::traverse));
+    m_begin->addItem(tr("a new plunge cycle"), int(BeginWith::plunge));
+    m_name->setObjectName(QStringLiteral("surfaceName"));
+    m_name->setAccessibleName(tr("Name"));
+    fillPlaces();
+    auto* form = new QFormLayout;
+    form->addRow(tr("Name"), m_name);
+    form->addRow(tr("Begins with"), m_begin);
+    form->addRow(tr("Place"), m_places);
+    auto* add = m_buttons->addButton(tr("&Add"), QDialogButtonBox::AcceptRole);
+    m_buttons->addButton(tr("&Cancel"), QDialogButtonBox::RejectRole);
+    add->setDefault(true);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(m_drawing, 1);
+    layout->addLayout(form);
+    layout->addWidget(m_buttons);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_name, &QLineEdit::textChanged, this, &AddSurfaceDialog::follow);
+    connect(m_places, &QListWidget::currentRowChanged, this, &AddSurfaceDialog::follow);
+    connect(m_drawing, &PartDrawing::stepClicked, this, &AddSurfaceDialog::chooseStep);
+    const auto wanted = step ? step : m_outline.firstFreeStep();
+    wanted ? chooseStep(*wanted) : m_places->setCurrentRow(m_places->count() - 1);
+    m_name->selectAll();
+    m_name->setFocus();
+    resize(atFontSize(460), atFontSize(420));
+    follow();
+}
+
+void AddSurfaceDialog::fillPlaces() {
+    for (std::size_t i = 0; m_outline.hasSteps && i < m_outline.steps.size(); ++i) {
+        const PartOutline::Step& step = m_outline.steps[i];
+        const QString text = tr("Step %1: ⌀%2 × %3 mm, from %4 mm")
+                                 .arg(i + 1)
+                                 .arg(printedNumber(step.diameter_mm),
+                                      printedNumber(step.length_mm), printedNumber(step.from_mm));
+        m_places->addItem(m_outline.isFree(i) ? tr("%1 (free)").arg(text) : text);
+    }
+    m_places->addItem(
+        tr("Where “%1” is").arg(printableText(SurfaceEdits::nameOf(m_state, m_state.present))));
+}
+
+std::optional<std::size_t> AddSurfaceDialog::step() const {
+    const int row = m_places->currentRow();
+    const bool isStep = row >= 0 && row < m_places->count() - 1;
+    return isStep ? std::optional(static_cast<std::size_t>(row)) : std::nullopt;
+}
+
+void AddSurfaceDialog::chooseStep(std::size_t step) {
+    if (m_outline.hasSteps && step < m_outline.steps.size()) {
+        m_places->setCurrentRow(static_cast<int>(step));
+    }
+}
+
+void AddSurfaceDialog::follow() {
+    m_drawing->setChosenStep(step());
+    const bool isFree = m_isFree(m_name->text());
+    m_buttons->buttons().front()->setEnabled(isFree);
+    m_name->setToolTip(isFree ? QString() : tr("Each surface has a name of its own."));
+}
+
+QString AddSurfaceDialog::name() const {
+    return m_name->text().simplified();
+}
+
+Project AddSurfaceDialog::project() const {
+    const Project& present = m_state.inFront().project;
+    Project made = present;
+    const auto begin = static_cast<BeginWith>(m_begin->currentData().toInt());
+    if (begin != BeginWith::copy) {
+        made = newProject(begin == BeginWith::traverse ? Operation::traverse : Operation::plunge);
+        if (std::holds_alternative<std::monostate>(present.machine->compliance_mm_per_n)) {
+            made = withGivenCompliance(std::move(made), false);
+        }
+        copyShared(present, made);
+        made.part->surface = present.part->surface;
+        made.part->diameter_mm = present.part->diameter_mm;
+        made.part->shaft.ground_from_mm = present.part->shaft.ground_from_mm;
+    }
+    if (const auto at = step()) {
+        putOnStep(made, m_outline.steps[*at]);
+    }
+    return made;
+}
+
+} // namespace sparkout

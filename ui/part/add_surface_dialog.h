@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/part/part_outline.h"
+
+#include <QDialog>
+
+#include <functional>
+#include <optional>
+
+class QComboBox;
+class QDialogButtonBox;
+class QLineEdit;
+class QListWidget;
+
+namespace sparkout {
+
+class PartDrawing;
+
+/// Asks where on the part a further surface is, which cycle it begins with, and its name. A step of
+/// the shaft gives it place, length and diameter.
+class AddSurfaceDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    using IsFreeName = std::function<bool(const QString&)>;
+
+    AddSurfaceDialog(const SetupState& state, const QString& name, IsFreeName isFree,
+                     std::optional<std::size_t> step, QWidget* parent = nullptr);
+
+    [[nodiscard]] QString name() const;
+    [[nodiscard]] Project project() const;
+
+private:
+    void fillPlaces();
+    void follow();
+    [[nodiscard]] std::optional<std::size_t> step() const; ///< nothing: where the present one is
+    void chooseStep(std::size_t step);
+
+    const SetupState m_state;
+    const PartOutline m_outline;
+    IsFreeName m_isFree;
+    PartDrawing* m_drawing;
+    QListWidget* m_places;
+    QComboBox* m_begin;
+    QLineEdit* m_name;
+    QDialogButtonBox* m_buttons;
+};
+
+} // namespace sparkout

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+
+#include <functional>
+
+class QLineEdit;
+
+namespace sparkout {
+
+/// Asks for the name of a surface, which no other one has.
+class NameDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    NameDialog(const QString& name, std::function<bool(const QString&)> isFree,
+               QWidget* parent = nullptr);
+
+    [[nodiscard]] QString name() const;
+
+private:
+    QLineEdit* m_name;
+};
+
+} // namespace sparkout

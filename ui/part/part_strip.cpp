@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/part/part_strip.h"
+
+#include "core/project/part.h"
+#include "ui/kit/help_topic.h"
+#include "ui/kit/metrics.h"
+#include "ui/kit/theme_icon.h"
+#include "ui/part/part_drawing.h"
+#include "ui/part/status_text.h"
+#include "ui/session/document.h"
+#include "ui/session/part_runs.h"
+#include "ui/session/surface_edits.h"
+#include "ui/text/number_text.h"
+#include "ui/text/texts.h"
+
+#include <QContextMenuEvent>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QTabBar>
+#include <QToolButton>
+
+namespace sparkout {
+
+namespace {
+
+constexpr qsizetype longestOnTab = 24; ///< letters; the tool tip has all of them
+
+} // namespace
+
+PartStrip::PartStrip(Document& document, const PartRuns& runs, QWidget* parent)
+    : QFrame(parent)
+    , m_document(document)
+    , m_runs(runs)
+    , m_drawing(new PartDrawing(this))
+    , m_tabs(new QTabBar(this))
+    , m_whole(new QToolButton(this))
+    , m_menu(new QToolButton(this)) {
+    setObjectName(QStringLiteral("partStrip"));
+    setHelpTopic(*this, QStringLiteral("surfaces"));
+    m_tabs->setObjectName(QStringLiteral("surfaces"));
+    m_tabs->setExpanding(false);
+    m_tabs->setDrawBase(false);
+    m_tabs->setElideMode(Qt::ElideNone);
+    m_tabs->setUsesScrollButtons(true);
+    m_tabs->setIconSize({metrics::iconSmall, metrics::iconSmall});
+    m_tabs->setFocusPolicy(Qt::TabFocus);
+    m_tabs->installEventFilter(this);
+    m_whole->setObjectName(QStringLiteral("wholePart"));
+    m_whole->setAutoRaise(true);
+    m_whole->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_menu->setObjectName(QStringLiteral("surfaceMenu"));
+    m_menu->setIcon(themeIcon(u"part"));
+    m_menu->setAutoRaise(true);
+    m_menu->setPopupMode(QToolButton::InstantPopup);
+    m_menu->setMenu(new QMenu(m_menu));
+    auto* line = new QHBoxLayout(this);
+    line->setContentsMargins(metrics::tight, 0, metrics::tight, 0);
+    line->setSpacing(metrics::gap);
+    line->addWidget(m_drawing);
+    line->addWidget(m_tabs, 1, Qt::AlignBottom);
+    line->addWidget(m_whole);
+    line->addWidget(m_menu);
+    connect(m_tabs, &QTabBar::currentChanged, this, [this](int tab) {
+        if (!m_following && tab >= 0) {
+            emit surfaceWanted(static_cast<std::size_t>(tab));
+        }
+    });
+    connect(m_drawing, &PartDrawing::surfaceClicked, this, &PartStrip::surfaceWanted);
+    connect(m_drawing, &PartDrawing::freeStepEntered, this, &PartStrip::surfaceOnStepWanted);
+    connect(m_whole, &QToolButton::clicked, this, &PartStrip::wholePartWanted);
+    connect(&document, &Document::changed, this, &PartStrip::follow);
+    connect(&runs, &PartRuns::changed, this, &PartStrip::showStatuses);
+    retranslate();
+}
+
+void PartStrip::setActions(const QList<QAction*>& actions) {
+    m_menu->menu()->addActions(actions);
+}
+
+void PartStrip::follow() {
+    const int count = static_cast<int>(m_document.surfaceCount());
+    setVisible(count > 1);
+    m_following = true;
+    while (m_tabs->count() > count) {
+        m_tabs->removeTab(m_tabs->count() - 1);
+    }
+    while (m_tabs->count() < count) {
+        m_tabs->addTab(QString());
+    }
+    m_tabs->setCurrentIndex(static_cast<int>(m_document.surface()));
+    m_following = false;
+    m_drawing->setOutline(PartOutline::of(m_document.state()));
+    m_drawing->setPresent(m_document.surface());
+    showStatuses();
+}
+
+QString PartStrip::tip(std::size_t surface) const {
+    const Part& part = *m_document.state().surfaces[surface]->project.part;
+    const SurfaceStatus& status = m_runs.statuses()[surface];
+    QStringList lines{tr("%1. %2")
+                          .arg(surface + 1)
+                          .arg(printableText(SurfaceEdits::nameOf(m_document.state(), surface)))};
+    lines += tr("⌀%1 × %2 mm, from %3 mm")
+                 .arg(printedNumber(part.diameter_mm), printedNumber(part.length_mm),
+                      printedNumber(part.shaft.ground_from_mm));
+    lines += statusText(status);
+    if (const QString worst = worstText(status); !worst.isEmpty()) {
+        lines += worst;
+    }
+    return lines.join(u'\n');
+}
+
+void PartStrip::showStatuses() {
+    const std::size_t count = m_document.surfaceCount();
+    if (m_runs.statuses().size() != count || m_tabs->count() != static_cast<int>(count)) {
+        return; // the other one follows in a moment
+    }
+    QStringList tips;
+    std::size_t holding = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const SurfaceStatus& status = m_runs.statuses()[i];
+        const int tab = static_cast<int>(i);
+        const QString name = printableText(SurfaceEdits::nameOf(m_document.state(), i));
+        QString shown = name.size() > longestOnTab ? name.left(longestOnTab - 1) + u'…' : name;
+        shown.replace(u'&', QStringLiteral("&&"));
+        const QString text = QStringLiteral("%1 %2").arg(i + 1).arg(shown);
+        if (m_tabs->tabText(tab) != text) {
+            m_tabs->setTabText(tab, text);
+        }
+        m_tabs->setTabIcon(tab, statusPixmap(status, metrics::iconSmall, devicePixelRatioF()));
+        m_tabs->setAccessibleTabName(
+            tab, tr("Surface %1: %2, %3").arg(i + 1).arg(name, statusText(status)));
+        tips += tip(i);
+        m_tabs->setTabToolTip(tab, tips.back());
+        holding += status.holds();
+    }
+    m_drawing->setTips(tips);
+    const auto time = m_runs.time();
+    m_whole->setText(time ? tr("%1 of %2 hold · %3 min")
+                                .arg(holding)
+                                .arg(count)
+                                .arg(printedNumber(time->piece_min, 3))
+                          : tr("%1 of %2 hold").arg(holding).arg(count));
+    m_whole->setAccessibleName(tr("The whole part: %1").arg(m_whole->text()));
+}
+
+void PartStrip::retranslate() {
+    m_drawing->setAccessibleName(tr("The part with its surfaces"));
+    m_tabs->setAccessibleName(tr("Surfaces of the part in the order of grinding"));
+    m_whole->setToolTip(tr("Times and verdicts of all surfaces"));
+    m_menu->setToolTip(tr("Add, move and remove surfaces"));
+    m_menu->setAccessibleName(m_menu->toolTip());
+    follow();
+}
+
+void PartStrip::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
+        showStatuses();
+        m_drawing->updateGeometry();
+    }
+    QFrame::changeEvent(event);
+}
+
+/// The menu of a tab is that of its surface.
+bool PartStrip::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_tabs && event->type() == QEvent::ContextMenu) {
+        const auto* asked = static_cast<QContextMenuEvent*>(event);
+        const int tab =
+            asked->reason() == QContextMenuEvent::Mouse ? m_tabs->tabAt(asked->pos()) : -1;
+        if (tab >= 0) {
+            emit surfaceWanted(static_cast<std::size_t>(tab));
+        }
+        m_menu->menu()->popup(asked->globalPos());
+        return true;
+    }
+    return QFrame::eventFilter(watched, event);
+}
+
+} // namespace sparkout

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/part/part_window.h"
+
+#include "core/units.h"
+#include "ui/dialogs/copy_table.h"
+#include "ui/kit/font_size.h"
+#include "ui/kit/help_topic.h"
+#include "ui/kit/metrics.h"
+#include "ui/part/part_model.h"
+#include "ui/part/piece_time_text.h"
+#include "ui/part/surface_comparison.h"
+#include "ui/session/document.h"
+#include "ui/session/part_runs.h"
+#include "ui/text/texts.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <climits>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+constexpr EditText takeFoundText{"Edit", QT_TRANSLATE_NOOP("Edit", "Take over the cycles found")};
+
+} // namespace
+
+PartWindow::PartWindow(Document& document, const PartRuns& runs, QWidget* parent)
+    : QDialog(parent)
+    , m_document(document)
+    , m_runs(runs)
+    , m_head(new QLabel(this))
+    , m_times(new QLabel(this))
+    , m_state(new QLabel(this))
+    , m_table(new CopyTable([this] { return m_model->asTsv(); }, this))
+    , m_comparison(new CopyTable([this] { return m_compared->asTsv(); }, this))
+    , m_model(new PartModel(this))
+    , m_compared(new SurfaceComparison(this))
+    , m_search(new QPushButton(this))
+    , m_batch(new QPushButton(this))
+    , m_take(new QPushButton(this))
+    , m_stop(new QPushButton(this))
+    , m_progress(new QProgressBar(this)) {
+    setObjectName(QStringLiteral("partWindow"));
+    setHelpTopic(*this, QStringLiteral("surfaces#whole"));
+    build();
+    connect(m_table, &CopyTable::rowChosen, this,
+            [this](int row) { emit surfaceWanted(static_cast<std::size_t>(row)); });
+    connect(m_search, &QPushButton::clicked, this, &PartWindow::startSearches);
+    connect(m_batch, &QPushButton::clicked, this, &PartWindow::startBatches);
+    connect(m_take, &QPushButton::clicked, this, &PartWindow::takeOver);
+    connect(m_stop, &QPushButton::clicked, this, [this] { m_study.stop(); });
+    connect(&m_study, &PartStudy::progressed, this, [this](qint64 done, qint64 parts, double) {
+        m_progress->setMaximum(static_cast<int>(std::min<qint64>(parts, INT_MAX)));
+        m_progress->setValue(static_cast<int>(std::min<qint64>(done, INT_MAX)));
+    });
+    connect(&m_study, &PartStudy::surfaceDone, this, [this](const SurfaceStudyPtr& study) {
+        m_model->setStudy(study);
+        if (study->search && study->search->ran() && study->search->best()) {
+            m_found.push_back(study);
+        }
+    });
+    connect(&m_study, &PartStudy::finished, this, [this](bool stopped) {
+        m_stopped = stopped;
+        showStudies();
+    });
+    connect(&runs, &PartRuns::changed, this, &PartWindow::follow);
+    connect(&document, &Document::changed, this, &PartWindow::showStudies);
+    connect(&document, &Document::replaced, this, [this] {
+        m_study.drop();
+        m_found.clear();
+        m_of.clear();
+        m_model->forgetStudies();
+    });
+    retranslate();
+}
+
+void PartWindow::build() {
+    setRelativeFont(*m_head, 1.2, true);
+    m_head->setTextFormat(Qt::PlainText);
+    m_head->setWordWrap(true);
+    m_times->setObjectName(QStringLiteral("pieceTime"));
+    m_times->setTextFormat(Qt::RichText);
+    m_times->setWordWrap(true);
+    m_state->setObjectName(QStringLiteral("studyState"));
+    m_state->setTextFormat(Qt::PlainText);
+    m_state->setWordWrap(true);
+    m_table->setObjectName(QStringLiteral("partTable"));
+    m_table->setModel(m_model);
+    m_comparison->setObjectName(QStringLiteral("surfaceComparison"));
+    m_comparison->setModel(m_compared);
+    for (CopyTable* table : {m_table, m_comparison}) {
+        table->verticalHeader()->hide();
+        table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+        table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+        table->horizontalHeader()->setStretchLastSection(false);
+    }
+    m_search->setObjectName(QStringLiteral("searchAll"));
+    m_batch->setObjectName(QStringLiteral("batchAll"));
+    m_take->setObjectName(QStringLiteral("takeFound"));
+    m_stop->setObjectName(QStringLiteral("stopAll"));
+    m_progress->setTextVisible(false);
+    auto* line = new QHBoxLayout;
+    line->setSpacing(metrics::gap);
+    for (QPushButton* button : {m_search, m_batch, m_take}) {
+        button->setAutoDefault(false);
+        line->addWidget(button);
+    }
+    line->addStretch();
+    line->addWidget(m_progress);
+    m_stop->setAutoDefault(false);
+    line->addWidget(m_stop);
+    auto* page = new QWidget(this);
+    auto* column = new QVBoxLayout(page);
+    column->setSpacing(metrics::margin);
+    column->addWidget(m_head);
+    column->addWidget(m_table);
+    column->addLayout(line);
+    column->addWidget(m_state);
+    column->addWidget(m_times);
+    column->addWidget(m_comparison);
+    column->addStretch();
+    auto* area = new QScrollArea(this);
+    area->setWidget(page);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(area);
+    for (CopyTable* table : {m_table, m_comparison}) {
+        connect(table, &CopyTable::resized, this, &PartWindow::fitTables, Qt::QueuedConnection);
+    }
+    resize(atFontSize(720), atFontSize(640));
+}
+
+void PartWindow::fitTables() {
+    for (CopyTable* table : {m_table, m_comparison}) {
+        const QHeaderView* head = table->horizontalHeader();
+        const bool isWide = head->length() > table->viewport()->width();
+        table->setHorizontalScrollBarPolicy(isWide ? Qt::ScrollBarAlwaysOn
+                                                   : Qt::ScrollBarAlwaysOff);
+        const int bar = isWide ? table->horizontalScrollBar()->sizeHint().height() : 0;
+        const int height = head->sizeHint().height() + table->verticalHeader()->length()
+                           + 2 * table->frameWidth() + bar;
+        if (table->minimumHeight() != height || table->maximumHeight() != height) {
+            table->setFixedHeight(height);
+        }
+    }
+}
+
+void PartWindow::follow() {
+    const SetupState& state = m_document.state();
+    const std::vector<SurfaceStatus>& statuses = m_runs.statuses();
+    if (statuses.size() != state.surfaces.size()) {
+        return; // they follow in a moment
+    }
+    m_model->setPart(state, statuses);
+    m_compared->setPart(state, statuses);
+    fitTables();
+    const auto holding = std::ranges::count_if(statuses, &SurfaceStatus::holds);
+    double cycles_min = 0;
+    bool areCompleted = true;
+    for (const SurfaceStatus& status : statuses) {
+        areCompleted = areCompleted && status.ran() && status.isCompleted;
+        cycles_min += status.time_s / units::secondsPerMinute;
+    }
+    m_head->setText(
+        m_runs.running() ? tr("The surfaces are being run…")
+        : m_runs.holds()
+            ? tr("The part holds: all %n surfaces do.", nullptr, static_cast<int>(statuses.size()))
+            : tr("%1 of %2 surfaces hold.").arg(holding).arg(statuses.size()));
+    m_times->setText(
+        withIndices(pieceTimeText(state.times, statuses.size(),
+                                  areCompleted ? std::optional(cycles_min) : std::nullopt))
+            .replace(u'\n', QStringLiteral("<br>")));
+}
+
+bool PartWindow::isCurrent() const {
+    return m_of == m_document.state().surfaces;
+}
+
+void PartWindow::showStudies() {
+    const bool runs = m_study.running();
+    m_search->setEnabled(!runs);
+    m_batch->setEnabled(!runs);
+    m_take->setEnabled(!runs && !m_found.empty() && isCurrent());
+    m_stop->setVisible(runs);
+    m_progress->setVisible(runs);
+    const bool isOld = m_model->hasStudies() && !runs && !isCurrent();
+    m_state->setText(isOld       ? tr("Batch and search are of the inputs before the last edit.")
+                     : m_stopped ? tr("Stopped; what was done until then is shown.")
+                                 : QString());
+    m_state->setVisible(!m_state->text().isEmpty());
+}
+
+void PartWindow::startBatches() {
+    m_stopped = false;
+    m_of = m_document.state().surfaces;
+    m_progress->setValue(0);
+    m_study.startBatches(m_document.setup());
+    showStudies();
+}
+
+void PartWindow::startSearches() {
+    m_stopped = false;
+    m_found.clear();
+    m_of = m_document.state().surfaces;
+    m_progress->setValue(0);
+    m_study.startSearches(m_document.setup());
+    showStudies();
+}
+
+void PartWindow::takeOver() {
+    if (!isCurrent()) {
+        return;
+    }
+    SetupState state = m_document.state();
+    for (const SurfaceStudyPtr& study : m_found) {
+        auto surface = std::make_shared<SurfaceState>(*state.surfaces[study->surface]);
+        surface->project = withFound(std::move(surface->project), *study->search->best());
+        state.surfaces[study->surface] = std::move(surface);
+    }
+    m_document.endMerge();
+    m_document.editSetup(std::move(state), takeFoundText);
+}
+
+void PartWindow::retranslate() {
+    setWindowTitle(tr("Whole part"));
+    m_table->setAccessibleName(tr("Surfaces of the part"));
+    m_comparison->setAccessibleName(tr("The surfaces compared"));
+    m_table->retranslate();
+    m_comparison->retranslate();
+    m_model->retranslate();
+    m_search->setText(tr("&Optimise all"));
+    m_search->setToolTip(tr("Searches the quickest cycle of every surface whose search is set up, "
+                            "in the order of grinding"));
+    m_batch->setText(tr("&Batch of all"));
+    m_batch->setToolTip(tr("Runs the batch of every surface that has one"));
+    m_take->setText(tr("&Take over the cycles found"));
+    m_stop->setText(tr("&Stop"));
+    m_progress->setAccessibleName(tr("Progress"));
+    follow();
+    showStudies();
+}
+
+void PartWindow::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) {
+        m_model->retranslate();
+        m_compared->retranslate();
+    }
+    QDialog::changeEvent(event);
+}
+
+} // namespace sparkout

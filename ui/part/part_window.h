@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/part_study.h"
+
+#include <QDialog>
+
+#include <vector>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace sparkout {
+
+class CopyTable;
+class Document;
+class PartModel;
+class PartRuns;
+class SurfaceComparison;
+
+/// The whole part beside the workbench: verdict and times of all surfaces, their comparison, and
+/// the batches and searches of all of them.
+class PartWindow : public QDialog {
+    Q_OBJECT
+
+public:
+    PartWindow(Document& document, const PartRuns& runs, QWidget* parent = nullptr);
+
+    [[nodiscard]] PartModel& model() { return *m_model; }
+    [[nodiscard]] PartStudy& study() { return m_study; }
+    void retranslate();
+
+signals:
+    void surfaceWanted(std::size_t surface);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void build();
+    void fitTables(); ///< as high as they are: the page scrolls
+    void follow();
+    void showStudies();
+    void startBatches();
+    void startSearches();
+    void takeOver();                      ///< the cycles found, one step of the history
+    [[nodiscard]] bool isCurrent() const; ///< the studies are of the inputs of now
+
+    Document& m_document;
+    const PartRuns& m_runs;
+    QLabel* m_head;
+    QLabel* m_times;
+    QLabel* m_state;
+    CopyTable* m_table;
+    CopyTable* m_comparison;
+    PartModel* m_model;
+    SurfaceComparison* m_compared;
+    QPushButton* m_search;
+    QPushButton* m_batch;
+    QPushButton* m_take;
+    QPushButton* m_stop;
+    QProgressBar* m_progress;
+    std::vector<SurfaceStudyPtr> m_found; ///< searches with an answer, …
+    std::vector<SurfaceStatePtr> m_of;    ///< … of these surfaces
+    bool m_stopped = false;
+    PartStudy m_study; ///< last: stopped before what it reports to is gone
+};
+
+} // namespace sparkout

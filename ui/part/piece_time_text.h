@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/setup/piece_time.h"
+
+#include <QString>
+
+#include <optional>
+
+namespace sparkout {
+
+/// The times of a part with their formulas and the numbers put in, a line each.
+[[nodiscard]] QString pieceTimeText(const SetupTimes& times, std::size_t surfaces,
+                                    std::optional<double> cycles_min);
+
+} // namespace sparkout

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/setup/setup.h"
+#include "core/study/whole_batch.h"
+#include "core/study/whole_search.h"
+#include "ui/session/counted_job.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace sparkout {
+
+/// What a batch or a search of one surface came to.
+struct SurfaceStudy {
+    enum class Kind { batch, search };
+    Kind kind = Kind::batch;
+    std::size_t surface = 0;
+    bool isSetUp = true; ///< the surface has a batch or a grid of the search
+    Issues issues;       ///< with which it, or a surface before it, cannot be run
+    BatchOutcomePtr batch;
+    SearchOutcomePtr search;
+};
+using SurfaceStudyPtr = std::shared_ptr<const SurfaceStudy>;
+
+/// The batches or the searches of all surfaces, one after the other in their order, each with the
+/// wheel as those before leave it: in a search as the cycles found do.
+class PartStudy : public CountedJob {
+    Q_OBJECT
+
+public:
+    using CountedJob::CountedJob;
+
+    void startBatches(const Setup& setup);  ///< counts parts
+    void startSearches(const Setup& setup); ///< counts surfaces
+
+signals:
+    void surfaceDone(sparkout::SurfaceStudyPtr study);
+    void finished(bool stopped);
+
+private:
+    using One = std::function<void(SurfaceStudy&, Setup&, const Project&, const Means&)>;
+    void runAll(const Setup& setup, SurfaceStudy::Kind kind, std::int64_t parts, One one);
+};
+
+} // namespace sparkout

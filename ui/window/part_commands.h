@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/surface_edits.h"
+
+#include <QObject>
+
+#include <functional>
+#include <optional>
+
+class QWidget;
+
+namespace sparkout {
+
+class PartRuns;
+
+/// The commands on the surfaces of the set-up, each with its questions.
+class PartCommands : public QObject {
+    Q_OBJECT
+
+public:
+    /// `mayLeave` ends what is being typed, and asks what to do with refused texts, which no other
+    /// surface shows; false: the user wants to stay.
+    PartCommands(Document& document, const PartRuns& runs, std::function<bool()> mayLeave,
+                 QWidget* window);
+
+    void show(std::size_t surface); ///< brings it to the front
+    void showNext(int by);
+    void add(std::optional<std::size_t> step = {}); ///< on a step of the shaft, or as is chosen
+    void duplicate();
+    void rename();
+    void move(int by);
+    void remove();
+    void editTimes();
+
+signals:
+    void stayed(); ///< the surface that was in front still is
+
+private:
+    Document& m_document;
+    const PartRuns& m_runs;
+    SurfaceEdits m_edits;
+    std::function<bool()> m_mayLeave;
+    QWidget* m_window;
+};
+
+} // namespace sparkout
