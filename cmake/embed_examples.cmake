@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Writes OUTPUT, the C++ source of examples(), from the project files in FOLDER.
-file(GLOB FILES ${FOLDER}/*.sparkout)
+file(GLOB FILES ${FOLDER}/*.sparkout ${FOLDER}/setups/*.sparkout)
 list(SORT FILES)
 set(SOURCE "// Generated from resources/examples.\n#include \"app/examples.h\"\n\nnamespace sparkout {\n\n")
 string(APPEND SOURCE "const std::vector<Example>& examples() {\n    static const std::vector<Example> all{\n")

@@ -323,4 +323,14 @@
             </translation>
         </message>
     </context>
+    <context>
+        <name>sparkout::ExamplesDialog</name>
+        <message numerus="yes">
+            <source>%n surfaces in one set-up</source>
+            <translation>
+                <numerusform>%n surface in one set-up</numerusform>
+                <numerusform>%n surfaces in one set-up</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

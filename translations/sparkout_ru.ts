@@ -556,6 +556,10 @@
             <source>equal ratios</source>
             <translation>равные отношения</translation>
         </message>
+        <message>
+            <source>ground away</source>
+            <translation>деталь сошлифована</translation>
+        </message>
     </context>
     <context>
         <name>Company</name>
@@ -1778,6 +1782,14 @@ med, µm</source>
         <message>
             <source>Optimal</source>
             <translation>Оптимальный</translation>
+        </message>
+        <message>
+            <source>Spindle of five surfaces</source>
+            <translation>Шпиндель с пятью поверхностями</translation>
+        </message>
+        <message>
+            <source>Bushing with a bore, internal traverse</source>
+            <translation>Втулка с отверстием, внутреннее шлифование с осевой подачей</translation>
         </message>
     </context>
     <context>
@@ -4976,6 +4988,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Strips stay uncut (overlap B/s %1, below 1): this is not the whole surface, and its size, form and roughness are those of the cut part alone.</source>
             <translation>Остаются непрошлифованные полосы (перекрытие B/s %1, меньше 1): это не вся поверхность, её размер, форма и шероховатость относятся только к прошлифованной части.</translation>
+        </message>
+        <message>
+            <source>The part is ground away</source>
+            <translation>Деталь сошлифована полностью</translation>
         </message>
     </context>
     <context>
@@ -9582,12 +9598,40 @@ Reloading takes that version; your changes stay in Undo.</source>
 %2</translation>
         </message>
         <message>
-            <source>%1. %2. %3.
+            <source>%1. %2. %3.</source>
+            <translation>%1. %2. %3.</translation>
+        </message>
+        <message>
+            <source>%1
 
-%4</source>
-            <translation>%1. %2. %3.
+%2</source>
+            <translation>%1
 
-%4</translation>
+%2</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n surfaces in one set-up</source>
+            <translation>
+                <numerusform>%n поверхность за один установ</numerusform>
+                <numerusform>%n поверхности за один установ</numerusform>
+                <numerusform>%n поверхностей за один установ</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Not every cycle ends at size.</source>
+            <translation>Не каждый цикл выходит на размер.</translation>
+        </message>
+        <message>
+            <source>Main time %1 min, piece time %2 min.</source>
+            <translation>Основное время %1 мин, штучное время %2 мин.</translation>
+        </message>
+        <message>
+            <source>Every requirement on every surface holds.</source>
+            <translation>Все требования ко всем поверхностям выполнены.</translation>
+        </message>
+        <message>
+            <source>A requirement fails.</source>
+            <translation>Есть нарушенное требование.</translation>
         </message>
     </context>
     <context>
@@ -10972,6 +11016,10 @@ target, µm</source>
         <message>
             <source>Not computed: the project is not complete.</source>
             <translation>Не рассчитано: проект не заполнен.</translation>
+        </message>
+        <message>
+            <source>One infeed is larger than the part: it is ground away.</source>
+            <translation>Подача за один проход больше детали: она сошлифована полностью.</translation>
         </message>
     </context>
     <context>

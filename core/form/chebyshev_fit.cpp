@@ -266,7 +266,7 @@ bool ChebyshevFit::addCandidates(const AxisView& view, const AxisFit& fit, doubl
         takeResiduals(view, fit, j);
         const ValueRange range = rangeOf(m_residuals);
         for (const double extreme : {range.low, range.high}) {
-            if (std::abs(extreme) <= fit.level + tolerance) {
+            if (!(std::abs(extreme) > fit.level + tolerance)) { // nor when it is not a number
                 continue;
             }
             const auto found = std::find(m_residuals.begin(), m_residuals.end(), extreme);

@@ -24,6 +24,7 @@ const char* statusKey(RunStatus status) {
     case RunStatus::tooLong: return "too_long";
     case RunStatus::stopped: return "stopped";
     case RunStatus::notSolved: return "not_solved";
+    case RunStatus::groundAway: return "ground_away";
     case RunStatus::refused: return "refused";
     }
     return "";

@@ -25,7 +25,8 @@ std::span<const Choice> choicesOf<RunStatus>() {
         Choice{"cannot_reach_size", SPARKOUT_NOOP("Choice", "cannot reach size")},
         Choice{"too_long", SPARKOUT_NOOP("Choice", "too long")},
         Choice{"stopped", SPARKOUT_NOOP("Choice", "stopped")},
-        Choice{"not_solved", SPARKOUT_NOOP("Choice", "balance not solved")}};
+        Choice{"not_solved", SPARKOUT_NOOP("Choice", "balance not solved")},
+        Choice{"ground_away", SPARKOUT_NOOP("Choice", "ground away")}};
     return choices;
 }
 

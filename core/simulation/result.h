@@ -23,6 +23,7 @@ enum class RunStatus {
     tooLong,         ///< more visits than maxVisits
     stopped,         ///< by a stop request
     notSolved,       ///< coupled sections: the balance did not converge; else: a compliance is < 0
+    groundAway,      ///< a radius of the part has come to 0: nothing of it is left
     refused,         ///< validate() finds errors in the project: nothing was run
 };
 

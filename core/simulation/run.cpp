@@ -329,6 +329,13 @@ SimulationResult Run::finish(const std::vector<int>& stepsByStage, std::size_t g
     for (std::size_t point = 0; point < reported; ++point) {
         m_result.sections.push_back(sectionResult(point, zones[std::min(point, zones.size() - 1)]));
     }
+    const auto isGone = [](const SectionResult& section) {
+        return std::ranges::any_of(section.radii_mm,
+                                   [](double radius_mm) { return radius_mm <= 0; });
+    };
+    if (m_result.status != RunStatus::stopped && std::ranges::any_of(m_result.sections, isGone)) {
+        m_result.status = RunStatus::groundAway;
+    }
     m_watch.put(m_result, m_lanes);
     m_result.remainingStock_mm = remaining(gaugePoint);
     const double side = m_project.part->surface == Surface::external ? 1 : -1;

@@ -21,6 +21,8 @@ namespace {
     QT_TRANSLATE_NOOP("Example", "Spark-out until size"),
     QT_TRANSLATE_NOOP("Example", "Dull wheel"),
     QT_TRANSLATE_NOOP("Example", "Freshly dressed wheel"),
+    QT_TRANSLATE_NOOP("Example", "Spindle of five surfaces"),
+    QT_TRANSLATE_NOOP("Example", "Bushing with a bore, internal traverse"),
     // and the names of their kept runs
     QT_TRANSLATE_NOOP("Example", "Factory"),
     QT_TRANSLATE_NOOP("Example", "Optimal"),

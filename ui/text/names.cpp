@@ -131,6 +131,7 @@ QString Names::status(RunStatus status) {
     case RunStatus::tooLong: return tr("Too long: the run was ended");
     case RunStatus::stopped: return tr("Stopped");
     case RunStatus::notSolved: return tr("The balance of forces was not solved");
+    case RunStatus::groundAway: return tr("The part is ground away");
     case RunStatus::refused: return tr("The inputs are refused");
     }
     return {};

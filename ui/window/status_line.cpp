@@ -62,6 +62,9 @@ void StatusLine::showOutcome(const Outcome* outcome, double lastRun_ms) {
                 : tr("The compliance of a section is negative: the even load beyond a steady rest "
                      "presses it against the wheel. Couple the sections."));
         break;
+    case RunStatus::groundAway:
+        m_status->setText(tr("One infeed is larger than the part: it is ground away."));
+        break;
     case RunStatus::stopped:
     case RunStatus::refused: break;
     }

@@ -47,6 +47,7 @@ std::string statusName(RunStatus status) {
     case RunStatus::cannotReachSize: return "cannot_reach_size";
     case RunStatus::tooLong: return "too_long";
     case RunStatus::notSolved: return "not_solved";
+    case RunStatus::groundAway: return "ground_away";
     case RunStatus::stopped:
     case RunStatus::refused: break;
     }

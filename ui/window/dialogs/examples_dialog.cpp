@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/dialogs/examples_dialog.h"
 
-#include "core/format/project_file.h"
+#include "core/setup/setup_run.h"
 #include "core/study/evaluate.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
-#include "ui/kit/theme.h"
-#include "ui/kit/theme_icon.h"
+#include "ui/part/part_drawing.h"
+#include "ui/session/document.h"
 #include "ui/text/example_texts.h"
+#include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 #include "ui/views/verdict/verdict_text.h"
 
@@ -24,6 +25,13 @@
 #include <utility>
 
 namespace sparkout {
+
+namespace {
+
+constexpr QSize pictureSize(150, 54);
+constexpr int timeDigits = 3;
+
+} // namespace
 
 QStringList ExamplesDialog::paths() {
     const QDir folder(QStringLiteral(":/examples"));
@@ -44,7 +52,7 @@ ExamplesDialog::ExamplesDialog(QWidget* parent)
     setHelpTopic(*this, QStringLiteral("start#examples"));
     setWindowTitle(tr("Example gallery"));
     m_list->setAccessibleName(tr("Examples"));
-    m_list->setIconSize({metrics::iconLarge, metrics::iconLarge});
+    m_list->setIconSize(pictureSize);
     m_list->setSpacing(metrics::hair);
     m_notes->setTextFormat(Qt::PlainText);
     m_notes->setWordWrap(true);
@@ -76,18 +84,44 @@ ExamplesDialog::ExamplesDialog(QWidget* parent)
     fill();
 }
 
+QString ExamplesDialog::kindOf(const Entry& entry) {
+    const auto surfaces = static_cast<int>(entry.setup.surfaces.size());
+    return surfaces == 1 ? choiceText(entry.first().operation->choice.label)
+                         : tr("%n surfaces in one set-up", nullptr, surfaces);
+}
+
+QString ExamplesDialog::resultOf(const Entry& entry) {
+    if (entry.setup.surfaces.size() == 1) {
+        const OutcomePtr outcome = evaluate(entry.first(), {});
+        return tr("%1. %2. %3.")
+            .arg(verdict::time(outcome->result), verdict::status(outcome->result),
+                 verdict::overall(*outcome));
+    }
+    const SetupRun run = runSetup(entry.setup);
+    if (!run.isCompleted(entry.setup)) {
+        return tr("Not every cycle ends at size.");
+    }
+    const QString time = tr("Main time %1 min, piece time %2 min.")
+                             .arg(printedNumber(run.time.main_min, timeDigits),
+                                  printedNumber(run.time.piece_min, timeDigits));
+    return time + u' '
+           + (run.holds(entry.setup) ? tr("Every requirement on every surface holds.")
+                                     : tr("A requirement fails."));
+}
+
 void ExamplesDialog::fill() {
+    PartDrawing drawing;
+    drawing.resize(pictureSize);
     for (const QString& path : paths()) {
-        const QByteArray text = textOf(path);
-        ReadResult read = readProject({text.constData(), static_cast<std::size_t>(text.size())});
-        if (!read.project) {
+        Document document;
+        if (hasErrors(document.openCopy(textOf(path)))) {
             continue;
         }
-        const Choice& choice = read.project->operation->choice;
-        new QListWidgetItem(
-            themeIcon(QString::fromLatin1(choice.key)),
-            tr("%1\n%2").arg(exampleTitle(read.project->title), choiceText(choice.label)), m_list);
-        m_entries.push_back({path, std::move(*read.project)});
+        const Entry& entry = m_entries.emplace_back(path, document.setup());
+        drawing.setOutline(PartOutline::of(document.state()));
+        new QListWidgetItem(QIcon(drawing.grab()),
+                            tr("%1\n%2").arg(exampleTitle(entry.first().title), kindOf(entry)),
+                            m_list);
     }
     m_list->setCurrentRow(0);
 }
@@ -98,11 +132,8 @@ void ExamplesDialog::showNotes() {
         m_notes->clear();
         return;
     }
-    const Project& project = m_entries[std::size_t(row)].project;
-    const OutcomePtr outcome = evaluate(project, {});
-    m_notes->setText(tr("%1. %2. %3.\n\n%4")
-                         .arg(verdict::time(outcome->result), verdict::status(outcome->result),
-                              verdict::overall(*outcome), exampleNotes(project.notes)));
+    const Entry& entry = m_entries[std::size_t(row)];
+    m_notes->setText(tr("%1\n\n%2").arg(resultOf(entry), exampleNotes(entry.first().notes)));
 }
 
 QByteArray ExamplesDialog::chosenText() const {
@@ -112,7 +143,7 @@ QByteArray ExamplesDialog::chosenText() const {
 
 QString ExamplesDialog::chosenTitle() const {
     const int row = m_list->currentRow();
-    return row < 0 ? QString() : exampleTitle(m_entries[std::size_t(row)].project.title);
+    return row < 0 ? QString() : exampleTitle(m_entries[std::size_t(row)].first().title);
 }
 
 } // namespace sparkout

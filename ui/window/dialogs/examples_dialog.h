@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/project.h"
+#include "core/setup/setup.h"
 
 #include <QDialog>
 
@@ -12,8 +12,8 @@ class QListWidget;
 
 namespace sparkout {
 
-/// The example gallery: shipped projects with their operation and notes. The chosen one is opened
-/// as a copy.
+/// The example gallery: shipped files with a drawing of the part, the operation and the notes. The
+/// chosen one is opened as a copy.
 class ExamplesDialog : public QDialog {
     Q_OBJECT
 
@@ -30,10 +30,15 @@ public:
 private:
     void fill();
     void showNotes();
+    [[nodiscard]] static QString kindOf(const Entry& entry);
+    /// Time, status and verdict of the cycle, or of all of them.
+    [[nodiscard]] static QString resultOf(const Entry& entry);
 
     struct Entry {
         QString path;
-        Project project;
+        Setup setup;
+
+        [[nodiscard]] const Project& first() const { return setup.surfaces.front().project; }
     };
     std::vector<Entry> m_entries;
     QListWidget* m_list;
