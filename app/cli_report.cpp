@@ -46,6 +46,14 @@ std::string accuracyText(const SimulationResult& result, const PartAccuracy& acc
                 + um(accuracy.sections[i].minimumZone.deviation()) + ", "
                 + um(accuracy.sections[i].leastSquares.deviation()) + '\n';
     }
+    for (std::size_t i = 0; i < accuracy.zones.size(); ++i) {
+        const ZoneForm& zone = accuracy.zones[i];
+        const std::size_t inZone = result.zoneSections.size() / accuracy.zones.size();
+        text += padded("  " + sectionName(result.sections[i].zone, static_cast<int>(i)))
+                + std::to_string(inZone) + " sections: cylindricity " + um(zone.cylindricity_mm)
+                + ", total runout " + um(zone.totalRunout_mm) + ", taper "
+                + um(zone.profile.taper_mm) + '\n';
+    }
     if (const double engaged = engagedShare(*result.project.part); engaged < 1) {
         text += "interrupted surface  " + fixed(engaged * 100, 1) + " % of the turn is ground\n";
     }

@@ -4357,6 +4357,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Out-of-roundness of the blank: ellipse R = pq/√((q·cos φ)² + (p·sin φ)²), eccentric circle, n lobes, or a measured profile.</source>
             <translation>Отклонение заготовки от круглости: овальность R = pq/√((q·cos φ)² + (p·sin φ)²), эксцентричная окружность, огранка из n граней или измеренный профиль.</translation>
         </message>
+        <message>
+            <source>Sections in a zone</source>
+            <translation>Сечений в зоне</translation>
+        </message>
+        <message>
+            <source>Sections at the middles of equal slices of each zone. They all go through its steps, each with its own compliance if that is computed; size and form are judged in all of them.</source>
+            <translation>Сечения в серединах равных участков каждой зоны. Все проходят её этапы, каждое со своей податливостью, если она вычисляется; размер и форма оцениваются во всех.</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>

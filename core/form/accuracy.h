@@ -33,9 +33,17 @@ struct SectionAccuracy {
     RoundnessZone minimumZone;
 };
 
+/// A zone that holds several sections [ALSIGAR2021].
+struct ZoneForm {
+    double cylindricity_mm = 0; ///< minimum zone
+    double totalRunout_mm = 0;  ///< R_max − R_min over its sections, and the machine's own
+    LongitudinalProfile profile;
+};
+
 /// A part against the drawing.
 struct PartAccuracy {
-    std::vector<SectionAccuracy> sections;
+    std::vector<SectionAccuracy> sections; ///< of a zone with several that of the least round one
+    std::vector<ZoneForm> zones;           ///< where zones hold several sections
     CylinderZone leastSquares;
     CylinderZone minimumZone;
     double totalRunout_mm = 0; ///< R_max − R_min over all sections, and the machine's own

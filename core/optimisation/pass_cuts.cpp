@@ -11,7 +11,8 @@ constexpr double peakRounding = 1e-9;
 } // namespace
 
 PassCuts::PassCuts(const Project& project)
-    : m_points(static_cast<std::size_t>(placeCount(project)))
+    : m_points(static_cast<std::size_t>(zoneSectionCount(project) > 0 ? zoneSectionCount(project)
+                                                                      : placeCount(project)))
     , m_least_mm(project.part->lower_deviation_um / units::umPerMm - 2 * diameterSlack_mm)
     , m_most_mm(project.part->upper_deviation_um / units::umPerMm + 2 * diameterSlack_mm)
     , m_isBore(project.part->surface == Surface::internal) {
@@ -38,8 +39,8 @@ std::optional<ConstraintKind> PassCuts::broken(const Run& run, std::size_t stage
 }
 
 std::optional<ConstraintKind> PassCuts::brokenAtEnd(const Run& run) const {
-    for (std::size_t point = 0; point < m_points; ++point) {
-        const auto [least, most] = run.diameterDeviations(point);
+    for (std::size_t i = 0; i < m_points; ++i) {
+        const auto [least, most] = run.diameterDeviations(run.firstCounted() + i);
         if (least < m_least_mm) {
             return ConstraintKind::diameterMin;
         }

@@ -131,6 +131,42 @@ std::vector<CompliantPoint> compliantPoints(const Project& project, const std::s
     return points;
 }
 
+double fromEntry(const Project& project, double position_mm) {
+    return project.machine->entry_side == EntrySide::tailstock
+               ? project.part->length_mm - position_mm
+               : position_mm;
+}
+
+std::vector<CompliantPoint> zoneSectionPoints(const Project& project, const std::stop_token& stop) {
+    std::vector<CompliantPoint> points;
+    if (zoneSectionCount(project) == 0) {
+        return points;
+    }
+    const ZoneLengths zones = zoneLengths(project);
+    const std::vector<double> reached = lengths(project);
+    const double from[] = {zones.rz1 - reached[0], zones.rz1, project.part->length_mm - zones.rz2};
+    std::vector<double> at;
+    for (std::size_t zone = 0; zone < reached.size(); ++zone) {
+        const double slice = reached[zone] / project.zone_sections;
+        for (int i = 0; i < project.zone_sections; ++i) {
+            at.push_back(fromEntry(project, from[zone] + slice * (i + 0.5)));
+            points.push_back({at.back(), 0, slice});
+        }
+    }
+    std::vector<double> gammas;
+    if (isComputed(project)) {
+        gammas = computedGammas(project, at, stop);
+    } else {
+        for (const double gamma : givenGammas(project.machine->compliance_mm_per_n)) {
+            gammas.insert(gammas.end(), static_cast<std::size_t>(project.zone_sections), gamma);
+        }
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        points[i].gamma_mm_n = gammas[i];
+    }
+    return points;
+}
+
 std::vector<CompliantPlace> complianceAlong(const Project& project, int places,
                                             const std::stop_token& stop) {
     std::vector<CompliantPlace> along;

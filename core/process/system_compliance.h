@@ -34,6 +34,14 @@ struct CompliantPoint {
 [[nodiscard]] std::vector<CompliantPoint> compliantPoints(const Project& project,
                                                           const std::stop_token& stop = {});
 
+/// The sections of the zones where they are several, zone by zone from the entry on, at the middles
+/// of equal slices of what the wheel reaches: γ as given for the zone, or G(x,x) [MODEL-5].
+[[nodiscard]] std::vector<CompliantPoint> zoneSectionPoints(const Project& project,
+                                                            const std::stop_token& stop = {});
+
+/// How far a place stands from the entry end of the ground length [mm], or the other way round.
+[[nodiscard]] double fromEntry(const Project& project, double position_mm);
+
 /// γ(x) = G(x,x) at a place, and the terms that add up to it.
 struct CompliantPlace {
     double position_mm = 0; ///< from the headstock end of the ground length [mm]

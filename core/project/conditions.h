@@ -15,6 +15,9 @@ inline bool always(const Project&, const void*) {
 inline bool travels(const Project& p, const void*) {
     return p.operation->travels;
 }
+inline bool zones(const Project& p, const void*) {
+    return p.operation->hasZones;
+}
 inline bool sections(const Project& p, const void*) {
     return !p.operation->hasZones;
 }

@@ -29,6 +29,11 @@ int placeCount(const Project& project) {
     return project.operation->hasZones ? 3 : project.sections;
 }
 
+int zoneSectionCount(const Project& project) {
+    const bool several = project.operation->hasZones && project.zone_sections > 1;
+    return several ? placeCount(project) * project.zone_sections : 0;
+}
+
 template <>
 const StructInfo& tableOf<KeptRun>() {
     static const std::array rows{
@@ -97,6 +102,15 @@ const StructInfo& tableOf<Project>() {
             .hint = SPARKOUT_NOOP("Input", "Whether a force in one section deflects the others "
                                            "too; needs the compliance from stiffness and shaft."),
             .source = "MODEL-6"),
+        SPARKOUT_FIELD(Project, zone_sections,
+                       .label = SPARKOUT_NOOP("Input", "Sections in a zone"), .symbol = "J_z",
+                       .hard = {1, 50}, .soft = {1, 20}, .relevant = conditions::zones,
+                       .sparse = true, .page = Page::cycle,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Sections at the middles of equal slices of each zone. They "
+                                    "all go through its steps, each with its own compliance if "
+                                    "that is computed; size and form are judged in all of them."),
+                       .source = "MODEL-5"),
         SPARKOUT_FIELD(
             Project, least_overlap, .label = SPARKOUT_NOOP("Input", "Least overlap of a stage"),
             .hard = {1, 1000}, .soft = {1, 20},

@@ -59,6 +59,7 @@ struct Project {
     Indirect<Cycle> cycle;
     int sections = 4; ///< J, where the ground length has no zones
     bool sections_coupled = false;
+    int zone_sections = 1; ///< in each zone
     // What practice asks of a cycle; not given: not required.
     std::optional<double> least_overlap;      ///< B·n/S_ax of every stage
     std::optional<double> least_overlap_last; ///< B·n/S_ax of the last stage
@@ -71,6 +72,10 @@ struct Project {
 
 /// How many zones or sections the ground length has.
 [[nodiscard]] int placeCount(const Project& project);
+
+/// How many sections further to the zones' middles stand for them, zone by zone; none where each
+/// is its middle.
+[[nodiscard]] int zoneSectionCount(const Project& project);
 
 template <>
 const StructInfo& tableOf<KeptRun>();

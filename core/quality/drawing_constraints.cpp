@@ -7,6 +7,8 @@
 #include "core/units.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 
 namespace sparkout {
 
@@ -66,8 +68,12 @@ void evaluateRadialRunout(ConstraintKind kind, const Judged& of, ConstraintResul
 }
 
 std::optional<FormulaSheet> sheetOfRadialRunout(const Judged& of) {
-    const SectionResult& section = judgedSection(of);
-    return radialRunoutSheet({section.position_mm, section.radii_mm}, geometricRunout(of.result));
+    const std::vector<SectionShape> shapes =
+        shapesOfPlace(of.result, static_cast<std::size_t>(of.section));
+    const auto worst = std::ranges::max_element(shapes, {}, [](const SectionShape& shape) {
+        return runout({&shape, 1}, 0);
+    });
+    return radialRunoutSheet(*worst, geometricRunout(of.result));
 }
 
 void evaluateRoundness(ConstraintKind kind, const Judged& of, ConstraintResults& found) {
@@ -124,14 +130,68 @@ std::optional<double> roughnessDepth(const Project& project, double /*b*/, doubl
 
 std::vector<SectionShape> shapesOf(const SimulationResult& result) {
     std::vector<SectionShape> shapes;
-    for (const SectionResult& section : result.sections) {
+    for (const SectionResult& section :
+         result.zoneSections.empty() ? result.sections : result.zoneSections) {
         shapes.push_back({section.position_mm, section.radii_mm});
     }
     return shapes;
 }
 
+std::vector<SectionShape> shapesOfPlace(const SimulationResult& result, std::size_t section) {
+    const std::vector<SectionShape> all = shapesOf(result);
+    const std::size_t inPlace = all.size() / result.sections.size();
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(section * inPlace);
+    return {first, first + static_cast<std::ptrdiff_t>(inPlace)};
+}
+
+double roundnessOf(const SimulationResult& result, std::size_t section) {
+    const std::vector<SectionShape> shapes = shapesOfPlace(result, section);
+    const Directions directions(shapes.front().radii_mm.size());
+    double largest = 0;
+    for (const SectionShape& shape : shapes) {
+        largest = std::max(largest, minimumZoneCircles(shape.radii_mm, directions).deviation());
+    }
+    return largest;
+}
+
+namespace {
+
+/// One a zone in place of one a section: of each zone the least round one.
+void foldZones(PartAccuracy& accuracy, const SimulationResult& result) {
+    const std::size_t zones = result.sections.size();
+    const std::size_t inZone = accuracy.sections.size() / std::max<std::size_t>(zones, 1);
+    if (inZone < 2) {
+        return;
+    }
+    const auto deviation = [](const SectionAccuracy& section) {
+        return section.minimumZone.deviation();
+    };
+    std::vector<SectionAccuracy> folded;
+    for (std::size_t zone = 0; zone < zones; ++zone) {
+        const auto first = accuracy.sections.begin() + static_cast<std::ptrdiff_t>(zone * inZone);
+        const auto end = first + static_cast<std::ptrdiff_t>(inZone);
+        folded.push_back(
+            *std::max_element(first, end, [&](const SectionAccuracy& a, const SectionAccuracy& b) {
+                return deviation(a) < deviation(b);
+            }));
+        folded.back().radialRunout_mm = result.sections[zone].radialRunout_mm;
+    }
+    accuracy.sections = std::move(folded);
+}
+
+} // namespace
+
 PartAccuracy accuracyOf(const SimulationResult& result) {
-    return partAccuracy(shapesOf(result), geometricRunout(result));
+    const double geometric = geometricRunout(result);
+    PartAccuracy accuracy = partAccuracy(shapesOf(result), geometric);
+    for (std::size_t zone = 0; !result.zoneSections.empty() && zone < result.sections.size();
+         ++zone) {
+        const PartAccuracy alone = partAccuracy(shapesOfPlace(result, zone), geometric);
+        accuracy.zones.push_back(
+            {alone.minimumZone.deviation(), alone.totalRunout_mm, alone.profile});
+    }
+    foldZones(accuracy, result);
+    return accuracy;
 }
 
 PartAccuracy requiredAccuracy(const SimulationResult& result) {
@@ -148,6 +208,7 @@ PartAccuracy requiredAccuracy(const SimulationResult& result) {
             section.minimumZone = minimumZoneCircles(shapes[i].radii_mm, directions);
             accuracy.sections.push_back(section);
         }
+        foldZones(accuracy, result);
         if (tolerance.cylindricity_um) {
             accuracy.minimumZone = minimumZoneCylinder(shapes, directions);
         }

@@ -12,6 +12,13 @@ namespace sparkout {
 /// Places and radii of the sections, as the accuracy of the part takes them.
 [[nodiscard]] std::vector<SectionShape> shapesOf(const SimulationResult& result);
 
+/// Of one of the result's zones or sections: its own, or the sections it holds.
+[[nodiscard]] std::vector<SectionShape> shapesOfPlace(const SimulationResult& result,
+                                                      std::size_t section);
+
+/// Roundness by the minimum zone, the greatest of these [mm].
+[[nodiscard]] double roundnessOf(const SimulationResult& result, std::size_t section);
+
 void evaluateLeastDiameter(ConstraintKind kind, const Judged& of, ConstraintResults& found);
 void evaluateLargestDiameter(ConstraintKind kind, const Judged& of, ConstraintResults& found);
 

@@ -95,6 +95,33 @@ ordered_json constraintsJson(const std::vector<ConstraintResult>& constraints) {
     return list;
 }
 
+/// What a zone with several sections has beside the worst of them; null where strips stay uncut.
+void addZoneSections(ordered_json& zone, const SimulationResult& result, std::size_t index,
+                     const ZoneForm& form) {
+    const FinishedSurface surface(result.project);
+    const auto um = [&surface](double value_mm) {
+        return statedJson(surface, value_mm * units::umPerMm);
+    };
+    zone["cylindricity_um"] = um(form.cylindricity_mm);
+    zone["total_runout_um"] = um(form.totalRunout_mm);
+    zone["taper_um"] = um(form.profile.taper_mm);
+    zone["crown_um"] = um(form.profile.crown_mm);
+    ordered_json list = ordered_json::array();
+    const std::size_t inZone = result.zoneSections.size() / result.sections.size();
+    for (std::size_t i = index * inZone; i < (index + 1) * inZone; ++i) {
+        const SectionResult& section = result.zoneSections[i];
+        list.push_back(
+            {{"position_mm", section.position_mm},
+             {"compliance_mm_per_n", section.compliance_mm_per_n},
+             {"diameter_deviation_um", ordered_json::array({um(section.diameterDeviationMin_mm),
+                                                            um(section.diameterDeviationMax_mm)})},
+             {"radial_runout_um", um(section.radialRunout_mm)},
+             {"mean_radius_um",
+              um(meanOfGround(section.radii_mm) - result.project.part->diameter_mm / 2)}});
+    }
+    zone["sections"] = std::move(list);
+}
+
 /// The zones as an object, or the sections as a list.
 ordered_json sectionsJson(const SimulationResult& result, const PartAccuracy& accuracy) {
     const bool zones = result.project.operation->hasZones;
@@ -102,6 +129,9 @@ ordered_json sectionsJson(const SimulationResult& result, const PartAccuracy& ac
     for (std::size_t i = 0; i < result.sections.size(); ++i) {
         const SectionResult& section = result.sections[i];
         ordered_json one = zoneJson(result, section, accuracy.sections[i]);
+        if (!accuracy.zones.empty()) {
+            addZoneSections(one, result, i, accuracy.zones[i]);
+        }
         zones ? void(all[zoneKey(section.zone)] = std::move(one)) : all.push_back(std::move(one));
     }
     return all;

@@ -133,15 +133,18 @@ void LimitWatch::put(SimulationResult& result, const Lanes& lanes) const {
     if (m_burn && m_usage > 0) {
         result.burn = m_worst;
     }
-    for (std::size_t section = 0; m_keepsLast && section < result.sections.size(); ++section) {
+    std::vector<SectionResult>& sections =
+        result.zoneSections.empty() ? result.sections : result.zoneSections;
+    const std::size_t first = result.zoneSections.empty() ? 0 : result.sections.size();
+    for (std::size_t i = 0; m_keepsLast && i < sections.size(); ++i) {
+        const std::size_t section = first + i;
         const auto begin = lanes.lastRoot.begin() + static_cast<std::ptrdiff_t>(section * m_radii);
         const auto most = std::max_element(begin, begin + static_cast<std::ptrdiff_t>(m_radii));
         if (*most > 0) {
             const auto lane = static_cast<std::size_t>(most - lanes.lastRoot.begin());
-            result.sections[section].lastCut =
-                LastCut{.depth_mm = *most * *most,
-                        .radius = static_cast<int>(lane % m_radii),
-                        .at = m_sectionLast[section].value_or(m_laneLast[lane])};
+            sections[i].lastCut = LastCut{.depth_mm = *most * *most,
+                                          .radius = static_cast<int>(lane % m_radii),
+                                          .at = m_sectionLast[section].value_or(m_laneLast[lane])};
         }
     }
 }

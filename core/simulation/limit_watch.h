@@ -54,7 +54,8 @@ public:
         constexpr double generously = 1e-4; // of √a
         return m_usage > 1 + generously && m_burn->isResolved();
     }
-    /// Puts what was kept into the result, whose sections and counts are there.
+    /// Puts what was kept into the result, whose sections and counts are there: the lanes are those
+    /// of its sections, and where zones hold several those of these after them.
     void put(SimulationResult& result, const Lanes& lanes) const;
 
 private:

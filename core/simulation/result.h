@@ -112,8 +112,11 @@ struct SimulationResult {
     std::vector<double> timeByStage_s;
     std::vector<StageSums> sumsByStage;
     std::vector<SectionResult> sections; ///< РЗ1, НЗ, РЗ2, or the sections from the headstock on
-    double gaugeReading_mm = 0;          ///< diameter the gauge reads at the end
-    double remainingStock_mm = 0;        ///< per side, from that reading; negative below target
+    /// Where a zone holds several, its sections zone by zone from the entry on. The zone itself
+    /// then has the radii of its middle and of all else the worst.
+    std::vector<SectionResult> zoneSections;
+    double gaugeReading_mm = 0;   ///< diameter the gauge reads at the end
+    double remainingStock_mm = 0; ///< per side, from that reading; negative below target
     double peakNormalForce_n = 0;
     Place peakNormalForceAt;
     double peakPower_w = 0; ///< P_z·V_k

@@ -119,9 +119,11 @@ void Run::cut(std::size_t first, std::size_t count, const CutWidth& width, const
     if (!places) {
         return;
     }
-    tally(root, first, count, width, places);
-    m_watch.passDone(m_lanes, range, root, feed, places, first, count);
-    if (m_trajectory) {
+    if (first >= m_firstCounted) {
+        tally(root, first, count, width, places);
+        m_watch.passDone(m_lanes, range, root, feed, places, first, count);
+    }
+    if (m_trajectory && (m_firstCounted == 0 || first < m_firstCounted)) {
         for (std::size_t i = 0; i < count; ++i) {
             record(first + i, width, feed, places[i], info);
         }
@@ -260,6 +262,33 @@ SectionResult Run::sectionResult(std::size_t point, Zone zone) const {
     return section;
 }
 
+/// Gives each zone the worst of its sections.
+void Run::foldZoneSections() {
+    const std::size_t zones = m_result.sections.size();
+    const std::size_t inZone = zones > 0 ? m_result.zoneSections.size() / zones : 0;
+    for (std::size_t i = 0; i < m_result.zoneSections.size(); ++i) {
+        const SectionResult& section = m_result.zoneSections[i];
+        SectionResult& zone = m_result.sections[i / inZone];
+        if (i % inZone == 0) {
+            zone.diameterDeviationMin_mm = section.diameterDeviationMin_mm;
+            zone.diameterDeviationMax_mm = section.diameterDeviationMax_mm;
+            zone.radialRunout_mm = section.radialRunout_mm;
+            zone.peakNormalForce_n = section.peakNormalForce_n;
+            zone.lastCut = section.lastCut;
+        }
+        zone.diameterDeviationMin_mm =
+            std::min(zone.diameterDeviationMin_mm, section.diameterDeviationMin_mm);
+        zone.diameterDeviationMax_mm =
+            std::max(zone.diameterDeviationMax_mm, section.diameterDeviationMax_mm);
+        zone.radialRunout_mm = std::max(zone.radialRunout_mm, section.radialRunout_mm);
+        zone.peakNormalForce_n = std::max(zone.peakNormalForce_n, section.peakNormalForce_n);
+        if (section.lastCut
+            && (!zone.lastCut || section.lastCut->depth_mm > zone.lastCut->depth_mm)) {
+            zone.lastCut = section.lastCut;
+        }
+    }
+}
+
 std::pair<double, double> Run::diameterDeviations(std::size_t point) const {
     const auto K = static_cast<std::size_t>(m_radii);
     const double* depth_mm = m_lanes.depth_mm.data() + point * K;
@@ -285,7 +314,7 @@ std::size_t Run::deepestLane(std::size_t point) const {
 std::pair<std::size_t, std::size_t> Run::deepestDiameter() const {
     const auto K = static_cast<std::size_t>(m_radii);
     std::size_t deepest = 0;
-    double most = 0;
+    double most = -1; // lane 0 may be in a gap
     for (std::size_t point = 0; point < m_points.size(); ++point) {
         forDiameters([&](std::size_t k) {
             const std::size_t lane = point * K + k;
@@ -329,14 +358,21 @@ SimulationResult Run::finish(const std::vector<int>& stepsByStage, std::size_t g
     for (std::size_t point = 0; point < reported; ++point) {
         m_result.sections.push_back(sectionResult(point, zones[std::min(point, zones.size() - 1)]));
     }
+    for (std::size_t point = reported; m_firstCounted > 0 && point < m_points.size(); ++point) {
+        const std::size_t inZone = (m_points.size() - reported) / reported;
+        m_result.zoneSections.push_back(sectionResult(point, zones[(point - reported) / inZone]));
+    }
     const auto isGone = [](const SectionResult& section) {
         return std::ranges::any_of(section.radii_mm,
                                    [](double radius_mm) { return radius_mm <= 0; });
     };
-    if (m_result.status != RunStatus::stopped && std::ranges::any_of(m_result.sections, isGone)) {
+    if (m_result.status != RunStatus::stopped
+        && (std::ranges::any_of(m_result.sections, isGone)
+            || std::ranges::any_of(m_result.zoneSections, isGone))) {
         m_result.status = RunStatus::groundAway;
     }
     m_watch.put(m_result, m_lanes);
+    foldZoneSections();
     m_result.remainingStock_mm = remaining(gaugePoint);
     const double side = m_project.part->surface == Surface::external ? 1 : -1;
     m_result.gaugeReading_mm = 2 * (m_blank.targetRadius_mm + side * m_result.remainingStock_mm);

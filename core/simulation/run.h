@@ -68,6 +68,11 @@ public:
     }
     void setStatus(RunStatus status) { m_result.status = status; }
 
+    /// Points from this one on count for sums, peaks, limits and accuracy; those before it, their
+    /// zones' middles, are recorded alone.
+    void countFrom(std::size_t point) { m_firstCounted = point; }
+    [[nodiscard]] std::size_t firstCounted() const { return m_firstCounted; }
+
     /// Closes the books of a run with so many steps in each stage; the first `reported` points
     /// become the result's sections.
     SimulationResult finish(const std::vector<int>& stepsByStage, std::size_t gaugePoint,
@@ -135,6 +140,7 @@ private:
                    : m_blank.firstTouchRadius_mm + depth_mm;
     }
     [[nodiscard]] SectionResult sectionResult(std::size_t point, Zone zone) const;
+    void foldZoneSections();
 
     const Project& m_project;
     Blank m_blank;
@@ -149,6 +155,7 @@ private:
     Trajectory* m_trajectory;
     std::stop_token m_stop;
     SimulationResult m_result;
+    std::size_t m_firstCounted = 0;
     std::size_t m_openStage = 0;        ///< whose sums are being gathered
     std::vector<double> m_openDepth_mm; ///< of each lane when that stage began
     std::vector<double> m_lengthBefore; ///< Σℓ of the points before each, and of all

@@ -11,9 +11,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace sparkout {
 
@@ -46,15 +48,21 @@ class TraverseSteps : public CycleSteps, public RadiusFollower {
 public:
     TraverseSteps(const Project& project, Zone gaugeZone, Trajectory* trajectory,
                   const std::stop_token& stop)
-        : CycleSteps(Run(project, compliantPoints(project, stop), trajectory, stop),
+        : CycleSteps(Run(project, pointsOf(project, stop), trajectory, stop),
                      static_cast<std::size_t>(gaugeZone))
         , m_project(project)
+        , m_inZone(static_cast<std::size_t>(zoneSectionCount(project)) / zoneCount)
+        , m_places(zoneCount * m_inZone)
         , m_plunge1(sharedCut(plungeWidth(project, zoneLengths(project).rz1)))
         , m_plunge2(sharedCut(plungeWidth(project, zoneLengths(project).rz2)))
         , m_entryDwell(dwellRevolutions(project.machine->dwell_entry_s, rpm()))
         , m_exitDwell(dwellRevolutions(project.machine->dwell_exit_s, rpm()))
         , m_travel_mm(project.part->length_mm - project.wheel->width_mm
                       + project.machine->overrun_entry_mm + project.machine->overrun_exit_mm) {
+        if (m_inZone > 0) {
+            m_run.countFrom(zoneCount);
+            placeSections();
+        }
         for (std::size_t zone = 0; zone < zoneCount; ++zone) {
             m_plungeBalances[zone] =
                 m_run.balance(zone, plungeCut(static_cast<Zone>(zone)).width_mm);
@@ -87,7 +95,8 @@ public:
 
     const RadiusFollower* follower() const override {
         const bool inMiddle = m_gaugePoint == static_cast<std::size_t>(Zone::nz);
-        return inMiddle && m_run.isEachAlone() && !feedsContinuously(m_project) ? this : nullptr;
+        const bool alone = m_run.isEachAlone() && m_inZone == 0;
+        return inMiddle && alone && !feedsContinuously(m_project) ? this : nullptr;
     }
 
     FollowedRadii follow(const FollowedRadii::Lanes& lanes) const override {
@@ -135,6 +144,28 @@ public:
 
 private:
     static constexpr std::size_t zoneCount = 3;
+
+    /// The zones' middles, and their sections where they are several.
+    static std::vector<CompliantPoint> pointsOf(const Project& project,
+                                                const std::stop_token& stop) {
+        std::vector<CompliantPoint> points = compliantPoints(project, stop);
+        const std::vector<CompliantPoint> sections = zoneSectionPoints(project, stop);
+        for (CompliantPoint& middle : points) {
+            middle.length_mm = sections.empty() ? middle.length_mm : 0; // its sections have it
+        }
+        points.insert(points.end(), sections.begin(), sections.end());
+        return points;
+    }
+
+    /// How much of a stroke from the entry is done when the wheel's middle is nearest to each.
+    void placeSections() {
+        const Machine& machine = *m_project.machine;
+        const double first_mm = m_project.wheel->width_mm / 2 - machine.overrun_entry_mm;
+        for (const CompliantPoint& section : zoneSectionPoints(m_project)) {
+            const double way_mm = fromEntry(m_project, section.position_mm) - first_mm;
+            m_wayShares.push_back(std::clamp(way_mm / m_travel_mm, 0.0, 1.0));
+        }
+    }
 
     static void cutAlone(FollowedRadius& radius, const LaneBalance& balance, double fed_mm) {
         const double root = balance.root(fed_mm - radius.depth_mm);
@@ -213,6 +244,8 @@ private:
         PassFeed feed;
         /// t_П when each zone is visited, of a stroke with a continuous infeed.
         std::optional<std::array<double, zoneCount>> fedByZone = {};
+        const StrokeFeed* drift = nullptr; ///< that infeed
+        bool there = true;                 ///< of a stroke: from the entry
     };
 
     /// The passes of a double stroke in order, until one is refused: false. `fed` is t_П, which
@@ -230,8 +263,10 @@ private:
         };
         const auto stroke = [&](const std::array<Step, zoneCount>& steps, bool there) {
             Pass next{Zone::rz1, true, steps, 1, {.base = fed}};
+            next.there = there;
             if (feed.drifts()) {
                 next.fedByZone = fedInStroke(fed, feed, there);
+                next.drift = &feed;
             }
             const bool done = pass(next);
             fed = feed.after(fed, feed.perStroke_mm);
@@ -309,6 +344,12 @@ private:
                 m_run.cut(zone, 1, *m_stroke, {.base = (*pass.fedByZone)[zone]}, &places[zone],
                           info);
             }
+            if (m_inZone > 0) {
+                for (std::size_t i = 0; i < m_places.size(); ++i) {
+                    m_places[i] = places[i / m_inZone];
+                }
+                cutSections(0, m_places.size(), *m_stroke, pass, info);
+            }
             m_run.advance(duration, m_stage);
             return true;
         }
@@ -316,13 +357,36 @@ private:
             return false;
         }
         const Place at = place(pass.zone, pass.steps[0], pass.revolution);
-        m_run.cut(static_cast<std::size_t>(pass.zone), 1, plungeCut(pass.zone), pass.feed, &at,
-                  {.duration_s = revolution_s(), .radialFeed_mm = infeed});
+        const auto zone = static_cast<std::size_t>(pass.zone);
+        const Run::PassInfo info{.duration_s = revolution_s(), .radialFeed_mm = infeed};
+        m_run.cut(zone, 1, plungeCut(pass.zone), pass.feed, &at, info);
+        if (m_inZone > 0) {
+            std::fill_n(m_places.begin() + static_cast<std::ptrdiff_t>(zone * m_inZone), m_inZone,
+                        at);
+            cutSections(zone * m_inZone, m_inZone, plungeCut(pass.zone), pass, info);
+        }
         m_run.advance(revolution_s(), m_stage);
         return true;
     }
 
+    /// The sections of zones that hold several, as these are cut; their places are set.
+    void cutSections(std::size_t first, std::size_t count, const CutWidth& width, const Pass& pass,
+                     const Run::PassInfo& info) {
+        if (!pass.drift) {
+            m_run.cut(zoneCount + first, count, width, pass.feed, &m_places[first], info);
+            return;
+        }
+        for (std::size_t i = first; i < first + count; ++i) {
+            const double share = pass.there ? m_wayShares[i] : 1 - m_wayShares[i];
+            const double fed = pass.drift->after(pass.feed.base, pass.drift->perStroke_mm * share);
+            m_run.cut(zoneCount + i, 1, width, {.base = fed}, &m_places[i], info);
+        }
+    }
+
     const Project& m_project;
+    std::size_t m_inZone;            ///< sections, 0 where a zone is its middle
+    std::vector<Place> m_places;     ///< of the sections in a pass
+    std::vector<double> m_wayShares; ///< of the sections
     std::shared_ptr<const CutWidth> m_plunge1, m_plunge2, m_stroke; ///< the same in copies
     std::array<LaneBalance, zoneCount> m_plungeBalances;
     int m_entryDwell, m_exitDwell;

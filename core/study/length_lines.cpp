@@ -60,6 +60,10 @@ LengthSpread spreadOf(const std::vector<double>& radii_mm, const ProfileSeries& 
     return spread;
 }
 
+const std::vector<Profile>& alongThePart(const ProfileSeries& series) {
+    return series.zoneSections.empty() ? series.profiles : series.zoneSections;
+}
+
 double lengthValue(const ProfileSeries& series, const Profile& profile, LengthLine line,
                    LengthQuantity quantity) {
     switch (line) {
@@ -82,12 +86,12 @@ std::vector<ProfilePoint> lengthLine(const ProfileSeries& series, LengthLine lin
                    : level(series, lengthValue(series, series.profiles[0], line, quantity));
     }
     std::vector<ProfilePoint> points;
-    const std::size_t count = series.profiles.size();
+    const std::vector<Profile>& profiles = alongThePart(series);
+    const std::size_t count = profiles.size();
     // With the entry at the tailstock the zones come from the far end.
-    const bool backwards =
-        count > 1 && series.profiles.front().from_mm > series.profiles.back().from_mm;
+    const bool backwards = count > 1 && profiles.front().from_mm > profiles.back().from_mm;
     for (std::size_t i = 0; i < count; ++i) {
-        const Profile& p = series.profiles[backwards ? count - 1 - i : i];
+        const Profile& p = profiles[backwards ? count - 1 - i : i];
         const double value = lengthValue(series, p, line, quantity);
         if (series.operation->hasZones) {
             points.push_back({p.from_mm, value});

@@ -28,6 +28,10 @@ struct LengthSpread {
 [[nodiscard]] LengthSpread spreadOf(const std::vector<double>& radii_mm,
                                     const ProfileSeries& series, LengthQuantity quantity);
 
+/// What lines along the part go through: the profiles, or at the end of the cycle the sections of
+/// zones that hold several.
+[[nodiscard]] const std::vector<Profile>& alongThePart(const ProfileSeries& series);
+
 /// Height of a line at a zone or section.
 [[nodiscard]] double lengthValue(const ProfileSeries& series, const Profile& profile,
                                  LengthLine line, LengthQuantity quantity);

@@ -42,6 +42,21 @@ void setStretches(ProfileSeries& series, const Project& project) {
     }
 }
 
+/// Each with its slice of the ground length, from the headstock on.
+void addZoneSections(ProfileSeries& series, const SimulationResult& result) {
+    const std::vector<CompliantPoint> points = zoneSectionPoints(result.project);
+    for (std::size_t i = 0; i < result.zoneSections.size(); ++i) {
+        const SectionResult& s = result.zoneSections[i];
+        Profile p;
+        p.zone = s.zone;
+        p.position_mm = s.position_mm;
+        p.from_mm = s.position_mm - points[i].length_mm / 2;
+        p.to_mm = s.position_mm + points[i].length_mm / 2;
+        p.radii_mm = s.radii_mm;
+        series.zoneSections.push_back(std::move(p));
+    }
+}
+
 ProfileSeries endOfCycle(const SimulationResult& result) {
     const Part& part = *result.project.part;
     ProfileSeries series;
@@ -77,6 +92,7 @@ ProfileSeries endOfCycle(const SimulationResult& result) {
         }
     }
     setStretches(series, result.project);
+    addZoneSections(series, result);
     return series;
 }
 
@@ -120,6 +136,9 @@ ProfileSeries makeProfileSeries(const SimulationResult& result, const Trajectory
     }
     if (moment && moment->end <= trajectory.passes.size() && !trajectory.passes.empty()) {
         rewindTo(series, trajectory, *moment);
+        if (!series.atEnd()) { // passes are recorded of the zones' middles
+            series.zoneSections.clear();
+        }
         const double geometric = result.project.machine->geometric_runout_um / units::umPerMm;
         for (Profile& p : series.profiles) {
             measure(p, series.nominal_mm, geometric);

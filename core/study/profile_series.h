@@ -53,6 +53,7 @@ struct ProfileSeries {
     double gauge_mm = 0;          ///< where the gauge stands along the ground length
     std::vector<double> blank_mm; ///< the K radii before the first touch, the same everywhere
     std::vector<Profile> profiles;
+    std::vector<Profile> zoneSections; ///< where zones hold several, at the end of the cycle
     int stroke = 0;         ///< number of the last double stroke or revolution; 0: the blank
     int strokeCount = 0;    ///< of the whole cycle
     bool strokeDone = true; ///< else the moment is within that stroke

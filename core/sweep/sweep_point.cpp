@@ -2,9 +2,9 @@
 #include "core/sweep/sweep_point.h"
 
 #include "core/batch/characteristics.h"
-#include "core/form/roundness.h"
 #include "core/project/part.h"
 #include "core/quality/constraints.h"
+#include "core/quality/drawing_constraints.h"
 #include "core/quality/finished_surface.h"
 #include "core/units.h"
 
@@ -106,10 +106,9 @@ private:
                     {section.radialRunout_mm * units::umPerMm});
         }
         if (!roundness) {
-            const Directions directions(section.radii_mm.size());
-            addHere(
-                requirementOf(ConstraintKind::roundness).key,
-                {minimumZoneCircles(section.radii_mm, directions).deviation() * units::umPerMm});
+            const auto place = static_cast<std::size_t>(index);
+            addHere(requirementOf(ConstraintKind::roundness).key,
+                    {roundnessOf(m_result, place) * units::umPerMm});
         }
     }
 

@@ -218,6 +218,10 @@ std::set<std::string> features(const json& p) {
         const json& machine = p["machine"];
         const std::string infeed = machine.value("reversal_infeed", "entry");
         found.insert("reversal infeed, " + infeed);
+        if (p.contains("zone_sections")) {
+            found.insert(p["zone_sections"].get<int>() % 2 ? "odd number of sections in a zone"
+                                                           : "even number of sections in a zone");
+        }
         if (part.contains("gaps")) {
             found.insert("traverse, interrupted");
         }
@@ -281,6 +285,8 @@ private slots:
         }
         const char* const options[] = {"traverse, external",
                                        "traverse, internal",
+                                       "odd number of sections in a zone",
+                                       "even number of sections in a zone",
                                        "traverse, interrupted",
                                        "plunge, interrupted",
                                        "gauge spans the gaps",

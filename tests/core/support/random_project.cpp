@@ -451,7 +451,7 @@ void addPractice(std::uint64_t seed, bool traverse, json& project) {
 
 // A keyway or two, or splines of an even number. Drawn apart, too.
 void addGaps(std::uint64_t seed, json& project) {
-    Random random(seed ^ 0x9747b28cU);
+    Random random(seed ^ 0x9747b28dU);
     if (!random.chance(0.15)) {
         return;
     }
@@ -499,7 +499,7 @@ json randomProject(std::uint64_t seed) {
     Random random(seed);
     Plan plan = choosePlan(random);
     if (plan.traverse) { // drawn apart, so that shafts are as ever
-        plan.internal = Random(seed ^ 0x7f4a7c15U).chance(0.3);
+        plan.internal = Random(seed ^ 0x7f4a7c16U).chance(0.3);
     }
     chooseFeeds(random, plan);
     json project = {{"format", "sparkout-project"},
@@ -544,5 +544,11 @@ json randomProject(std::uint64_t seed) {
     }
     addPractice(seed, plan.traverse, project);
     addGaps(seed, project);
+    if (plan.traverse) {
+        Random again(seed ^ 0x2545f491U);
+        if (again.chance(0.15)) {
+            project["zone_sections"] = again.integer(2, 6);
+        }
+    }
     return project;
 }

@@ -218,6 +218,24 @@ void placeBodies(Cycle& c, const json& project, const std::vector<Real>& radius)
             c.bodies[reversal].length = std::min(c.bodies[reversal].length, c.B);
         }
         c.gauge = 1;
+        for (int zone = 0; zone < 3; ++zone) {
+            c.bodies[zone].zone = zone;
+        }
+        c.zone_sections = integer(project, "zone_sections", 1);
+        for (int zone = 0; zone < 3 && c.zone_sections > 1; ++zone) {
+            c.bodies[zone].counted = false;
+            // of what the wheel reaches: from the wall's strip on, or up to it
+            const Real reached = c.bodies[zone].length;
+            const Real start = zone == 0 ? ends[1] - reached : ends[zone];
+            for (int i = 0; i < c.zone_sections; ++i) {
+                Body body = c.bodies[zone];
+                body.reported = false;
+                body.counted = true;
+                body.length = reached / c.zone_sections;
+                body.middle = start + (i + 0.5L) * body.length;
+                c.bodies.push_back(body);
+            }
+        }
         return;
     }
     const int J = integer(project, "sections", 4);

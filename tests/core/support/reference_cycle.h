@@ -34,6 +34,8 @@ struct Body {
     bool reported = true;     // false: the extra section of a gauge in a free position
     Real length = 0;          // of the surface it stands for [mm]
     Real middle = 0;          // from the entry end, traverse only [mm]
+    bool counted = true;      // false: the middle of a zone that holds several sections
+    int zone = 0;             // that it is in, traverse only
 };
 
 /// What a stage adds up to; energy in N·m, time in min.
@@ -64,7 +66,8 @@ struct Cycle {
     Real k_s = 0, k_r = 0;                  // normal force [N/mm², N/mm^1.5]
     Real z_s = 0, z_r = 0;                  // tangential force, the same way
     long long N1 = 0, N2 = 0;               // dwells [rev]
-    Real entry_share = 1;                   // of S_t that is fed at the entry, the rest at the exit
+    int zone_sections = 1;
+    Real entry_share = 1; // of S_t that is fed at the entry, the rest at the exit
     bool position_control = false;
     std::string rule;
     Real geometric_runout_um = 0;

@@ -32,11 +32,16 @@ void addToStage(Sums& sums, const Cycle& c, const Body& body, Real b, Real a, Re
     sums.P_z = std::max(sums.P_z, P_z);
 }
 
+// Not a gauge in a free position, nor the middle of a zone that holds several sections.
+bool counts(const Cycle& c, const Body& body) {
+    return c.traverse ? body.counted : body.reported;
+}
+
 // One radius passes under the wheel, which has been fed to t.
 void visit(Cycle& c, Body& body, int k, Real b, Real t) {
     ++c.visits;
     if (c.gap[k]) { // the wheel turns on without a surface under it
-        if (body.reported) {
+        if (counts(c, body)) {
             addToStage(c.sums[c.z], c, body, b, 0, 0, 0);
         }
         return;
@@ -46,7 +51,7 @@ void visit(Cycle& c, Body& body, int k, Real b, Real t) {
     const Real a = depthOfCut(h, body.gamma, b, c.k_s, c.k_r);
     R = c.internal ? R + a : R - a;
     c.largest_removal = std::max(c.largest_removal, a);
-    if (body.reported) {
+    if (counts(c, body)) {
         const Real P_y = b * (c.k_s * a + c.k_r * std::sqrt(a));
         const Real P_z = b * (c.z_s * a + c.z_r * std::sqrt(a));
         c.peak_P_y = std::max(c.peak_P_y, P_y);
@@ -94,16 +99,25 @@ Real fedLater(const Cycle& c, Real t, Real minutes) {
                : later;
 }
 
-void dwell(Cycle& c, Body& body, Real b, long long revolutions) {
+// All bodies of a zone, which stand under the wheel at once.
+void visitZone(Cycle& c, int zone, int k, Real b, Real t) {
+    for (Body& body : c.bodies) {
+        if (body.zone == zone) {
+            visit(c, body, k, b, t);
+        }
+    }
+}
+
+void dwell(Cycle& c, int zone, Real b, long long revolutions) {
     for (long long m = 0; m < revolutions; ++m) {
         for (int k = 0; k < c.K; ++k) {
-            visit(c, body, k, b, fedLater(c, c.t_P, Real(k + 1) / c.K / c.n));
+            visitZone(c, zone, k, b, fedLater(c, c.t_P, Real(k + 1) / c.K / c.n));
         }
         c.t_P = fedLater(c, c.t_P, 1 / c.n);
     }
 }
 
-void plungeIn(Cycle& c, Body& body, Real b, Real S) {
+void plungeIn(Cycle& c, int zone, Real b, Real S) {
     const long long revolutions = plungeInRevolutions(c, S);
     for (long long m = 1; m <= revolutions; ++m) {
         for (int k = 0; k < c.K; ++k) {
@@ -113,7 +127,7 @@ void plungeIn(Cycle& c, Body& body, Real b, Real S) {
             const Real both = c.t_P + std::min(S, c.S_rad / c.n * turns) + continuous * turns / c.n;
             const bool stops = c.position_control && continuous > 0;
             const Real most = std::max(targetInfeed(c), c.t_P + S);
-            visit(c, body, k, b, stops ? std::min(both, most) : both);
+            visitZone(c, zone, k, b, stops ? std::min(both, most) : both);
         }
     }
     c.t_P = fedLater(c, c.t_P + S, revolutions / c.n);
@@ -141,8 +155,7 @@ void doubleStroke(Cycle& c) {
     const Real b1 = std::min(c.B - c.o1, c.B);            // plunge passes in РЗ1
     const Real b2 = std::min(c.B - c.o2, c.B);            // plunge passes in РЗ2
     const Real b = std::min(stage.axial_feed / c.n, c.B); // traverse passes
-    Body& rz1 = c.bodies[0];
-    Body& rz2 = c.bodies[2];
+    const int rz1 = 0, rz2 = 2;
 
     plungeIn(c, rz1, b1, S_1);
     dwell(c, rz1, b1, c.N1);
@@ -179,7 +192,9 @@ long long visitsOfNextPass(const Cycle& c) {
     const Real S_t = infeedOfThisPass(c);
     const long long plunges = plungeInRevolutions(c, S_t * c.entry_share)
                               + plungeInRevolutions(c, S_t * (1 - c.entry_share));
-    return (plunges + 2 * c.N1 + c.N2 + 6) * c.K;
+    const long long strokes = static_cast<long long>(c.bodies.size()) * 2;
+    const long long standing = c.zone_sections > 1 ? c.zone_sections + 1 : 1;
+    return ((plunges + 2 * c.N1 + c.N2) * standing + strokes) * c.K;
 }
 
 // ---------------------------------------------------------------- control
@@ -282,6 +297,27 @@ void run(Cycle& c, Result& result) {
 }
 
 Place measured(const Cycle& c, const Body& body) {
+    if (!body.counted) { // the worst of the zone's sections, with the radii of its middle
+        Body middle = body;
+        middle.counted = true;
+        Place place = measured(c, middle);
+        bool first = true;
+        for (const Body& section : c.bodies) {
+            if (section.zone != body.zone || !section.counted) {
+                continue;
+            }
+            const Place one = measured(c, section);
+            const auto least = [first](double a, double b) { return first ? b : std::min(a, b); };
+            const auto most = [first](double a, double b) { return first ? b : std::max(a, b); };
+            place.diameter_deviation_min_um =
+                least(place.diameter_deviation_min_um, one.diameter_deviation_min_um);
+            place.diameter_deviation_max_um =
+                most(place.diameter_deviation_max_um, one.diameter_deviation_max_um);
+            place.radial_runout_um = most(place.radial_runout_um, one.radial_runout_um);
+            first = false;
+        }
+        return place;
+    }
     Place place;
     std::vector<Real> R; // of what is there
     for (int k = 0; k < c.K; ++k) {

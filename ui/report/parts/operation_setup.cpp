@@ -79,6 +79,9 @@ Facts OperationSetup::settings(const Outcome& outcome) {
             facts.facts.push_back(inputFact(project, "/machine/reversal_infeed"));
         }
     }
+    if (zoneSectionCount(project) > 0) {
+        facts.facts.push_back(inputFact(project, "/zone_sections"));
+    }
     QString control = tr("by the position of the wheel head");
     if (project.gauge->control == Control::gauge) {
         const auto section = static_cast<std::size_t>(gaugeSection(project));

@@ -89,7 +89,7 @@ CsvTable ProfilesTable::along(const ProfileSeries& series, LengthQuantity quanti
             table.header << column.name.arg(value);
         }
     }
-    for (const Profile& p : series.profiles) {
+    for (const Profile& p : alongThePart(series)) {
         std::vector<CsvCell> row{Names::zone(p.zone, p.section), p.from_mm, p.position_mm, p.to_mm};
         for (const Column& column : columns) {
             if (on(column.line)) {
