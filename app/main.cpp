@@ -47,7 +47,7 @@ constexpr const char* usageText =
     "       sparkout --picture OUT.png [--lang en|ru] [--theme THEME] [--view VIEW]\n"
     "                [--font-size PERCENT] [--stroke N] [--size WxH] FILE\n"
     "       sparkout --report KIND -o OUT.pdf|OUT.html|OUT.md|OUT.odt [--lang en|ru]\n"
-    "                [--at STEP] [--views VIEWS] [--answers on|off] FILE\n"
+    "                [--surface NAME|N] [--at STEP] [--views VIEWS] [--answers on|off] FILE\n"
     "       sparkout --report KIND -d DIR [--format pdf|html|md|odt] [--force]\n"
     "                [--lang en|ru] FILE…\n"
     "       sparkout --export PART -o OUT.xlsx|OUT.csv|OUT.json [--lang en|ru] FILE\n"
@@ -65,6 +65,9 @@ constexpr const char* usageText =
     "with\n"
     "                     --lang ru semicolons and decimal commas, as Russian Excel has them) or\n"
     "                     .json (all: the object of sparkout-cli simulate --json)\n"
+    "  --surface NAME|N   the surface of a file of several, by its name or its number from 1; "
+    "without\n"
+    "                     it operation card and sketch have all, the other reports need it\n"
     "  -d DIR             the folder of many reports, each with the name of its FILE; progress "
     "goes to\n"
     "                     stderr, a file that is refused does not stop the others\n"
@@ -148,6 +151,8 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
         }
     } else if (word == u"-o") {
         options.output = words[++i];
+    } else if (word == u"--surface") {
+        options.request.surface = words[++i];
     } else if (word == u"-d") {
         options.many.folder = words[++i];
     } else if (word == u"--format") {
@@ -202,6 +207,9 @@ QString outputFault(const Options& options) {
                    ? QStringLiteral("-d goes with --report, and with no other output")
                : options.many.files.isEmpty() ? QStringLiteral("-d needs a FILE")
                                               : QString();
+    }
+    if (!options.request.surface.isEmpty() && !report) {
+        return QStringLiteral("--surface goes with --report");
     }
     if (options.many.force || options.formatGiven) {
         return QStringLiteral("--format and --force go with -d");

@@ -6,6 +6,7 @@
 #include "app/window_io.h"
 #include "core/project/batch.h"
 #include "core/setup/setup_run.h"
+#include "core/setup/worn_project.h"
 #include "core/study/evaluate.h"
 #include "ui/report/format/report_text.h"
 #include "ui/session/document.h"
@@ -16,6 +17,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -55,6 +58,38 @@ QString readHandoutOption(const QString& option, const QString& value, ReportReq
 
 namespace {
 
+/// The surface that the command line names, with the wheel as those before have left it.
+std::optional<Setup> onlySurface(Setup setup, const ReportRequest& request) {
+    const auto found = setup.find(request.surface.toStdString());
+    if (!found) {
+        say(stderr, QStringLiteral("sparkout: %1 has no surface %2")
+                        .arg(printableText(request.file), printableText(request.surface)));
+        return {};
+    }
+    WornProject worn = wornProject(setup, *found);
+    if (!worn.issues.empty()) {
+        (void)refuse(worn.issues);
+        return {};
+    }
+    const std::string name = setup.surfaces[*found].name;
+    setup.surfaces = {GroundSurface{name, std::move(worn.project)}};
+    setup.wear = {}; // it is in the project
+    return setup;
+}
+
+/// The project of a file of one surface, or of the one that is named.
+std::optional<Project> projectOf(const ReportRequest& request) {
+    if (request.surface.isEmpty()) {
+        Document document;
+        return openOrSay(document, request.file) ? std::optional(document.project()) : std::nullopt;
+    }
+    auto setup = openSetupOrSay(request.file);
+    if (setup) {
+        setup = onlySurface(std::move(*setup), request);
+    }
+    return setup ? std::optional(setup->surfaces.front().project) : std::nullopt;
+}
+
 /// What is to be reported of a file; else the exit status that says why there is nothing.
 std::variant<report::Subject, int> subjectOf(const ReportRequest& request) {
     report::Subject subject;
@@ -64,6 +99,9 @@ std::variant<report::Subject, int> subjectOf(const ReportRequest& request) {
     subject.company = request.company;
     if (report::rowOf(request.kind).takesSetup) {
         auto setup = openSetupOrSay(request.file);
+        if (setup && !request.surface.isEmpty()) {
+            setup = onlySurface(std::move(*setup), request);
+        }
         if (!setup) {
             return exitRefused;
         }
@@ -75,11 +113,11 @@ std::variant<report::Subject, int> subjectOf(const ReportRequest& request) {
             report::SetupSubject{std::move(*setup), std::move(run)});
         return subject;
     }
-    Document document;
-    if (!openOrSay(document, request.file)) {
+    const auto project = projectOf(request);
+    if (!project) {
         return exitRefused;
     }
-    subject.outcome = evaluate(document.project(), {});
+    subject.outcome = evaluate(*project, {});
     if (!subject.outcome->ran()) {
         return refuse(subject.outcome->issues);
     }
@@ -87,8 +125,8 @@ std::variant<report::Subject, int> subjectOf(const ReportRequest& request) {
         say(stderr, QStringLiteral("sparkout: no step of this cycle is as --at says"));
         return exitUsage;
     }
-    if (report::rowOf(request.kind).takesBatch && document.project().batch) {
-        subject.batch = runWatched(document.project());
+    if (report::rowOf(request.kind).takesBatch && project->batch) {
+        subject.batch = runWatched(*project);
         if (!subject.batch->ran()) {
             return refuse(subject.batch->issues);
         }
