@@ -66,6 +66,9 @@ constexpr const char* usageText =
     "with\n"
     "                     --lang ru semicolons and decimal commas, as Russian Excel has them) or\n"
     "                     .json (all: the object of sparkout-cli simulate --json)\n"
+    "  --surface NAME|N   the surface of a file of several, by its name or its number from 1; "
+    "without\n"
+    "                     it operation card and sketch have all, the other reports need it\n"
     "  -d DIR             the folder of many reports, each with the name of its FILE; progress "
     "goes to\n"
     "                     stderr, a file that is refused does not stop the others\n"
@@ -78,7 +81,6 @@ constexpr const char* usageText =
     "  --views VIEWS      figures of a hand-out: feeds, cycle, profiles, limits, with commas\n"
     "                     between; feeds,cycle,profiles unless given; none of them: \"\"\n"
     "  --answers on|off   whether a hand-out has the answers to its questions, on unless given\n"
-    "  --surface NAME|N   of a file of several surfaces: the one that is meant\n"
     "  --lang en|ru       language of the window, the report or the tables, this time only\n"
     "  --theme THEME      system, light, dark or contrast, this time only\n"
     "  --font-size N      of the system's, in per cent: 90, 100, 115 or 130, this time only\n"
@@ -257,8 +259,8 @@ Options readOptions(const QStringList& words) {
     if (!options.picture.isEmpty() && options.file.isEmpty() && options.fault.isEmpty()) {
         options.fault = QStringLiteral("--picture needs a FILE");
     }
-    if (!options.surface.isEmpty() && options.picture.isEmpty() && options.output.isEmpty()
-        && options.fault.isEmpty()) {
+    if (!options.surface.isEmpty() && options.picture.isEmpty() && options.report.isEmpty()
+        && options.exported.part.isEmpty() && options.fault.isEmpty()) {
         options.fault = QStringLiteral("--surface needs --picture, --report or --export");
     }
     if (!options.handoutOption.isEmpty() && options.report != u"handout"

@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -54,6 +56,23 @@ QString readHandoutOption(const QString& option, const QString& value, ReportReq
 
 namespace {
 
+/// The set-up of a file; of the surface that is named alone, with the wheel as those before have
+/// left it. What is wrong is said.
+std::optional<Setup> setupOrSay(const ReportRequest& request) {
+    auto setup = openSetupOrSay(request.file);
+    if (!setup || request.surface.isEmpty()) {
+        return setup;
+    }
+    auto project = projectOrSay(request.file, request.surface);
+    if (!project) {
+        return {};
+    }
+    const std::string name = setup->surfaces[*setup->find(request.surface.toStdString())].name;
+    setup->surfaces = {GroundSurface{name, std::move(*project)}};
+    setup->wear = {}; // it is in the project
+    return setup;
+}
+
 /// What is to be reported of a file; else the exit status that says why there is nothing.
 std::variant<report::Subject, int> subjectOf(const ReportRequest& request) {
     report::Subject subject;
@@ -62,11 +81,7 @@ std::variant<report::Subject, int> subjectOf(const ReportRequest& request) {
     subject.handout = request.handout;
     subject.company = request.company;
     if (report::rowOf(request.kind).takesSetup) {
-        if (!request.surface.isEmpty()) {
-            say(stderr, QStringLiteral("sparkout: this report has all surfaces: not with --surface"));
-            return exitUsage;
-        }
-        auto setup = openSetupOrSay(request.file);
+        auto setup = setupOrSay(request);
         if (!setup) {
             return exitRefused;
         }

@@ -16,6 +16,7 @@ struct ReportRequest {
     QString surface; ///< of it; empty: it has one
     QString output;
     Company company; ///< of the heads
+    QString surface; ///< the one of a set-up that is reported, by its name or number; empty: all
     report::HandoutOptions handout;
     bool stepAsked = false; ///< by --at
 };

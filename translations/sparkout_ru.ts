@@ -390,6 +390,10 @@
             <source>The form is modelled on GOST 3.1105-84 and 3.1103: check it against the current edition. Not to scale.</source>
             <translation>Форма составлена по образцу ГОСТ 3.1105-84 и ГОСТ 3.1103, сверьте с действующей редакцией. Эскиз не в масштабе.</translation>
         </message>
+        <message>
+            <source>d MMM yy</source>
+            <translation>dd.MM.yy</translation>
+        </message>
     </context>
     <context>
         <name>Catalogue</name>
@@ -949,11 +953,11 @@ med, µm</source>
         </message>
         <message>
             <source>Grind surface %1 by traverse grinding to %2</source>
-            <translation>Шлифовать поверхность %1 с продольной подачей в размер %2</translation>
+            <translation>Шлифовать поверхность %1 с осевой подачей в размер %2</translation>
         </message>
         <message>
             <source>Grind surface %1 by plunge grinding to %2</source>
-            <translation>Шлифовать поверхность %1 врезанием в размер %2</translation>
+            <translation>Шлифовать поверхность %1 с врезной подачей в размер %2</translation>
         </message>
         <message>
             <source>Grind bore %1 to %2</source>
@@ -989,7 +993,7 @@ med, µm</source>
         </message>
         <message>
             <source>dwell at the entry %1, at the exit %2 s</source>
-            <translation>выстой на входе %1, на выходе %2 с</translation>
+            <translation>задержка на входе %1, на выходе %2 с</translation>
         </message>
         <message>
             <source>plunge-in at a reversal %1 mm/min</source>
@@ -1048,11 +1052,11 @@ med, µm</source>
             <translation>; непрерывная %1 мм/мин</translation>
         </message>
         <message>
-            <source>Bore gauge</source>
+            <source>Bore comparator</source>
             <translation>Нутромер индикаторный</translation>
         </message>
         <message>
-            <source>Indicating snap gauge</source>
+            <source>Indicating calliper</source>
             <translation>Скоба индикаторная</translation>
         </message>
         <message>
@@ -1205,6 +1209,22 @@ med, µm</source>
         <message>
             <source>surface %1: %2</source>
             <translation>поверхность %1: %2</translation>
+        </message>
+        <message>
+            <source>of roundness</source>
+            <translation>круглости</translation>
+        </message>
+        <message>
+            <source>of cylindricity</source>
+            <translation>цилиндричности</translation>
+        </message>
+        <message>
+            <source>of radial runout</source>
+            <translation>радиального биения</translation>
+        </message>
+        <message>
+            <source>of total runout</source>
+            <translation>полного биения</translation>
         </message>
     </context>
     <context>

@@ -445,6 +445,15 @@ private slots:
         QCOMPARE(cardOf(setupOf("sleeve"), company).sheets.front().pictures.size(), 1U);
     }
 
+    void theDateIsThatOfTheLanguage() {
+        for (const auto& [language, date] :
+             {std::pair("ru", "22.11.26"), std::pair("en", "22 Nov 26")}) {
+            m_language.apply(QString::fromLatin1(language));
+            QVERIFY(textOf(cardOf(setupOf("sleeve")).sheets.front())
+                        .contains(QString::fromLatin1(date)));
+        }
+    }
+
     /// Deviations stand in millimetres with as many decimals; a zero is not written.
     void deviationsAreWrittenAsOnADrawing() {
         Part part;

@@ -26,6 +26,8 @@
 #include <QTest>
 #include <QTimer>
 
+#include <utility>
+
 namespace test_report_commands {
 
 using namespace sparkout;
@@ -61,7 +63,7 @@ private slots:
         answers.seen = [&](QDialog& dialog) {
             auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("company-name"));
             name->setFocus();
-            QTest::keyClicks(name, QStringLiteral("Станкомаш"));
+            QTest::keyClicks(name, QStringLiteral("Stankomash"));
             english = englishIn(dialog.windowTitle());
             auto& company = dynamic_cast<CompanyDialog&>(dialog);
             company.takeLogo(examplePaths().front());
@@ -71,7 +73,7 @@ private slots:
         bench.action("company")->trigger();
         QCOMPARE(english, QString());
         QVERIFY(!fault.isEmpty());
-        QCOMPARE(bench.settings.company().name, QStringLiteral("Станкомаш"));
+        QCOMPARE(bench.settings.company().name, QStringLiteral("Stankomash"));
         QVERIFY(!bench.settings.company().logo.isEmpty());
     }
 
@@ -93,6 +95,27 @@ private slots:
         QVERIFY2(pages >= 2, qPrintable(QString::number(pages)));
         QCOMPARE(englishIn(title), QString());
         QCOMPARE(english, QString());
+    }
+
+    /// The sheets of a form lie on the whole of a page across.
+    void theOperationCardIsPreviewedOnSheetsAcross() {
+        Bench bench(QStringLiteral("ru"));
+        QVERIFY(bench.open(examplePaths().front()));
+        for (const auto& [action, sheets] :
+             {std::pair("preview-operation-card", 2), std::pair("preview-sketch-sheet", 1)}) {
+            DialogAnswers answers({QStringLiteral("Escape")});
+            int pages = 0;
+            bool across = false;
+            answers.seen = [&](QDialog& dialog) {
+                const auto* preview = dialog.findChild<QPrintPreviewWidget*>();
+                pages = preview->pageCount();
+                across = preview->orientation() == QPageLayout::Landscape;
+            };
+            bench.action(action)->trigger();
+            QCOMPARE(answers.fault(), QString());
+            QCOMPARE(pages, sheets);
+            QVERIFY(across);
+        }
     }
 
     void whatCannotBeChosenWithoutAPrinterIsNotOffered() {

@@ -188,6 +188,34 @@ private slots:
         QCOMPARE(report(first, example, {batch}).status, 2);
     }
 
+    void aReportIsOfTheSurfaceThatIsNamed() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("out.md"));
+        const auto made = [&](const char* kind, const QString& surface) {
+            return sparkout(
+                QStringList{
+                    QStringLiteral("--report"), QString::fromLatin1(kind),
+                    QStringLiteral(SPARKOUT_SOURCE_DIR "/tests/data/setups/spindle.sparkout"),
+                    QStringLiteral("-o"), path, QStringLiteral("--lang"), QStringLiteral("en")}
+                + (surface.isEmpty() ? QStringList()
+                                     : QStringList{QStringLiteral("--surface"), surface}));
+        };
+        QCOMPARE(made("card", {}).status, 1); // it is about one
+        QCOMPARE(made("card", QStringLiteral("4")).status, 1);
+        QVERIFY(!QFile::exists(path));
+        for (const char* kind : {"card", "operation-card"}) {
+            for (const QString& surface :
+                 {QStringLiteral("2"), QString::fromUtf8("посадка под шестерню")}) {
+                const Run run = made(kind, surface);
+                QVERIFY2(run.status == 0, qPrintable(run.said));
+                QVERIFY(bytesOf(path).contains("36k6"));
+                QVERIFY(!bytesOf(path).contains("40h6"));
+            }
+        }
+        QCOMPARE(made("operation-card", {}).status, 0);
+        QVERIFY(bytesOf(path).contains("36k6") && bytesOf(path).contains("40h6"));
+    }
+
     void twoFilesOfOneNameAreRefused() {
         const QTemporaryDir folder, other;
         const QString twin = other.filePath(QStringLiteral("wheel-sharp.sparkout"));

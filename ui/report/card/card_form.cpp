@@ -60,6 +60,8 @@ const std::array<Cell, 12> columns{{{QT_TRANSLATE_NOOP("CardForm", "R"), 12},
                                     {QT_TRANSLATE_NOOP("CardForm", "Main, min"), 15},
                                     {QT_TRANSLATE_NOOP("CardForm", "Auxil., min"), 15}}};
 
+const char* const dateFormat = QT_TRANSLATE_NOOP("CardForm", "d MMM yy");
+
 const Kind card{
     QT_TRANSLATE_NOOP("CardForm", "OC"), QT_TRANSLATE_NOOP("CardForm", "Operation card, machining"),
     QT_TRANSLATE_NOOP("CardForm", "after GOST 3.1404-86, form 2"),

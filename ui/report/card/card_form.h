@@ -40,6 +40,8 @@ extern const std::array<Cell, 7> equipmentRow; ///< row 2: equipment, times, coo
 extern const std::array<Cell, 12> columns;     ///< of the lines
 inline constexpr std::size_t contentColumn = 1, firstValue = 2, mainColumn = 10;
 
+extern const char* const dateFormat; ///< as QLocale reads it
+
 struct Kind {
     const char* symbol; ///< ОК, in the context CardForm
     const char* name;

@@ -201,7 +201,7 @@ QStringList CardRows::cells(const CardRegime& regime) {
 }
 
 QString CardRows::measuring(const Project& project) {
-    QStringList all{isBore(project) ? tr("Bore gauge") : tr("Indicating snap gauge")};
+    QStringList all{isBore(project) ? tr("Bore comparator") : tr("Indicating calliper")};
     const Tolerance& of = project.part->tolerance;
     if (of.radial_runout_um || of.total_runout_um) {
         all << tr("dial indicator with stand");

@@ -2,7 +2,8 @@
 #include "ui/report/card/card_sheets.h"
 
 #include "ui/report/card/logo.h"
-#include "ui/text/number_text.h"
+
+#include <QLocale>
 
 #include <algorithm>
 #include <span>
@@ -219,7 +220,7 @@ void CardSheets::addSigners(FormSheet& sheet) const {
                 value(sheet, cell, all.value(static_cast<qsizetype>(row)), Qt::AlignLeft,
                       form::smallPoints);
             } else if (i + 1 == form::signerWidths.size() && row == 0) {
-                value(sheet, cell, m_head.date.toString(QStringLiteral("dd.MM.yy")),
+                value(sheet, cell, QLocale().toString(m_head.date, form::text(form::dateFormat)),
                       Qt::AlignHCenter, form::smallPoints);
             }
             x += form::signerWidths.at(i);

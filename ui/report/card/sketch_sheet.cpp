@@ -2,6 +2,7 @@
 #include "ui/report/card/sketch_sheet.h"
 
 #include "core/project/part.h"
+#include "core/units.h"
 #include "ui/report/card/card_rows.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/report/parts/input_fact.h"
@@ -10,6 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -20,7 +23,8 @@ namespace {
 constexpr double outline = 0.35, doubled = 0.8, fine = 0.2, hatching = 0.15;
 constexpr double legendHeight = 7, edge = 3, leaderRoom = 14, lanePitch = 6.5;
 constexpr double leastPartHeight = 22, mostPartHeight = 62, mostPartWidth = 190;
-constexpr double overhang = 8; ///< of the centre line
+constexpr double overhang = 8;       ///< of the centre line
+constexpr double calloutShare = 0.7; ///< of their widths that the part is at least as long as
 constexpr double lengthPoints = 9, tableRow = 4.8, tableWidth = 132;
 constexpr std::size_t tableRows = 10;
 
@@ -64,13 +68,17 @@ SketchSheet::SketchSheet(FormSheet& sheet, const QRectF& room, const Setup& setu
     const std::size_t count = m_callouts.size();
     const auto rows = static_cast<double>(std::min(count, tableRows) + 1);
     above = m_hasTable ? rows * tableRow + SketchCallout::circle_mm + 2 : above;
-    const double lanes = m_hasTable ? 1 : 2 * static_cast<double>(count);
+    const double lanes = m_hasTable ? 1 : static_cast<double>(count) + 2; // lengths, places, whole
     const double below = lanes * lanePitch + overhang + legendHeight;
     const double height =
         std::clamp(m_room.height() - above - leaderRoom - below, leastPartHeight, mostPartHeight);
     const double largest = m_outline.largest_mm();
-    m_scaleX = std::min(mostPartWidth / m_outline.length_mm(), height / largest);
-    m_scaleY = std::max(m_scaleX, leastPartHeight / largest); // a slender part is drawn thicker
+    // A slender part is drawn thicker, one that is short beside its callouts longer.
+    const double uniform = std::min(mostPartWidth / m_outline.length_mm(), height / largest);
+    const double callouts = m_hasTable ? mostPartWidth : std::reduce(widths.begin(), widths.end());
+    m_scaleX =
+        std::max(uniform, std::min(mostPartWidth, calloutShare * callouts) / m_outline.length_mm());
+    m_scaleY = std::max(uniform, leastPartHeight / largest);
     m_left = m_room.center().x() - m_outline.length_mm() * m_scaleX / 2;
     m_axis = m_room.top() + above + leaderRoom + half(largest);
 }
@@ -240,10 +248,20 @@ void SketchSheet::drawDatum(const QPointF& at, const QString& letter) {
 std::vector<double> SketchSheet::spread(const std::vector<double>& widths,
                                         const std::vector<double>& places) const {
     constexpr double gap = 2;
+    // Pushed to the right from the first on, to the left from the last on: between both.
+    std::vector<double> wanted = places;
+    for (std::size_t i = 1; i < widths.size(); ++i) {
+        wanted[i] = std::max(wanted[i], wanted[i - 1] + widths[i - 1] + gap);
+    }
+    double before = std::numeric_limits<double>::infinity();
+    for (std::size_t i = widths.size(); i-- > 0;) {
+        before = std::min(places[i], before - gap - widths[i]);
+        wanted[i] = (wanted[i] + before) / 2;
+    }
     std::vector<double> at(widths.size());
     double next = m_room.left();
     for (std::size_t i = 0; i < widths.size(); ++i) {
-        at[i] = std::max(places[i], next);
+        at[i] = std::max(wanted[i], next);
         next = at[i] + widths[i] + gap;
     }
     double end = m_room.right();
@@ -312,15 +330,10 @@ void SketchSheet::drawTable() {
         row(left, m_room.top(), head);
         for (std::size_t i = from; i < std::min(count, from + tableRows); ++i) {
             const Part& part = *m_setup.surfaces[i].project.part;
-            QStringList limits = CardRows::tolerances(part);
             const auto ra = part.tolerance.roughness_ra_um;
-            if (ra) {
-                limits.removeLast();
-            }
             row(left, m_room.top() + static_cast<double>(i - from + 1) * tableRow,
                 {QString::number(i + 1), drawnSize(part), ra ? printedNumber(*ra) : QString(),
-                 limits.join(QStringLiteral("; ")), lengthText(part.length_mm),
-                 lengthText(part.shaft.ground_from_mm)});
+                 limits(part), lengthText(part.length_mm), lengthText(part.shaft.ground_from_mm)});
         }
     }
     std::vector<double> widths, places;
@@ -337,6 +350,21 @@ void SketchSheet::drawTable() {
         SketchCallout::drawNumber(m_sheet, {at[i] + r, y}, step.surface + 1);
         drawLeader(step, {at[i] + r, y});
     }
+}
+
+QString SketchSheet::limits(const Part& part) {
+    QStringList all;
+    const auto add = [&all](const QString& name, const std::optional<double>& value_um) {
+        if (value_um) {
+            all << name + QChar(0xa0) + printedNumber(*value_um / units::umPerMm, 6);
+        }
+    };
+    const Tolerance& of = part.tolerance;
+    add(tr("of roundness"), of.roundness_um);
+    add(tr("of cylindricity"), of.cylindricity_um);
+    add(tr("of radial runout"), of.radial_runout_um);
+    add(tr("of total runout"), of.total_runout_um);
+    return all.join(QStringLiteral("; "));
 }
 
 void SketchSheet::drawDimension(double from_mm, double to_mm, double y, double below) {

@@ -47,6 +47,7 @@ private:
     void drawCallouts();
     void drawLeader(const GroundStep& step, const QPointF& from);
     void drawTable();
+    static QString limits(const Part& part); ///< tolerances of form and position, a table's cell
     void drawLengths();
     void drawDimension(double from_mm, double to_mm, double y, double below);
     void drawLegend();

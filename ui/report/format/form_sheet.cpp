@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/format/form_sheet.h"
 
+#include <QColor>
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QStringList>
@@ -11,6 +12,7 @@ namespace sparkout::report {
 
 namespace {
 
+constexpr QColor formInk(0, 0, 0);
 constexpr double leastType = 5, typeStep = 0.5;
 
 QRectF scaled(const QRectF& mm) {
@@ -73,7 +75,7 @@ void FormSheet::paint(QPainter& painter) const {
             picture.image);
     }
     for (const SheetLine& line : lines) {
-        QPen pen(Qt::black, line.width_mm * unitsPerMm, Qt::SolidLine, Qt::SquareCap);
+        QPen pen(formInk, line.width_mm * unitsPerMm, Qt::SolidLine, Qt::SquareCap);
         if (line.style == Qt::DashDotLine) { // of pen widths: a centre line
             constexpr double dash_mm = 8, gap_mm = 1.2, dot_mm = 0.6;
             pen.setCapStyle(Qt::FlatCap);
@@ -84,12 +86,12 @@ void FormSheet::paint(QPainter& painter) const {
         painter.drawLine(QLineF(line.line.p1() * unitsPerMm, line.line.p2() * unitsPerMm));
     }
     for (const SheetShape& shape : shapes) {
-        painter.setPen(shape.width_mm > 0 ? QPen(Qt::black, shape.width_mm * unitsPerMm)
+        painter.setPen(shape.width_mm > 0 ? QPen(formInk, shape.width_mm * unitsPerMm)
                                           : QPen(Qt::NoPen));
-        painter.setBrush(shape.isFilled ? QBrush(Qt::black) : QBrush());
+        painter.setBrush(shape.isFilled ? QBrush(formInk) : QBrush());
         painter.drawPath(QTransform::fromScale(unitsPerMm, unitsPerMm).map(shape.path));
     }
-    painter.setPen(Qt::black);
+    painter.setPen(formInk);
     for (const SheetText& text : texts) {
         const TextBox box = text.box();
         const QRectF cell = scaled(text.cell);

@@ -6,6 +6,7 @@
 #include "ui/text/texts.h"
 
 #include <QBuffer>
+#include <QColor>
 #include <QImage>
 #include <QPainter>
 #include <QXmlStreamWriter>
@@ -18,7 +19,8 @@ namespace sparkout::report {
 
 namespace {
 
-constexpr double upright_mm = 180, landscape_mm = 267;  ///< between the margins of the page
+constexpr double upright_mm = 180, landscape_mm = 267; ///< between the margins of the page
+constexpr QColor paperColour(255, 255, 255);
 constexpr int pixelsPerUnit = 2;                        ///< of a figure
 constexpr qsizetype leastLetters = 4, mostLetters = 40; ///< that a column is as wide as
 constexpr const char* mimeType = "application/vnd.oasis.opendocument.text";
@@ -188,7 +190,7 @@ public:
 private:
     static QImage drawn(const Figure& figure) {
         QImage image((figure.size * pixelsPerUnit).toSize(), QImage::Format_RGB32);
-        image.fill(Qt::white);
+        image.fill(paperColour);
         QPainter painter(&image);
         painter.setRenderHint(QPainter::Antialiasing);
         painter.scale(pixelsPerUnit, pixelsPerUnit);
