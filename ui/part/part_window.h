@@ -42,6 +42,7 @@ private:
     void fitTables(); ///< as high as they are: the page scrolls
     void follow();
     void showStudies();
+    void begin();
     void startBatches();
     void startSearches();
     void takeOver();                      ///< the cycles found, one step of the history
