@@ -13661,12 +13661,12 @@ good</source>
             <translation>Поверхность %1: %2, %3</translation>
         </message>
         <message>
-            <source>%1 of %2 hold · %3 min</source>
-            <translation>выполнено %1 из %2 · %3 мин</translation>
+            <source>%1 of %2 · %3 min</source>
+            <translation>%1 из %2 · %3 мин</translation>
         </message>
         <message>
-            <source>%1 of %2 hold</source>
-            <translation>выполнено %1 из %2</translation>
+            <source>%1 of %2</source>
+            <translation>%1 из %2</translation>
         </message>
         <message>
             <source>The whole part: %1</source>
@@ -13681,8 +13681,8 @@ good</source>
             <translation>Поверхности детали в порядке шлифования</translation>
         </message>
         <message>
-            <source>Times and verdicts of all surfaces</source>
-            <translation>Времена и заключения по всем поверхностям</translation>
+            <source>Surfaces that hold, and piece time; times and verdicts of all of them</source>
+            <translation>Годные поверхности и штучное время; времена и заключения по всем поверхностям</translation>
         </message>
         <message>
             <source>Add, move and remove surfaces</source>

@@ -35,8 +35,8 @@ void PartModel::setPart(SetupState state, std::vector<SurfaceStatus> statuses) {
     sameRows ? cellsChanged() : endResetModel();
 }
 
-void PartModel::setStudy(int surface, const SurfaceStudyPtr& study) {
-    (study->kind == SurfaceStudy::Kind::search ? m_searches : m_batches)[surface] = study;
+void PartModel::setStudy(int id, const SurfaceStudyPtr& study) {
+    (study->kind == SurfaceStudy::Kind::search ? m_searches : m_batches)[id] = study;
     cellsChanged();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/session/part_study.h"
+#include "ui/session/setup_state.h"
 
 #include <QDialog>
 
