@@ -13747,12 +13747,8 @@ good</source>
             <translation>%1, %2</translation>
         </message>
         <message>
-            <source>%1 of %2</source>
-            <translation>%1 из %2</translation>
-        </message>
-        <message>
-            <source>Requirement</source>
-            <translation>Требование</translation>
+            <source>Value / limit</source>
+            <translation>Значение / предел</translation>
         </message>
     </context>
     <context>
@@ -13816,9 +13812,9 @@ good</source>
         <message numerus="yes">
             <source>The part holds: all %n surfaces do.</source>
             <translation>
-                <numerusform>Деталь годна, требования выполнены: %n поверхность.</numerusform>
-                <numerusform>Деталь годна, требования выполнены: %n поверхности.</numerusform>
-                <numerusform>Деталь годна, требования выполнены: %n поверхностей.</numerusform>
+                <numerusform>Деталь годна: требования выполнены на её поверхности.</numerusform>
+                <numerusform>Деталь годна: требования выполнены на всех %n поверхностях.</numerusform>
+                <numerusform>Деталь годна: требования выполнены на всех %n поверхностях.</numerusform>
             </translation>
         </message>
     </context>
