@@ -14532,12 +14532,12 @@ good</source>
             <translation>Поверхность %1: %2, %3</translation>
         </message>
         <message>
-            <source>%1 of %2 hold · %3 min</source>
-            <translation>выполнено %1 из %2 · %3 мин</translation>
+            <source>%1 of %2 · %3 min</source>
+            <translation>%1 из %2 · %3 мин</translation>
         </message>
         <message>
-            <source>%1 of %2 hold</source>
-            <translation>выполнено %1 из %2</translation>
+            <source>%1 of %2</source>
+            <translation>%1 из %2</translation>
         </message>
         <message>
             <source>The whole part: %1</source>
@@ -14552,8 +14552,8 @@ good</source>
             <translation>Поверхности детали в порядке шлифования</translation>
         </message>
         <message>
-            <source>Times and verdicts of all surfaces</source>
-            <translation>Времена и заключения по всем поверхностям</translation>
+            <source>Surfaces that hold, and piece time; times and verdicts of all of them</source>
+            <translation>Годные поверхности и штучное время; времена и заключения по всем поверхностям</translation>
         </message>
         <message>
             <source>Add, move and remove surfaces</source>
@@ -14618,12 +14618,8 @@ good</source>
             <translation>%1, %2</translation>
         </message>
         <message>
-            <source>%1 of %2</source>
-            <translation>%1 из %2</translation>
-        </message>
-        <message>
-            <source>Requirement</source>
-            <translation>Требование</translation>
+            <source>Value / limit</source>
+            <translation>Значение / предел</translation>
         </message>
     </context>
     <context>
@@ -14687,9 +14683,9 @@ good</source>
         <message numerus="yes">
             <source>The part holds: all %n surfaces do.</source>
             <translation>
-                <numerusform>Деталь годна, требования выполнены: %n поверхность.</numerusform>
-                <numerusform>Деталь годна, требования выполнены: %n поверхности.</numerusform>
-                <numerusform>Деталь годна, требования выполнены: %n поверхностей.</numerusform>
+                <numerusform>Деталь годна: требования выполнены на её поверхности.</numerusform>
+                <numerusform>Деталь годна: требования выполнены на всех %n поверхностях.</numerusform>
+                <numerusform>Деталь годна: требования выполнены на всех %n поверхностях.</numerusform>
             </translation>
         </message>
     </context>

@@ -108,12 +108,15 @@ void PartDrawing::drawSurface(QPainter& painter, std::size_t surface) const {
 
 /// Those that have no room are left out; the list beside the drawing has them all.
 void PartDrawing::drawNumbers(QPainter& painter) const {
+    const double body = scale() * m_outline.diameter_mm;
+    const double axis = box(m_outline.steps.front()).center().y();
+    const double top = std::max(0.0, axis - body / 2 - fontMetrics().height() - metrics::hair);
     std::vector<QRectF> taken;
     const auto draw = [&](std::size_t surface) {
         const QString number = QString::number(surface + 1);
         const QRectF place = box(m_outline.surfaces[surface]);
         const double width = fontMetrics().horizontalAdvance(number) + metrics::hair;
-        const QRectF label(place.center().x() - width / 2, 0, width, fontMetrics().height());
+        const QRectF label(place.center().x() - width / 2, top, width, fontMetrics().height());
         if (std::ranges::any_of(taken,
                                 [&](const QRectF& other) { return other.intersects(label); })) {
             return;

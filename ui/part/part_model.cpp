@@ -35,12 +35,9 @@ void PartModel::setPart(SetupState state, std::vector<SurfaceStatus> statuses) {
     sameRows ? cellsChanged() : endResetModel();
 }
 
-void PartModel::setStudy(const SurfaceStudyPtr& study) {
-    if (study->surface < m_state.surfaces.size()) {
-        const int id = m_state.surfaces[study->surface]->id;
-        (study->kind == SurfaceStudy::Kind::search ? m_searches : m_batches)[id] = study;
-        cellsChanged();
-    }
+void PartModel::setStudy(int id, const SurfaceStudyPtr& study) {
+    (study->kind == SurfaceStudy::Kind::search ? m_searches : m_batches)[id] = study;
+    cellsChanged();
 }
 
 void PartModel::forgetStudies() {

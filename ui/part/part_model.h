@@ -20,7 +20,7 @@ public:
     using TableModel::TableModel;
 
     void setPart(SetupState state, std::vector<SurfaceStatus> statuses);
-    void setStudy(const SurfaceStudyPtr& study);
+    void setStudy(int id, const SurfaceStudyPtr& study); ///< of the surface
     void forgetStudies();
     [[nodiscard]] bool hasStudies() const { return !m_searches.empty() || !m_batches.empty(); }
     [[nodiscard]] QString asTsv() const;

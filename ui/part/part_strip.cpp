@@ -122,12 +122,6 @@ void PartStrip::showStatuses() {
         const SurfaceStatus& status = m_runs.statuses()[i];
         const int tab = static_cast<int>(i);
         const QString name = printableText(SurfaceEdits::nameOf(m_document.state(), i));
-        QString shown = name.size() > longestOnTab ? name.left(longestOnTab - 1) + u'…' : name;
-        shown.replace(u'&', QStringLiteral("&&"));
-        const QString text = QStringLiteral("%1 %2").arg(i + 1).arg(shown);
-        if (m_tabs->tabText(tab) != text) {
-            m_tabs->setTabText(tab, text);
-        }
         m_tabs->setTabIcon(tab, statusPixmap(status, metrics::iconSmall, devicePixelRatioF()));
         m_tabs->setAccessibleTabName(
             tab, tr("Surface %1: %2, %3").arg(i + 1).arg(name, statusText(status)));
@@ -137,18 +131,50 @@ void PartStrip::showStatuses() {
     }
     m_drawing->setTips(tips);
     const auto time = m_runs.time();
-    m_whole->setText(time ? tr("%1 of %2 hold · %3 min")
-                                .arg(holding)
-                                .arg(count)
-                                .arg(printedNumber(time->piece_min, 3))
-                          : tr("%1 of %2 hold").arg(holding).arg(count));
+    m_whole->setText(
+        time
+            ? tr("%1 of %2 · %3 min").arg(holding).arg(count).arg(printedNumber(time->piece_min, 3))
+            : tr("%1 of %2").arg(holding).arg(count));
     m_whole->setAccessibleName(tr("The whole part: %1").arg(m_whole->text()));
+    nameTabs();
+}
+
+void PartStrip::nameTabs() {
+    QStringList names;
+    int wanted = 0;
+    constexpr int besideText = 2 * metrics::margin + metrics::iconSmall + metrics::gap;
+    for (int tab = 0; tab < m_tabs->count(); ++tab) {
+        const QString name =
+            printableText(SurfaceEdits::nameOf(m_document.state(), static_cast<std::size_t>(tab)));
+        const QString shown =
+            name.size() > longestOnTab ? name.left(longestOnTab - 1) + u'…' : name;
+        names += QStringLiteral("%1 %2").arg(tab + 1).arg(shown);
+        wanted += m_tabs->fontMetrics().horizontalAdvance(names.back()) + besideText;
+    }
+    const int room = width() - m_drawing->minimumSizeHint().width() - m_whole->sizeHint().width()
+                     - m_menu->sizeHint().width() - 5 * metrics::gap;
+    for (int tab = 0; tab < m_tabs->count(); ++tab) {
+        const QString text = wanted <= room
+                                 ? QString(names[tab]).replace(u'&', QStringLiteral("&&"))
+                                 : QString::number(tab + 1);
+        if (m_tabs->tabText(tab) != text) {
+            m_tabs->setTabText(tab, text);
+        }
+    }
+}
+
+void PartStrip::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    if (m_tabs->count() == static_cast<int>(m_document.surfaceCount())) {
+        nameTabs();
+    }
 }
 
 void PartStrip::retranslate() {
     m_drawing->setAccessibleName(tr("The part with its surfaces"));
     m_tabs->setAccessibleName(tr("Surfaces of the part in the order of grinding"));
-    m_whole->setToolTip(tr("Times and verdicts of all surfaces"));
+    m_whole->setToolTip(
+        tr("Surfaces that hold, and piece time; times and verdicts of all of them"));
     m_menu->setToolTip(tr("Add, move and remove surfaces"));
     m_menu->setAccessibleName(m_menu->toolTip());
     follow();

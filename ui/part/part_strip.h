@@ -37,10 +37,12 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void showStatuses();
+    void nameTabs(); ///< in full where there is room, else by their numbers
     [[nodiscard]] QString tip(std::size_t surface) const;
 
     Document& m_document;

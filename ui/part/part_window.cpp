@@ -67,7 +67,7 @@ PartWindow::PartWindow(Document& document, const PartRuns& runs, QWidget* parent
         m_progress->setValue(static_cast<int>(std::min<qint64>(done, INT_MAX)));
     });
     connect(&m_study, &PartStudy::surfaceDone, this, [this](const SurfaceStudyPtr& study) {
-        m_model->setStudy(study);
+        m_model->setStudy(m_of[study->surface]->id, study);
         if (study->search && study->search->ran() && study->search->best()) {
             m_found.push_back(study);
         }
@@ -206,19 +206,26 @@ void PartWindow::showStudies() {
     m_state->setVisible(!m_state->text().isEmpty());
 }
 
-void PartWindow::startBatches() {
+/// What was run of other inputs goes.
+void PartWindow::begin() {
+    if (!isCurrent()) {
+        m_found.clear();
+        m_model->forgetStudies();
+    }
     m_stopped = false;
     m_of = m_document.state().surfaces;
     m_progress->setValue(0);
+}
+
+void PartWindow::startBatches() {
+    begin();
     m_study.startBatches(m_document.setup());
     showStudies();
 }
 
 void PartWindow::startSearches() {
-    m_stopped = false;
+    begin();
     m_found.clear();
-    m_of = m_document.state().surfaces;
-    m_progress->setValue(0);
     m_study.startSearches(m_document.setup());
     showStudies();
 }

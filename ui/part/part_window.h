@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/session/part_study.h"
+#include "ui/session/setup_state.h"
 
 #include <QDialog>
 
@@ -42,6 +43,7 @@ private:
     void fitTables(); ///< as high as they are: the page scrolls
     void follow();
     void showStudies();
+    void begin();
     void startBatches();
     void startSearches();
     void takeOver();                      ///< the cycles found, one step of the history

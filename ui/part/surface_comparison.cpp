@@ -70,7 +70,8 @@ QString SurfaceComparison::text(int row, int column) const {
                             : QStringLiteral("—");
     }
     const ConstraintResult* requirement = at(row, column);
-    return requirement ? tr("%1 of %2").arg(Names::value(*requirement), Names::limit(*requirement))
+    return requirement ? QStringLiteral("%1 / %2").arg(Names::value(*requirement),
+                                                       Names::limit(*requirement))
                        : QStringLiteral("—");
 }
 
@@ -94,7 +95,7 @@ QVariant SurfaceComparison::head(int column, int role) const {
         return aligned(column > 0);
     }
     return role != Qt::DisplayRole ? QVariant()
-           : column == 0           ? tr("Requirement")
+           : column == 0           ? tr("Value / limit")
                                    : QVariant(m_names.value(column - 1));
 }
 
