@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/issue.h"
-#include "core/setup/setup.h"
 #include "core/project/project.h"
+#include "core/setup/setup.h"
 
 #include <QByteArray>
 #include <QString>

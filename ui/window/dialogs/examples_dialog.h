@@ -28,18 +28,19 @@ public:
     [[nodiscard]] static QByteArray textOf(const QString& path);
 
 private:
-    void fill();
-    void showNotes();
-    [[nodiscard]] static QString kindOf(const Entry& entry);
-    /// Time, status and verdict of the cycle, or of all of them.
-    [[nodiscard]] static QString resultOf(const Entry& entry);
-
     struct Entry {
         QString path;
         Setup setup;
 
         [[nodiscard]] const Project& first() const { return setup.surfaces.front().project; }
     };
+
+    void fill();
+    void showNotes();
+    [[nodiscard]] static QString kindOf(const Entry& entry);
+    /// Time, status and verdict of the cycle, or of all of them.
+    [[nodiscard]] static QString resultOf(const Entry& entry);
+
     std::vector<Entry> m_entries;
     QListWidget* m_list;
     QLabel* m_notes;
