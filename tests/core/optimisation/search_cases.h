@@ -133,12 +133,8 @@ inline Project smallCase(unsigned seed) {
         p.machine->dwell_entry_s = dice.integer(0, 2) / 3.0; // in whole revolutions
         p.machine->dwell_exit_s = dice.integer(0, 2) / 3.0;
         p.machine->reversal_infeed = static_cast<ReversalInfeed>(seed % 3);
-        if (seed % 5 == 1) { // several sections in a zone, each with its own compliance
+        if (seed % 5 == 1) {
             p.zone_sections = 2 + static_cast<int>(seed % 3);
-            p.machine->compliance_mm_per_n = {};
-            p.machine->stiffness_n_um = Stiffness{40, 20, 50};
-            p.part->shaft.segments = {{150, 30}};
-            p.part->shaft.ground_from_mm = 30;
         } else if (seed % 5 == 2) {
             makeBore(p);
         }

@@ -30,6 +30,7 @@ Project followable(unsigned seed) {
         if (p.operation == Operation::traverse && p.gauge->control == Control::gauge
             && !p.machine->wheel_contact) {
             search_cases::Dice dice(seed);
+            p.zone_sections = 1; // several are not followed alone
             p.machine->dwell_entry_s =
                 dice.integer(0, 2) / 3.0; // whole revolutions at 180 a minute
             p.machine->dwell_exit_s = dice.integer(0, 2) / 3.0;
