@@ -7,10 +7,13 @@
 #include "core/project/part.h"
 #include "core/project/sweep.h"
 #include "core/project/wheel.h"
+#include "core/quality/result_json.h"
+#include "core/setup/setup_run.h"
 #include "core/study/evaluate.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/search_fixtures.h"
+#include "tests/ui/support/setup_fixtures.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/support/xlsx_reader.h"
 #include "ui/export/export_file.h"
@@ -95,11 +98,13 @@ Run endOf(QProcess& process) {
             QString::fromUtf8(process.readAllStandardError())};
 }
 
-Run exported(const QString& part, const QString& output, const QString& file) {
+Run exported(const QString& part, const QString& output, const QString& file,
+             const QStringList& more = {}) {
     QProcess process;
     process.start(QStringLiteral(SPARKOUT_PROGRAM),
-                  {QStringLiteral("--export"), part, QStringLiteral("-o"), output,
-                   QStringLiteral("--lang"), QStringLiteral("en"), file});
+                  QStringList{QStringLiteral("--export"), part, QStringLiteral("-o"), output,
+                              QStringLiteral("--lang"), QStringLiteral("en"), file}
+                      + more);
     return endOf(process);
 }
 
@@ -394,6 +399,31 @@ private slots:
         ::kill(static_cast<pid_t>(process.processId()), SIGINT);
         QCOMPARE(endOf(process).status, 130);
         QVERIFY(!QFile::exists(book));
+    }
+
+    /// With the wheel as the surfaces before have left it.
+    void aSurfaceOfSeveralIsNamed() {
+        const Setup setup = setup_fixtures::steppedShaft();
+        const QString file = m_folder.filePath(QStringLiteral("three.sparkout"));
+        setup_fixtures::writeSetupFile(setup, file);
+        const QString all = m_folder.filePath(QStringLiteral("surface.json"));
+        const Run unnamed = exported(QStringLiteral("all"), all, file);
+        QCOMPARE(unnamed.status, 1);
+        QVERIFY2(unnamed.said.contains(QStringLiteral("2 Seat")), qPrintable(unnamed.said));
+        QVERIFY(!QFile::exists(all));
+        const Run strange = exported(QStringLiteral("all"), all, file,
+                                     {QStringLiteral("--surface"), QStringLiteral("Cone")});
+        QCOMPARE(strange.status, 1);
+        QVERIFY(strange.said.contains(QStringLiteral("3 Journal B")));
+        const Run named = exported(QStringLiteral("all"), all, file,
+                                   {QStringLiteral("--surface"), QStringLiteral("Journal B")});
+        QCOMPARE(named.status, 0);
+        QFile json(all);
+        QVERIFY(json.open(QIODevice::ReadOnly));
+        const SurfaceRun run = runSetup(setup).surfaces[2];
+        const std::string wanted = resultJson(run.result, run.constraints);
+        QCOMPARE(json.readAll().trimmed().toStdString(),
+                 QByteArray::fromStdString(wanted).trimmed().toStdString());
     }
 
 private:

@@ -37,6 +37,7 @@
 #include <QTest>
 
 #include <memory>
+#include <string>
 
 namespace test_surfaces {
 
@@ -148,6 +149,35 @@ private slots:
         desk.press("removeSurface");
         QVERIFY(desk.bench.window->files().save());
         QCOMPARE(bytesOf(desk.path), before);
+    }
+
+    /// On a small laptop, with both panels beside the views.
+    void theStripLeavesTheViewsTheirRoom() {
+        Desk desk;
+        const QSize views = desk.bench.window->viewTabs().size();
+        const QSize window = desk.bench.window->size();
+        QCOMPARE(window, QSize(1366, 768));
+        const double share =
+            double(views.width()) * views.height() / (double(window.width()) * window.height());
+        qInfo("ROOM strip %d, views %.3f", desk.strip().height(), share);
+        QVERIFY(desk.strip().height() <= 52);
+        QVERIFY(share >= 0.42);
+    }
+
+    /// Names where they have room, else numbers; the drawing is as high as the strip.
+    void twentySurfacesFitIntoTheStrip() {
+        Setup setup = steppedShaft();
+        while (setup.surfaces.size() < limits::surfaces) {
+            setup.surfaces.push_back(setup.surfaces.back());
+            setup.surfaces.back().name = "place " + std::to_string(setup.surfaces.size());
+        }
+        Desk desk(setup);
+        QCOMPARE(desk.tabs().count(), 20);
+        QCOMPARE(desk.tabs().tabText(19), QStringLiteral("20"));
+        QVERIFY(desk.tabs().tabToolTip(19).contains(QStringLiteral("place 20")));
+        QVERIFY(!desk.bench.action("addSurface")->isEnabled());
+        QVERIFY(!desk.bench.action("duplicateSurface")->isEnabled());
+        QVERIFY(desk.strip().height() <= 52);
     }
 
     void mouseAndKeysChooseASurface() {
