@@ -8,6 +8,7 @@
 #include "ui/report/documents/batch_wait.h"
 #include "ui/report/format/pages.h"
 #include "ui/session/background.h"
+#include "ui/session/settings.h"
 #include "ui/text/names.h"
 #include "ui/window/dialogs/handout_dialog.h"
 

@@ -393,6 +393,20 @@ private slots:
         }
     }
 
+    /// The web page has the rows and the sketch, well-formed.
+    void theWebPageHasTheRows() {
+        const Setup setup = setupOf("sleeve");
+        const SetupRun run = runSetup(setup);
+        const QByteArray html = bytesOf(cardOf(setup), Format::html);
+        const QString text = reading::textOfHtml(html);
+        for (const CardRow& row : CardRows::of(operationCard(setup, run), setup, run)) {
+            QVERIFY2(text.contains(QString(row.text).replace(QChar(0xa0), u' ')),
+                     qPrintable(row.text));
+        }
+        QCOMPARE(html.count("<svg"), 1);
+        QVERIFY(!html.contains("<td></td>") && !html.contains("<dd></dd>"));
+    }
+
     /// Every other report is a text to be edited, too.
     void everyReportIsWrittenAsOdt() {
         const OutcomePtr outcome = exampleOutcome(ExamplesDialog::paths().front());

@@ -145,6 +145,10 @@ private slots:
                               << "card.html" << QByteArray("<!DOCTYPE html>");
         QTest::newRow("Markdown") << "markdown-card"
                                   << "card.md" << QByteArray("# ");
+        QTest::newRow("ODT") << "odt-operation-card"
+                             << "card.odt" << QByteArray("PK");
+        QTest::newRow("form") << "pdf-operation-card"
+                              << "sheets.pdf" << QByteArray("%PDF-");
     }
 
     void theCardIsExportedAsItsEndingSays() {

@@ -24,6 +24,7 @@ constexpr double outline = 0.35, doubled = 0.8, fine = 0.2, hatching = 0.15;
 constexpr double legendHeight = 7, edge = 3, leaderRoom = 14, lanePitch = 6.5;
 constexpr double leastPartHeight = 22, mostPartHeight = 62, mostPartWidth = 190;
 constexpr double overhang = 8;       ///< of the centre line
+constexpr double spareAbove = 0.4;   ///< of the height that is not needed
 constexpr double calloutShare = 0.7; ///< of their widths that the part is at least as long as
 constexpr double lengthPoints = 9, tableRow = 4.8, tableWidth = 132;
 constexpr std::size_t tableRows = 10;
@@ -79,6 +80,10 @@ SketchSheet::SketchSheet(FormSheet& sheet, const QRectF& room, const Setup& setu
     m_scaleX =
         std::max(uniform, std::min(mostPartWidth, calloutShare * callouts) / m_outline.length_mm());
     m_scaleY = std::max(uniform, leastPartHeight / largest);
+    if (const double spare = m_room.height() - above - leaderRoom - largest * m_scaleY - below;
+        !m_hasTable && spare > 0) { // somewhat above the middle
+        m_room.setTop(m_room.top() + spareAbove * spare);
+    }
     m_left = m_room.center().x() - m_outline.length_mm() * m_scaleX / 2;
     m_axis = m_room.top() + above + leaderRoom + half(largest);
 }
