@@ -13,10 +13,9 @@ namespace sparkout {
 struct ReportRequest {
     report::Kind kind = report::Kind::card;
     QString file;
-    QString surface; ///< of it; empty: it has one
     QString output;
     Company company; ///< of the heads
-    QString surface; ///< the one of a set-up that is reported, by its name or number; empty: all
+    QString surface; ///< of a set-up, by its name or number; empty: all, or the one there is
     report::HandoutOptions handout;
     bool stepAsked = false; ///< by --at
 };

@@ -74,8 +74,8 @@ private slots:
         const Outcome outcome = run({"examples", folder});
         QCOMPARE(outcome.status, 0);
         std::size_t shipped = 0;
-        for (const auto& entry :
-             std::filesystem::directory_iterator(samples::sourcePath("resources/examples"))) {
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(
+                 samples::sourcePath("resources/examples"))) {
             if (entry.path().extension() != ".sparkout") {
                 continue;
             }

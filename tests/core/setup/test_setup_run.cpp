@@ -141,6 +141,25 @@ private slots:
         QVERIFY(run.surfaces[0].holds() && !run.surfaces[1].holds() && run.surfaces[2].holds());
     }
 
+    /// The shipped spindle: journals by traverse, seats by plunging, one with a keyway.
+    void theShippedSpindleHoldsItsDrawing() {
+        const auto file = samples::sourcePath("resources/examples/setups/spindle.sparkout");
+        const ReadSetup read = readSetup(samples::readText(file));
+        QVERIFY2(read.setup, samples::listed(read.issues).c_str());
+        const Setup& setup = *read.setup;
+        QCOMPARE(setup.surfaces.size(), 5u);
+        const auto count = [&setup](const auto& is) {
+            return std::ranges::count_if(setup.surfaces, [&is](const GroundSurface& surface) {
+                return is(surface.project);
+            });
+        };
+        QCOMPARE(count([](const Project& p) { return p.operation == Operation::traverse; }), 2);
+        QCOMPARE(count([](const Project& p) { return !p.part->gaps.empty(); }), 1);
+        const SetupRun run = runSetup(setup);
+        QVERIFY(run.holds(setup));
+        QVERIFY(run.time.piece_min > run.time.main_min && run.time.main_min > 1);
+    }
+
     void aStopLeavesWhatWasRun() {
         const Setup setup = threeSurfaces();
         std::stop_source stop;
