@@ -259,6 +259,16 @@ void MainWindow::connectActions() {
     connectReports();
 }
 
+void MainWindow::showWholePart() {
+    if (!m_partWindow) {
+        m_partWindow = new PartWindow(m_document, *m_partRuns, this);
+        connect(m_partWindow, &PartWindow::surfaceWanted, m_part, &PartCommands::show);
+    }
+    m_partWindow->show();
+    m_partWindow->raise();
+    m_partWindow->activateWindow();
+}
+
 const Project& MainWindow::asRun() const {
     return m_document.surfaceCount() > 1 && m_outcome && m_outcome->ran() && !m_runs.running()
                ? m_outcome->result.project
@@ -288,13 +298,7 @@ void MainWindow::connectPart() {
     on(m_actions->previousSurface, [this] { m_part->showNext(-1); });
     on(m_actions->nextSurface, [this] { m_part->showNext(1); });
     on(m_actions->standardTimes, [this] { m_part->editTimes(); });
-    m_partWindow = new PartWindow(m_document, *m_partRuns, this);
-    on(m_actions->wholePart, [this] {
-        m_partWindow->show();
-        m_partWindow->raise();
-        m_partWindow->activateWindow();
-    });
-    connect(m_partWindow, &PartWindow::surfaceWanted, m_part, &PartCommands::show);
+    on(m_actions->wholePart, [this] { showWholePart(); });
     connect(m_strip, &PartStrip::surfaceWanted, m_part, &PartCommands::show);
     connect(m_strip, &PartStrip::surfaceOnStepWanted, m_part,
             [this](std::size_t step) { m_part->add(step); });
@@ -556,7 +560,9 @@ void MainWindow::retranslate() {
     m_tabs->retranslate();
     m_verdict->retranslate();
     m_strip->retranslate();
-    m_partWindow->retranslate();
+    if (m_partWindow) {
+        m_partWindow->retranslate();
+    }
     if (m_outcome) {
         m_inputs->setOutcome(m_outcome);
     }

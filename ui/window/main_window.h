@@ -78,6 +78,7 @@ private:
     void connectReports();
     void connectDocument();
     void connectPart();
+    void showWholePart();
     /// The project in front with the wheel that its run had; while it runs the project itself.
     [[nodiscard]] const Project& asRun() const;
     [[nodiscard]] bool mayLeaveSurface();
@@ -104,7 +105,7 @@ private:
     PartRuns* m_partRuns;
     PartStrip* m_strip = nullptr;
     PartCommands* m_part = nullptr;
-    PartWindow* m_partWindow = nullptr;
+    PartWindow* m_partWindow = nullptr; ///< once it was asked for
     InputsPanel* m_inputs;
     ViewTabs* m_tabs;
     FeedsView* m_feeds;

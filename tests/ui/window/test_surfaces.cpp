@@ -420,8 +420,8 @@ private slots:
 
     void theWholePartIsListedWithItsTimes() {
         Desk desk;
-        auto* whole = desk.bench.window->findChild<PartWindow*>();
         desk.press("wholePart");
+        auto* whole = desk.bench.window->findChild<PartWindow*>();
         QVERIFY(whole->isVisible());
         const auto* table = whole->findChild<QTableView*>(QStringLiteral("partTable"));
         QCOMPARE(table->model()->rowCount(), 3);
@@ -448,8 +448,8 @@ private slots:
     void allAreOptimisedAndTheCyclesFoundAreOneStep() {
         Setup setup = searchedSetup();
         Desk desk(setup);
-        auto* whole = desk.bench.window->findChild<PartWindow*>();
         desk.press("wholePart");
+        auto* whole = desk.bench.window->findChild<PartWindow*>();
         QSignalSpy ended(&whole->study(), &PartStudy::finished);
         QTest::mouseClick(whole->findChild<QPushButton*>(QStringLiteral("searchAll")),
                           Qt::LeftButton);
@@ -478,8 +478,8 @@ private slots:
         }
         setup.surfaces[1].project.batch.reset();
         Desk desk(setup);
-        auto* whole = desk.bench.window->findChild<PartWindow*>();
         desk.press("wholePart");
+        auto* whole = desk.bench.window->findChild<PartWindow*>();
         QSignalSpy ended(&whole->study(), &PartStudy::finished);
         auto* batch = whole->findChild<QPushButton*>(QStringLiteral("batchAll"));
         QTest::mouseClick(batch, Qt::LeftButton);
@@ -507,8 +507,8 @@ private slots:
     /// A surface that is gone, or another file, while all of it runs.
     void whatRunsIsDroppedWithItsSurface() {
         Desk desk(searchedSetup());
-        auto* whole = desk.bench.window->findChild<PartWindow*>();
         desk.press("wholePart");
+        auto* whole = desk.bench.window->findChild<PartWindow*>();
         for (const char* action : {"removeSurface", "undo", "removeSurface"}) {
             QTest::mouseClick(whole->findChild<QPushButton*>(QStringLiteral("searchAll")),
                               Qt::LeftButton);
