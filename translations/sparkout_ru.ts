@@ -4354,8 +4354,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Ширина</translation>
         </message>
         <message>
-            <source>Angle from edge to edge; of a keyway of width w about 2·arcsin(w/d). The radii within are not ground.</source>
-            <translation>Угол от кромки до кромки; у шпоночного паза шириной w — около 2·arcsin(w/d). Радиусы внутри не шлифуются.</translation>
+            <source>Angle from edge to edge; of a keyway of width w about 115°·w/d. The radii within are not ground.</source>
+            <translation>Угол от кромки до кромки; у шпоночного паза шириной w — около 115°·w/d. Радиусы внутри не шлифуются.</translation>
         </message>
         <message>
             <source>Gaps of the surface</source>

@@ -184,7 +184,7 @@ const StructInfo& tableOf<SurfaceGap>() {
             .unit = "°", .hard = {0, 350}, .soft = {0, 120}, .required = conditions::always,
             .page = Page::part,
             .hint = SPARKOUT_NOOP("Input", "Angle from edge to edge; of a keyway of width w about "
-                                           "2·arcsin(w/d). The radii within are not ground."),
+                                           "115°·w/d. The radii within are not ground."),
             .formula = "φ_0 ≤ φ_k < φ_0 + Δφ", .column = SPARKOUT_NOOP("Input", "Width"),
             .source = "MODEL-4"),
     };

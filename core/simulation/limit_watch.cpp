@@ -31,11 +31,14 @@ void LimitWatch::placeLanes(const Lanes& lanes, std::size_t first, std::size_t c
                             const Place* places) {
     for (std::size_t section = first; section < first + count; ++section) {
         const std::optional<Place> whole = std::exchange(m_sectionLast[section], std::nullopt);
-        for (std::size_t lane = section * m_radii; lane < (section + 1) * m_radii; ++lane) {
-            if (lanes.root[lane] > 0) {
-                m_laneLast[lane] = places[section - first];
+        const Place now = places[section - first];
+        const double* const root = lanes.root.data() + section * m_radii;
+        Place* const last = m_laneLast.data() + section * m_radii;
+        for (std::size_t k = 0; k < m_radii; ++k) {
+            if (root[k] > 0) {
+                last[k] = now;
             } else if (whole) {
-                m_laneLast[lane] = *whole;
+                last[k] = *whole;
             }
         }
     }

@@ -49,7 +49,7 @@ private slots:
     /// Without wear each surface is what its own file gives, to the last digit.
     void surfacesDoNotTouchEachOtherUnlessTheWheelWears() {
         int surfaces = 0;
-        for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        for (std::uint64_t seed = 0; seed < 150; ++seed) {
             const auto setup = randomSetup(seed);
             if (!setup) {
                 continue;
