@@ -1118,6 +1118,14 @@ med, µm</source>
             <source>Sketch sheet</source>
             <translation>Карта эскизов</translation>
         </message>
+        <message>
+            <source>Dress the wheel as its dullness requires: %1</source>
+            <translation>Править круг по мере затупления: %1</translation>
+        </message>
+        <message>
+            <source>; gaps of the surface: %1</source>
+            <translation>; пазов на поверхности: %1</translation>
+        </message>
     </context>
     <context>
         <name>RequirementCells</name>

@@ -320,7 +320,9 @@ void MainWindow::connectReports() {
     };
     auto* commands = new ReportCommands(
         [this, outcomeOfNow]() -> ReportCommands::Subject {
-            return {outcomeOfNow(), m_document.filePath(), m_batch->batch(), &m_cursor};
+            const bool several = m_document.surfaceCount() > 1;
+            return {outcomeOfNow(), m_document.filePath(), m_batch->batch(), &m_cursor,
+                    several ? std::optional(m_document.setup()) : std::nullopt};
         },
         m_settings, this);
     const auto studies = [this] { return studiesShown(views(), asRun()); };

@@ -2,6 +2,7 @@
 #include "ui/window/report_commands.h"
 
 #include "core/project/batch.h"
+#include "core/setup/setup_run.h"
 #include "core/study/batch_edits.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/kit/help_topic.h"
@@ -20,6 +21,7 @@
 #include <QPrintPreviewDialog>
 #include <QPrinter>
 
+#include <memory>
 #include <utility>
 
 namespace sparkout {
@@ -72,6 +74,9 @@ std::optional<report::Report> ReportCommands::reportOfNow(report::Kind kind) {
     if (kind == report::Kind::handout && now.cycle && !chooseHandout(subject, *now.cycle)) {
         return {};
     }
+    if (row.takesSetup && now.setup && !addSetup(subject, *now.setup)) {
+        return {};
+    }
     const bool wantsBatch = row.takesBatch && now.outcome->result.project.batch;
     if (wantsBatch && !addBatch(subject, now.batch)) {
         return {};
@@ -96,6 +101,18 @@ bool ReportCommands::addBatch(report::Subject& subject, const BatchOutcomePtr& s
         return false;
     }
     runAside([&subject] { subject.worst = report::runWorstPart(*subject.batch); });
+    return true;
+}
+
+bool ReportCommands::addSetup(report::Subject& subject, const Setup& setup) {
+    auto made = std::make_shared<report::SetupSubject>();
+    made->setup = setup;
+    runAside([&made] { made->run = runSetup(made->setup); });
+    if (hasErrors(made->run.issues)) {
+        say(QMessageBox::Information, tr("No report"), Names::refusal(made->run.issues), m_window);
+        return false;
+    }
+    subject.setup = std::move(made);
     return true;
 }
 

@@ -29,6 +29,7 @@ public:
         QString file;
         BatchOutcomePtr batch;
         const CycleCursor* cycle = nullptr; ///< where the window's cycle stands
+        std::optional<Setup> setup;         ///< where there are several surfaces
     };
 
     ReportCommands(std::function<Subject()> subject, Settings& settings, QWidget* window);
@@ -42,6 +43,9 @@ private:
     [[nodiscard]] std::optional<report::Report> reportOfNow(report::Kind kind);
     /// Takes the batch that is shown, or runs one; false: none, and the user knows.
     [[nodiscard]] bool addBatch(report::Subject& subject, const BatchOutcomePtr& shown);
+
+    /// Runs all surfaces of the set-up; false: it cannot be run, and the user knows.
+    [[nodiscard]] bool addSetup(report::Subject& subject, const Setup& setup);
 
     /// Asks what the hand-out is to have; false: not to make one.
     [[nodiscard]] bool chooseHandout(report::Subject& subject, const CycleCursor& cycle);

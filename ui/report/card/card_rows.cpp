@@ -114,6 +114,9 @@ QString CardRows::grind(const CardLine& line, const Setup& setup, const Project&
     if (!limits.isEmpty()) {
         text += tr(", holding: %1").arg(limits.join(QStringLiteral("; ")));
     }
+    if (!part.gaps.empty()) {
+        text += tr("; gaps of the surface: %1").arg(part.gaps.size());
+    }
     return text
            + tr(". Stock per side %1; wheel speed %2 m/s")
                  .arg(printedNumber(part.stock_mm),
@@ -227,7 +230,12 @@ QString CardRows::text(const CardLine& line, const Setup& setup, const SetupRun&
     case CardEntry::tooling: return tooling(project);
     case CardEntry::settings: return settings(line, run, project);
     case CardEntry::regime: return regime(*line.regime);
-    case CardEntry::dress: return tr("Dress the wheel as its dullness requires");
+    case CardEntry::dress: {
+        const QString dressing = oneLine(project.wheel->dressing);
+        return dressing.isEmpty()
+                   ? tr("Dress the wheel as its dullness requires")
+                   : tr("Dress the wheel as its dullness requires: %1").arg(dressing);
+    }
     case CardEntry::control: {
         const QStringList limits = tolerances(*project.part);
         const QString size = tr("Check surface %1: %2")

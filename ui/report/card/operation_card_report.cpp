@@ -51,7 +51,7 @@ CardHead OperationCardReport::head(const Setup& setup, const OperationCard& card
         given(time(&PieceTime::auxiliary_min), auxiliary),
         given(time(&PieceTime::preparation_min), card.time && card.time->preparation_min > 0),
         given(time(&PieceTime::piece_min), auxiliary),
-        {}};
+        oneLine(project.coolant)};
     return head;
 }
 

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -161,7 +162,26 @@ void SketchSheet::drawGround() {
         if (!step.isBore) {
             line(x(step.from_mm), m_axis + h, x(step.to_mm), m_axis + h, doubled);
         }
+        drawGaps(step);
         drawFeed(step);
+    }
+}
+
+/// The edges of gaps, the first of them turned to the front.
+void SketchSheet::drawGaps(const GroundStep& step) {
+    const auto& gaps = m_setup.surfaces[step.surface].project.part->gaps;
+    if (step.isBore || gaps.empty()) {
+        return;
+    }
+    const double front = gaps.front().from_deg + gaps.front().width_deg / 2;
+    for (const SurfaceGap& cut : gaps) {
+        for (const double edge : {cut.from_deg, cut.from_deg + cut.width_deg}) {
+            const double angle = (edge - front) * std::numbers::pi / 180;
+            if (std::cos(angle) > 0) { // else behind
+                const double y = m_axis + half(step.diameter_mm) * std::sin(angle);
+                line(x(step.from_mm), y, x(step.to_mm), y, outline);
+            }
+        }
     }
 }
 
@@ -252,27 +272,27 @@ void SketchSheet::drawDatum(const QPointF& at, const QString& letter) {
 
 std::vector<double> SketchSheet::spread(const std::vector<double>& widths,
                                         const std::vector<double>& places) const {
-    constexpr double gap = 2;
+    constexpr double apart = 2;
     // Pushed to the right from the first on, to the left from the last on: between both.
     std::vector<double> wanted = places;
     for (std::size_t i = 1; i < widths.size(); ++i) {
-        wanted[i] = std::max(wanted[i], wanted[i - 1] + widths[i - 1] + gap);
+        wanted[i] = std::max(wanted[i], wanted[i - 1] + widths[i - 1] + apart);
     }
     double before = std::numeric_limits<double>::infinity();
     for (std::size_t i = widths.size(); i-- > 0;) {
-        before = std::min(places[i], before - gap - widths[i]);
+        before = std::min(places[i], before - apart - widths[i]);
         wanted[i] = (wanted[i] + before) / 2;
     }
     std::vector<double> at(widths.size());
     double next = m_room.left();
     for (std::size_t i = 0; i < widths.size(); ++i) {
         at[i] = std::max(wanted[i], next);
-        next = at[i] + widths[i] + gap;
+        next = at[i] + widths[i] + apart;
     }
     double end = m_room.right();
     for (std::size_t i = widths.size(); i-- > 0;) {
         at[i] = std::min(at[i], end - widths[i]);
-        end = at[i] - gap;
+        end = at[i] - apart;
     }
     return !at.empty() && at.front() < m_room.left() - 1e-6 ? std::vector<double>() : at;
 }

@@ -38,6 +38,7 @@ private:
     void drawBores();
     void drawHatch();
     void drawGround();
+    void drawGaps(const GroundStep& step);
     void drawFeed(const GroundStep& step);
     void drawSupports();
     void drawCentre(double x, double side);
