@@ -1817,7 +1817,7 @@ med, µm</source>
         </message>
         <message>
             <source>Bushing with a bore, internal traverse</source>
-            <translation>Втулка с отверстием, внутреннее шлифование с осевой подачей</translation>
+            <translation>Втулка 50H7, внутреннее шлифование с осевой подачей</translation>
         </message>
     </context>
     <context>
@@ -6276,7 +6276,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Cylindricity</source>
-            <translation>Откл. от цилиндричности</translation>
+            <translation>Откл. от цилиндричн.</translation>
         </message>
         <message>
             <source>Total runout</source>

@@ -24,6 +24,9 @@ namespace sparkout {
 
 namespace {
 
+/// What stands for a radius of which nothing is left, so that the form of such a part is one.
+constexpr double leastRadius_mm = 1e-3;
+
 /// Diameters with no end in a gap; empty where there are no gaps.
 std::vector<std::size_t> wholeDiameters(const Blank& blank) {
     const std::size_t half = blank.depth_mm.size() / 2;
@@ -247,7 +250,9 @@ SectionResult Run::sectionResult(std::size_t point, Zone zone) const {
     section.position_mm = m_points[point].position_mm;
     section.compliance_mm_per_n = m_points[point].gamma_mm_n;
     for (std::size_t k = 0; k < K; ++k) {
-        section.radii_mm.push_back(finalRadius(m_lanes.depth_mm[point * K + k]));
+        const double radius_mm = finalRadius(m_lanes.depth_mm[point * K + k]);
+        const bool isThere = radius_mm > leastRadius_mm || m_blank.isGap(k);
+        section.radii_mm.push_back(isThere ? radius_mm : leastRadius_mm);
         section.peakNormalForce_n =
             std::max(section.peakNormalForce_n, m_lanes.peakForce_n[point * K + k]);
     }
@@ -363,8 +368,7 @@ SimulationResult Run::finish(const std::vector<int>& stepsByStage, std::size_t g
         m_result.zoneSections.push_back(sectionResult(point, zones[(point - reported) / inZone]));
     }
     const auto isGone = [](const SectionResult& section) {
-        return std::ranges::any_of(section.radii_mm,
-                                   [](double radius_mm) { return radius_mm <= 0; });
+        return std::ranges::find(section.radii_mm, leastRadius_mm) != section.radii_mm.end();
     };
     if (m_result.status != RunStatus::stopped
         && (std::ranges::any_of(m_result.sections, isGone)

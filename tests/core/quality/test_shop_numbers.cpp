@@ -49,7 +49,8 @@ private slots:
                     continue;
                 }
                 QCOMPARE(stage.depth_mm.at.stage, int(z) + 1);
-                QVERIFY(largestAt(run, stage.depth_mm.at) == a);
+                const double recorded = largestAt(run, stage.depth_mm.at);
+                QVERIFY(recorded == a || (p.zone_sections > 1 && recorded < a)); // of the middles
                 const double speeds = workSpeed(p) / (p.machine->wheel_speed_m_s * 1000);
                 QVERIFY(close(stage.removalRate_mm2_s, a * workSpeed(p), 1e-14));
                 QVERIFY(close(stage.equivalentChip_um, a * speeds * 1000, 1e-14));

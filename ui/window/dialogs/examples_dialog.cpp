@@ -28,7 +28,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr QSize pictureSize(150, 54);
+constexpr QSize pictureSize(130, 50);
 constexpr int timeDigits = 3;
 
 } // namespace
@@ -54,6 +54,8 @@ ExamplesDialog::ExamplesDialog(QWidget* parent)
     m_list->setAccessibleName(tr("Examples"));
     m_list->setIconSize(pictureSize);
     m_list->setSpacing(metrics::hair);
+    m_list->setWordWrap(true);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_notes->setTextFormat(Qt::PlainText);
     m_notes->setWordWrap(true);
     m_notes->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -80,7 +82,7 @@ ExamplesDialog::ExamplesDialog(QWidget* parent)
     layout->addLayout(body, 1);
     layout->addWidget(hint);
     layout->addWidget(buttons);
-    resize(860, 440);
+    resize(960, 520);
     fill();
 }
 
