@@ -17,7 +17,7 @@ namespace {
 
 constexpr double sizePoints = 11, deviationPoints = 6, signPoints = 8;
 constexpr double sizeHeight = 7.5, roughnessHeight = 9, frameHeight = 6, frameCell = 7;
-constexpr double gap = 1, thinLine = 0.2, fineLine = 0.25, mainLine = 0.35;
+constexpr double apart = 1, thinLine = 0.2, fineLine = 0.25, mainLine = 0.35;
 
 void line(FormSheet& sheet, double x1, double y1, double x2, double y2, double width = mainLine) {
     sheet.lines.push_back({QLineF(x1, y1, x2, y2), width});
@@ -47,23 +47,24 @@ SketchCallout::SketchCallout(const Part& part, std::size_t number, const QString
     add(Sign::runout, of.radial_runout_um, datum);
     add(Sign::totalRunout, of.total_runout_um, datum);
     double height = sizeHeight;
-    double width = circle_mm + gap + widthOf(m_nominal, sizePoints) + gap
+    double width = circle_mm + apart + widthOf(m_nominal, sizePoints) + apart
                    + (m_isSymmetric ? widthOf(m_upper, sizePoints)
                                     : std::max(widthOf(m_upper, deviationPoints),
                                                widthOf(m_lower, deviationPoints)))
-                   + 2 * gap;
+                   + 2 * apart;
     if (of.roughness_ra_um) {
         m_roughness = QStringLiteral("Ra ") + printedNumber(*of.roughness_ra_um);
         height += roughnessHeight;
-        width = std::max(width, circle_mm + 6 + widthOf(m_roughness, signPoints) + 2 * gap);
+        width = std::max(width, circle_mm + 6 + widthOf(m_roughness, signPoints) + 2 * apart);
     }
     for (const Frame& frame : m_frames) {
         height += frameHeight;
         width = std::max(
-            width, circle_mm + gap + frameCell + widthOf(frame.value, signPoints) + 2 * gap
-                       + (frame.datum.isEmpty() ? 0 : widthOf(frame.datum, signPoints) + 2 * gap));
+            width,
+            circle_mm + apart + frameCell + widthOf(frame.value, signPoints) + 2 * apart
+                + (frame.datum.isEmpty() ? 0 : widthOf(frame.datum, signPoints) + 2 * apart));
     }
-    m_size = {width + gap, height + gap};
+    m_size = {width + apart, height + apart};
 }
 
 void SketchCallout::drawText(FormSheet& sheet, const QRectF& cell, const QString& text,
@@ -110,47 +111,49 @@ void SketchCallout::draw(FormSheet& sheet, const QPointF& at) const {
 }
 
 void SketchCallout::drawSize(FormSheet& sheet, const QPointF& at) const {
-    const double left = at.x() + circle_mm + gap;
+    const double left = at.x() + circle_mm + apart;
     const double nominal = widthOf(m_nominal, sizePoints) + 0.2; // and what rounding takes
-    drawText(sheet, {left, at.y(), nominal, sizeHeight - gap}, m_nominal, sizePoints);
+    drawText(sheet, {left, at.y(), nominal, sizeHeight - apart}, m_nominal, sizePoints);
     double x = left + nominal + 0.6;
     if (m_isSymmetric) {
         const double width = widthOf(m_upper, sizePoints) + 0.2;
-        drawText(sheet, {x, at.y(), width, sizeHeight - gap}, m_upper, sizePoints);
+        drawText(sheet, {x, at.y(), width, sizeHeight - apart}, m_upper, sizePoints);
         x += width;
     } else {
         const double width =
             std::max(widthOf(m_upper, deviationPoints), widthOf(m_lower, deviationPoints)) + 0.2;
-        const double half = (sizeHeight - gap) / 2;
+        const double half = (sizeHeight - apart) / 2;
         drawText(sheet, {x, at.y(), width, half}, m_upper, deviationPoints);
         drawText(sheet, {x, at.y() + half, width, half}, m_lower, deviationPoints);
         x += width;
     }
-    line(sheet, left, at.y() + sizeHeight - gap / 2, x, at.y() + sizeHeight - gap / 2, thinLine);
+    line(sheet, left, at.y() + sizeHeight - apart / 2, x, at.y() + sizeHeight - apart / 2,
+         thinLine);
 }
 
 void SketchCallout::drawRoughness(FormSheet& sheet, const QPointF& at) const {
     // The sign of a surface from which material is removed, its shelf above Ra.
     constexpr double bar = 3.2, whole = 7, slope = 0.58;
-    const double foot = at.y() + roughnessHeight - 0.8, x = at.x() + circle_mm + gap + bar * slope;
+    const double foot = at.y() + roughnessHeight - 0.8,
+                 x = at.x() + circle_mm + apart + bar * slope;
     line(sheet, x - bar * slope, foot - bar, x, foot);
     line(sheet, x - bar * slope, foot - bar, x + bar * slope, foot - bar);
     line(sheet, x, foot, x + whole * slope, foot - whole);
     const double width = widthOf(m_roughness, signPoints) + 0.2;
-    line(sheet, x + whole * slope, foot - whole, x + whole * slope + width + gap, foot - whole);
+    line(sheet, x + whole * slope, foot - whole, x + whole * slope + width + apart, foot - whole);
     drawText(sheet, {x + whole * slope + 0.6, foot - whole + 0.3, width, 4}, m_roughness,
              signPoints);
 }
 
 void SketchCallout::drawFrame(FormSheet& sheet, const QPointF& at, const Frame& frame) const {
-    double x = at.x() + circle_mm + gap;
+    double x = at.x() + circle_mm + apart;
     const double height = frameHeight - 0.8;
     drawSign(sheet, frame.sign, {x, at.y(), frameCell, height});
     sheet.frame({x, at.y(), frameCell, height}, thinLine);
     x += frameCell;
     for (const QString& text : {frame.value, frame.datum}) {
         if (!text.isEmpty()) {
-            const QRectF cell(x, at.y(), widthOf(text, signPoints) + 2 * gap, height);
+            const QRectF cell(x, at.y(), widthOf(text, signPoints) + 2 * apart, height);
             sheet.frame(cell, thinLine);
             drawText(sheet, cell, text, signPoints, Qt::AlignHCenter);
             x += cell.width();
