@@ -254,7 +254,8 @@ Halves halvesOf(const ordered_json& object, const std::string& path) {
     const ordered_json required = object.value("required", ordered_json::array());
     Half shared, own;
     for (const auto& [key, schema] : object.at("properties").items()) {
-        const std::string at = path + "/" + key;
+        std::string at = path;
+        at.append("/").append(key);
         const bool isRequired = std::find(required.begin(), required.end(), key) != required.end();
         if (isShared(at)) {
             shared.add(key, schema, isRequired);

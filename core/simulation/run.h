@@ -126,8 +126,8 @@ private:
     /// Calls with each k < K/2 whose diameter is one.
     template <class Do>
     void forDiameters(const Do& with) const {
-        for (std::size_t i = 0; i < m_diameters.size(); ++i) {
-            with(m_diameters[i]);
+        for (const std::size_t k : m_diameters) {
+            with(k);
         }
         const auto half = static_cast<std::size_t>(m_radii) / 2;
         for (std::size_t k = 0; m_diameters.empty() && k < half; ++k) {
