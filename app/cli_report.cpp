@@ -146,7 +146,7 @@ std::string statusSentence(const SimulationResult& result) {
         return "the cycle is longer than " + std::to_string(maxVisits) + " visits of a radius; "
                + reached;
     case RunStatus::groundAway:
-        return "the part is ground away: one infeed is larger than its radius; " + reached;
+        return "the part is ground away: one infeed is larger than its radius";
     case RunStatus::stopped: return "stopped; " + reached;
     case RunStatus::refused: return "refused";
     case RunStatus::notSolved:
