@@ -4561,8 +4561,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>задержка {value} выполняется как {limit}, целыми оборотами</translation>
         </message>
         <message>
-            <source>a file of version {value} holds several surfaces of a part; sparkout-cli takes it</source>
-            <translation>файл версии {value} содержит несколько поверхностей детали; его принимает sparkout-cli</translation>
+            <source>a file of version {value} holds several surfaces of a part; the window and sparkout-cli take it</source>
+            <translation>файл версии {value} содержит несколько поверхностей детали; его принимают окно программы и sparkout-cli</translation>
         </message>
         <message>
             <source>{value} is the name of surface {limit} already</source>

@@ -70,7 +70,7 @@ IssueWords wordsOf(IssueCode code) {
         return {"several_surfaces",
                 SPARKOUT_NOOP("Issue",
                               "a file of version {value} holds several surfaces of a part; "
-                              "sparkout-cli takes it")};
+                              "the window and sparkout-cli take it")};
     case IssueCode::duplicateKey:
         return {"duplicate_key", SPARKOUT_NOOP("Issue", "this key stands here twice")};
     case IssueCode::unknownKey:

@@ -135,6 +135,32 @@ private slots:
         QVERIFY(!readSetup(file.dump()).unfinished);
     }
 
+    /// Of a project in which each of them is another than usual.
+    void everySharedMemberIsCopied() {
+        Project from = samples::project("everything");
+        from.part->shaft.youngs_modulus_gpa = 100;
+        from.part->shaft.mounting = Mounting::chuck;
+        from.part->shaft.steady_rests = {{}};
+        from.part->shaft.quill = Quill{};
+        from.machine->feed_change_delay_s = 1;
+        from.machine->wheel_speed_m_s = 31;
+        from.machine->geometric_runout_um = 2;
+        from.machine->wheel_contact = WheelContact{{{{0, 50}, {200, 80}}}};
+        Project to;
+        const auto valueAt = [](const Project& project, std::string_view member) {
+            const nlohmann::json shared = splitProject(projectJson(project)).shared;
+            const nlohmann::json::json_pointer place{std::string(member)};
+            return shared.contains(place) ? shared.at(place) : nlohmann::json();
+        };
+        for (const std::string_view member : sharedMembers()) {
+            QVERIFY2(valueAt(from, member) != valueAt(to, member), std::string(member).c_str());
+        }
+        copyShared(from, to);
+        for (const std::string_view member : sharedMembers()) {
+            QVERIFY2(valueAt(from, member) == valueAt(to, member), std::string(member).c_str());
+        }
+    }
+
     void whatIsSharedIsCopiedAndNothingElse() {
         int differed = 0;
         for (std::uint64_t seed = 1; seed < 60; ++seed) {
