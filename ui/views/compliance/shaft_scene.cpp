@@ -161,7 +161,12 @@ void ShaftScene::drawWheel(QCPPainter* painter) {
                               middle - quill.diameter_mm / 2, middle + quill.diameter_mm / 2));
         where = at(from + width, m_high_mm * (1 + (above - 1) * 0.3)) + QPointF(noteGap, 0);
     }
-    note(painter, where, Qt::AlignLeft, stiffness(&Stiffness::wheel_head, tr("wheel head")));
+    const QString text = stiffness(&Stiffness::wheel_head, tr("wheel head"));
+    if (where.x() + painter->fontMetrics().horizontalAdvance(text) < m_rect->right()) {
+        note(painter, where, Qt::AlignLeft, text);
+    } else { // on the wheel's other side
+        note(painter, QPointF(at(from, 0).x() - noteGap, where.y()), Qt::AlignRight, text);
+    }
 }
 
 void ShaftScene::drawGauge(QCPPainter* painter) const {
