@@ -1453,6 +1453,26 @@ med, µm</source>
             <source>The numbers are predictions of a model and are to be confirmed at the machine. The card follows the layout of an operation card and claims no conformity with the form of any standard.</source>
             <translation>Числа предсказаны моделью и подлежат проверке на станке. Карта следует расположению операционной карты и не претендует на соответствие форме какого-либо стандарта.</translation>
         </message>
+        <message>
+            <source>Zone</source>
+            <translation>Зона</translation>
+        </message>
+        <message>
+            <source>Cylindricity, µm</source>
+            <translation>Отклонение от цилиндричности, мкм</translation>
+        </message>
+        <message>
+            <source>Total runout, µm</source>
+            <translation>Полное радиальное биение, мкм</translation>
+        </message>
+        <message>
+            <source>Taper, µm</source>
+            <translation>Конусообразность, мкм</translation>
+        </message>
+        <message>
+            <source>Crown, µm</source>
+            <translation>Бочкообразность, мкм</translation>
+        </message>
     </context>
     <context>
         <name>OutcomeRemarks</name>
@@ -6066,6 +6086,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>%1, φ = %2° (k = %3): radius %4 µm from target, %5 µm from its mean; opposite a gap</source>
             <translation>%1, φ = %2° (k = %3): радиус %4 мкм от целевого, %5 мкм от среднего; напротив разрыва</translation>
         </message>
+        <message>
+            <source>; cylindricity %1 µm, total runout %2 µm, taper %3 µm</source>
+            <translation>; отклонение от цилиндричности %1 мкм, полное радиальное биение %2 мкм, конусообразность %3 мкм</translation>
+        </message>
     </context>
     <context>
         <name>Range</name>
@@ -6499,6 +6523,22 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Setting / nearer end of the range</source>
             <translation>Настройка / ближний предел диапазона</translation>
+        </message>
+        <message>
+            <source>Cylindricity, µm</source>
+            <translation>Отклонение от цилиндричности, мкм</translation>
+        </message>
+        <message>
+            <source>Total runout, µm</source>
+            <translation>Полное радиальное биение, мкм</translation>
+        </message>
+        <message>
+            <source>Taper, µm</source>
+            <translation>Конусообразность, мкм</translation>
+        </message>
+        <message>
+            <source>Crown, µm</source>
+            <translation>Бочкообразность, мкм</translation>
         </message>
     </context>
     <context>
@@ -14613,6 +14653,37 @@ good</source>
         <message>
             <source>Batch</source>
             <translation>Партия</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::SurfaceBars</name>
+        <message>
+            <source>Surface</source>
+            <translation>Поверхность</translation>
+        </message>
+        <message>
+            <source>Cycle time</source>
+            <translation>Время цикла</translation>
+        </message>
+        <message>
+            <source>Least margin</source>
+            <translation>Наименьший запас</translation>
+        </message>
+        <message>
+            <source>cycle time</source>
+            <translation>время цикла</translation>
+        </message>
+        <message>
+            <source>least margin</source>
+            <translation>наименьший запас</translation>
+        </message>
+        <message>
+            <source>Margin: that of the requirement nearest to its limit, below 0 where one fails.</source>
+            <translation>Запас — у требования, ближайшего к пределу; ниже 0, если требование не выполнено.</translation>
+        </message>
+        <message>
+            <source>The surfaces compared, as bars</source>
+            <translation>Сравнение поверхностей столбцами</translation>
         </message>
     </context>
     <context>

@@ -4,6 +4,7 @@
 #include "core/project/part.h"
 #include "core/quality/constraints.h"
 #include "core/quality/finished_surface.h"
+#include "core/quality/roughness.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -74,9 +75,10 @@ private:
         const double width =
             row.isDeviation || !limit ? part.upper_deviation_um - part.lower_deviation_um : *limit;
         const std::optional<double> none;
-        m_list.push_back({row.key, isRelative(row) ? "%" : row.unit, m_zone, m_section,
-                          row.isLeast ? limit : none, row.isLeast ? none : limit,
-                          resolutionFor(width), &row});
+        m_list.push_back(
+            {row.key, isRelative(row) ? "%" : row.unit, m_zone, m_section,
+             row.isLeast ? limit : none, row.isLeast ? none : limit, resolutionFor(width), &row,
+             row.kind == ConstraintKind::roughness && !isRoughnessCalibrated(m_project)});
     }
 
     const Project& m_project;

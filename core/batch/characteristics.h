@@ -22,6 +22,7 @@ struct Characteristic {
     std::optional<double> low, high; ///< limits
     double resolution = 0;           ///< width of the finest bins: a power of two
     const Requirement* requirement = nullptr; ///< null: the mean diameter, or the time
+    bool isEstimate = false;                  ///< Ra that no measured one stands behind
 };
 
 [[nodiscard]] std::vector<Characteristic> characteristicsOf(const Project& project);

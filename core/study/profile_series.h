@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/form/accuracy.h"
 #include "core/form/roundness.h"
 #include "core/project/part.h"
 #include "core/simulation/progress.h"
@@ -54,6 +55,7 @@ struct ProfileSeries {
     std::vector<double> blank_mm; ///< the K radii before the first touch, the same everywhere
     std::vector<Profile> profiles;
     std::vector<Profile> zoneSections; ///< where zones hold several, at the end of the cycle
+    std::vector<ZoneForm> zoneForms;   ///< of those zones; empty where they are not asked for
     int stroke = 0;         ///< number of the last double stroke or revolution; 0: the blank
     int strokeCount = 0;    ///< of the whole cycle
     bool strokeDone = true; ///< else the moment is within that stroke

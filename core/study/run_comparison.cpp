@@ -260,8 +260,15 @@ std::optional<ConstraintResult> constraintOf(const RequirementSummary& requireme
 }
 
 std::optional<ConstraintResult> leastMargin(const RunSummary& summary) {
+    return leastMargin(wholeOf(summary));
+}
+
+std::optional<ConstraintResult> leastMargin(std::span<const ConstraintResult> constraints) {
     std::optional<ConstraintResult> least;
-    for (const ConstraintResult& constraint : wholeOf(summary)) {
+    for (const ConstraintResult& constraint : constraints) {
+        if (!constraint.isWhole) {
+            continue;
+        }
         // the end of a range, or the least number of steps, is nothing to keep away from
         const bool mayBeMet = requirementOf(constraint.kind).source == LimitSource::range
                               || constraint.kind == ConstraintKind::leastSteps;

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -82,6 +83,8 @@ std::vector<RunValue> resultsStated(ReadSummary&&) = delete;
 /// steps, which hold up to their ends, of those alone that fail, and where strips stay uncut none
 /// of the surface. Nothing where no requirement is known.
 [[nodiscard]] std::optional<ConstraintResult> leastMargin(const RunSummary& summary);
+[[nodiscard]] std::optional<ConstraintResult>
+leastMargin(std::span<const ConstraintResult> constraints);
 
 /// The verdict by a summary alone; none where it holds no requirement.
 [[nodiscard]] std::optional<Light> verdictOf(const RunSummary& summary);

@@ -95,6 +95,11 @@ CsvTable zoneTable(const Outcome& outcome) {
     if (rough) {
         table.header << ResultTables::tr("Roughness Ra, µm");
     }
+    const std::vector<ZoneForm>& forms = outcome.accuracy.zones;
+    if (!forms.empty()) {
+        table.header << ResultTables::tr("Cylindricity, µm") << ResultTables::tr("Total runout, µm")
+                     << ResultTables::tr("Taper, µm") << ResultTables::tr("Crown, µm");
+    }
     using units::umPerMm;
     const FinishedSurface surface(result.project);
     const auto stated = [&surface](double value_mm) {
@@ -112,9 +117,17 @@ CsvTable zoneTable(const Outcome& outcome) {
                                    stated(form.minimumZone.deviation()),
                                    stated(form.leastSquares.deviation()),
                                    section.peakNormalForce_n};
-        if (rough && section.lastCut) {
-            cells.push_back(
-                stated(RoughnessModel(result.project).roughness(section.lastCut->depth_mm)));
+        if (rough) {
+            cells.push_back(section.lastCut ? stated(
+                                RoughnessModel(result.project).roughness(section.lastCut->depth_mm))
+                                            : CsvCell());
+        }
+        if (!forms.empty()) {
+            const ZoneForm& zone = forms.at(i);
+            for (const double value : {zone.cylindricity_mm, zone.totalRunout_mm,
+                                       zone.profile.taper_mm, zone.profile.crown_mm}) {
+                cells.push_back(stated(value));
+            }
         }
         table.rows.push_back(std::move(cells));
     }

@@ -8,6 +8,7 @@
 #include "ui/kit/metrics.h"
 #include "ui/part/part_model.h"
 #include "ui/part/piece_time_text.h"
+#include "ui/part/surface_bars.h"
 #include "ui/part/surface_comparison.h"
 #include "ui/session/document.h"
 #include "ui/session/part_runs.h"
@@ -46,6 +47,7 @@ PartWindow::PartWindow(Document& document, const PartRuns& runs, QWidget* parent
     , m_state(new QLabel(this))
     , m_table(new CopyTable([this] { return m_model->asTsv(); }, this))
     , m_comparison(new CopyTable([this] { return m_compared->asTsv(); }, this))
+    , m_bars(new SurfaceBars(this))
     , m_model(new PartModel(this))
     , m_compared(new SurfaceComparison(this))
     , m_search(new QPushButton(this))
@@ -58,6 +60,7 @@ PartWindow::PartWindow(Document& document, const PartRuns& runs, QWidget* parent
     build();
     connect(m_table, &CopyTable::rowChosen, this,
             [this](int row) { emit surfaceWanted(static_cast<std::size_t>(row)); });
+    connect(m_bars, &SurfaceBars::surfaceWanted, this, &PartWindow::surfaceWanted);
     connect(m_search, &QPushButton::clicked, this, &PartWindow::startSearches);
     connect(m_batch, &QPushButton::clicked, this, &PartWindow::startBatches);
     connect(m_take, &QPushButton::clicked, this, &PartWindow::takeOver);
@@ -130,6 +133,7 @@ void PartWindow::build() {
     column->addLayout(line);
     column->addWidget(m_state);
     column->addWidget(m_times);
+    column->addWidget(m_bars);
     column->addWidget(m_comparison);
     column->addStretch();
     auto* area = new QScrollArea(this);
@@ -169,6 +173,7 @@ void PartWindow::follow() {
     }
     m_model->setPart(state, statuses);
     m_compared->setPart(state, statuses);
+    m_bars->setPart(state, statuses);
     fitTables();
     const auto holding = std::ranges::count_if(statuses, &SurfaceStatus::holds);
     double cycles_min = 0;
@@ -251,6 +256,7 @@ void PartWindow::retranslate() {
     m_table->retranslate();
     m_comparison->retranslate();
     m_model->retranslate();
+    m_bars->retranslate();
     m_search->setText(tr("&Optimise all"));
     m_search->setToolTip(tr("Searches the quickest cycle of every surface whose search is set up, "
                             "in the order of grinding"));

@@ -18,6 +18,7 @@ class CopyTable;
 class Document;
 class PartModel;
 class PartRuns;
+class SurfaceBars;
 class SurfaceComparison;
 
 /// The whole part beside the workbench: verdict and times of all surfaces, their comparison, and
@@ -56,6 +57,7 @@ private:
     QLabel* m_state;
     CopyTable* m_table;
     CopyTable* m_comparison;
+    SurfaceBars* m_bars;
     PartModel* m_model;
     SurfaceComparison* m_compared;
     QPushButton* m_search;

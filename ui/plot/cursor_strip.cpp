@@ -166,7 +166,7 @@ void CursorStrip::resizeEvent(QResizeEvent* event) {
 
 /// The first field's that is marked.
 void CursorStrip::showReason() {
-    for (const std::size_t cursor : {0, 1}) {
+    for (const std::size_t cursor : {std::size_t{0}, std::size_t{1}}) {
         Remark remark = m_fields[cursor]->remark();
         if (remark.mark != Mark::none) {
             remark.reason =

@@ -27,8 +27,8 @@ void RunRecall::setRuns(std::set<std::string> all, std::set<std::string> wanted)
     std::vector<std::string> open; // those that are drawn come first
     std::ranges::copy_if(m_all, std::back_inserter(open),
                          [this](const std::string& inputs) { return isOpen(inputs); });
-    std::ranges::stable_partition(
-        open, [this](const std::string& inputs) { return m_wanted.contains(inputs); });
+    std::stable_partition(open.begin(), open.end(),
+                          [this](const std::string& inputs) { return m_wanted.contains(inputs); });
     const bool underWay = std::ranges::all_of(
         open, [this](const std::string& inputs) { return m_pending.contains(inputs); });
     if (underWay) {

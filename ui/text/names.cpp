@@ -211,8 +211,12 @@ QString Names::besideLimit(const ConstraintResult& c) {
 }
 
 QString Names::value(const ConstraintResult& c) {
-    return c.isWhole ? amount(c.kind, c.value, requirementOf(c.kind).isDeviation)
-                     : QStringLiteral("–");
+    if (!c.isWhole) {
+        return QStringLiteral("–");
+    }
+    const Requirement& row = requirementOf(c.kind);
+    return row.isDeviation || row.digits.shown <= 0 ? amount(c.kind, c.value, row.isDeviation)
+                                                    : amountFixed(c.value, row.digits.shown);
 }
 
 QString Names::uncutStrips(const Project& project) {
@@ -273,6 +277,14 @@ QString Names::fixed(double value, int decimals) {
     return numbers()
         .toString(std::abs(value) < least ? 0.0 : value, 'f', decimals)
         .replace(u'-', u'−');
+}
+
+QString Names::amountFixed(double value, int decimals) {
+    constexpr double rounding = 1e-9; // of what is nothing but for the last bits of a difference
+    const double last = std::pow(10.0, -decimals);
+    return value > rounding && value < 0.5 * last
+               ? QStringLiteral("<\u00a0") + fixed(last, decimals)
+               : fixed(value, decimals);
 }
 
 QString Names::micrometres(double value_um) {

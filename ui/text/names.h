@@ -60,6 +60,8 @@ public:
 
     /// Of so many decimals, in the current locale, with a true minus; never −0.
     static QString fixed(double value, int decimals);
+    /// The same of an amount that is not negative: "< 0.01" for a little that would read 0.00.
+    static QString amountFixed(double value, int decimals);
     static QString micrometres(double value_um);              ///< 2 decimals, current locale
     static QString signedMicrometres(double value_um);        ///< the same, with its sign
     static QString millimetres(double value_mm);              ///< 4 decimals

@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace test_card_sheets {
 
@@ -265,15 +266,19 @@ private slots:
             QString all = textOf(cardOf(setup)).remove(QRegularExpression(QStringLiteral("\\s")));
             qsizetype from = 0;
             for (const CardRow& row : CardRows::of(operationCard(setup, run), setup, run)) {
-                // Between its lines stand their numbers: the words are looked for one by one.
+                // Between its lines stand their numbers, those of the row after the first line: the
+                // words are looked for one by one, the cells from where the row begins.
+                std::optional<qsizetype> begin;
                 for (const QString& word : row.text.split(u' ', Qt::SkipEmptyParts)) {
                     const qsizetype at = all.indexOf(
                         QString(word).remove(QRegularExpression(QStringLiteral("\\s"))), from);
                     QVERIFY2(at >= 0, qPrintable(row.text));
                     from = at;
+                    begin = begin.value_or(at);
                 }
                 for (const QString& cell : row.cells) {
-                    QVERIFY2(all.indexOf(QString(cell).remove(u' '), from) >= 0, qPrintable(cell));
+                    QVERIFY2(all.indexOf(QString(cell).remove(u' '), begin.value_or(from)) >= 0,
+                             qPrintable(cell));
                 }
             }
         }

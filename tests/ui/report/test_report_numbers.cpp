@@ -4,8 +4,10 @@
 #include "core/project/batch.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
+#include "core/study/profile_series.h"
 #include "tests/registry.h"
 #include "tests/ui/support/passport_bench.h"
+#include "ui/charts/result_tables.h"
 #include "ui/report/documents/capability_chart.h"
 #include "ui/report/documents/cycle_card.h"
 #include "ui/report/documents/passport_prediction.h"
@@ -15,7 +17,9 @@
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/views/batch/batch_text.h"
+#include "ui/views/profiles/profiles_text.h"
 
+#include <iterator>
 #include <memory>
 #include <string_view>
 
@@ -111,6 +115,51 @@ private slots:
             QCOMPARE(table.rows[i][3], Names::signedMicrometres(2 * own));
             QCOMPARE(table.rows[i].last(), Names::micrometres(0.1 * own));
         }
+    }
+
+    /// The card, the table of the zones and the words at the pointer say the same of each zone.
+    void zonesOfSeveralSectionsStateTheirForm() {
+        Project project = fixtures::traverseProject();
+        QVERIFY(CycleCard::zoneForms(*fixtures::run(project)).rows.empty());
+        QVERIFY(!zoneTable(*fixtures::run(project)).header.contains(QStringLiteral("Taper, µm")));
+        project.zone_sections = 5;
+        const OutcomePtr outcome = fixtures::run(project);
+        const report::Table card = CycleCard::zoneForms(*outcome);
+        const CsvTable table = zoneTable(*outcome);
+        const qsizetype first = table.header.indexOf(QStringLiteral("Cylindricity, µm"));
+        QVERIFY(first > 0);
+        ProfileSeries series = makeProfileSeries(outcome->result, outcome->trajectory);
+        series.zoneForms = outcome->accuracy.zones;
+        QCOMPARE(card.rows.size(), std::size_t{3});
+        for (std::size_t i = 0; i < card.rows.size(); ++i) {
+            const ZoneForm& zone = outcome->accuracy.zones.at(i);
+            const double forms_um[] = {zone.cylindricity_mm * 1000, zone.totalRunout_mm * 1000,
+                                       zone.profile.taper_mm * 1000, zone.profile.crown_mm * 1000};
+            QVERIFY(forms_um[0] > 0);
+            QCOMPARE(card.rows[i][1], Names::amountFixed(forms_um[0], 2));
+            QCOMPARE(card.rows[i][2], Names::amountFixed(forms_um[1], 2));
+            QCOMPARE(card.rows[i][3], Names::signedMicrometres(forms_um[2]));
+            QCOMPARE(card.rows[i][4], Names::signedMicrometres(forms_um[3]));
+            for (std::size_t k = 0; k < std::size(forms_um); ++k) {
+                QCOMPARE(std::get<double>(table.rows[i].at(static_cast<std::size_t>(first) + k)),
+                         forms_um[k]);
+            }
+            const QString words = ProfilesText::stretch(series, series.profiles[i], false);
+            QVERIFY2(words.contains(QStringLiteral("cylindricity %1 µm, total runout %2 µm")
+                                        .arg(card.rows[i][1], card.rows[i][2])),
+                     qPrintable(words));
+        }
+    }
+
+    void aLittleIsNotWrittenAsNothing() {
+        const QString space(QChar(0x00a0));
+        QCOMPARE(Names::amountFixed(0.00056, 2), u'<' + space + QStringLiteral("0.01"));
+        QCOMPARE(Names::amountFixed(0.0051, 2), QStringLiteral("0.01"));
+        QCOMPARE(Names::amountFixed(0, 2), QStringLiteral("0.00"));
+        QCOMPARE(Names::amountFixed(1e-13, 2), QStringLiteral("0.00")); // rounding of the engine's
+        ConstraintResult round = requirement(ConstraintKind::roundness, 0, 0.002);
+        round.isWhole = true;
+        QCOMPARE(Names::value(round), u'<' + space + QStringLiteral("0.01"));
     }
 
     void aZoneWithoutARoughnessHasADash() {

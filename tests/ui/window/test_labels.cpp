@@ -82,6 +82,15 @@ QStringList englishTextsOf(const Bench& bench, const QWidget& window) {
     return list;
 }
 
+/// No page of inputs is wider than what is seen of it.
+void verifyPagesFit(const QWidget& window, const QString& place) {
+    for (const auto* area : window.findChildren<QScrollArea*>()) {
+        QVERIFY2(!area->isVisible() || !area->widget()
+                     || area->widget()->width() <= area->viewport()->width(),
+                 qPrintable(place + u' ' + pathOf(area)));
+    }
+}
+
 } // namespace
 
 class TestLabels : public QObject {
@@ -165,13 +174,10 @@ private slots:
             QVERIFY(bench.open(examplePaths().front()));
             const QTabBar& tabs = *bench.window->findChild<ViewTabs*>()->tabBar();
             QVERIFY2(tabs.tabRect(tabs.count() - 1).right() < tabs.width(), language);
-            everyPlace(bench, [&](const QString& place) {
-                for (const auto* area : bench.window->findChildren<QScrollArea*>()) {
-                    QVERIFY2(!area->isVisible() || !area->widget()
-                                 || area->widget()->width() <= area->viewport()->width(),
-                             qPrintable(place + u' ' + pathOf(area)));
-                }
-            });
+            Project project = bench.window->document().project();
+            project.cycle->stages.front().radial_feed_mm = 0.00025; // a number of many digits
+            bench.window->document().startUntitled(project);
+            everyPlace(bench, [&](const QString& place) { verifyPagesFit(*bench.window, place); });
         }
     }
 
@@ -188,6 +194,7 @@ private slots:
             Offenders offenders;
             everyPlace(bench, [&](const QString& place) {
                 offenders.add(place, textsWithoutRoom(*bench.window));
+                verifyPagesFit(*bench.window, place);
             });
             QVERIFY2(offenders.none(), offenders.report());
         }

@@ -22,7 +22,8 @@ namespace sparkout {
 
 namespace {
 
-constexpr int valueWidth = 108;
+constexpr int valueWidth = 92;
+constexpr int leastSlider = 32; ///< beside a long name and a number of many digits
 
 } // namespace
 
@@ -83,6 +84,7 @@ void RowSliders::addLine(int column) {
     line.value->setTextFormat(Qt::PlainText);
     setTextMinimumWidth(*line.value, valueWidth);
     line.value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    line.slider->setMinimumWidth(leastSlider);
     line.slider->setObjectName(QString::fromUtf8(field.key) + QStringLiteral("/slider"));
     setHintField(*line.slider, field);
     const int row = m_grid->rowCount();

@@ -175,8 +175,8 @@ void SketchSheet::drawGaps(const GroundStep& step) {
     }
     const double front = gaps.front().from_deg + gaps.front().width_deg / 2;
     for (const SurfaceGap& cut : gaps) {
-        for (const double edge : {cut.from_deg, cut.from_deg + cut.width_deg}) {
-            const double angle = (edge - front) * std::numbers::pi / 180;
+        for (const double side : {cut.from_deg, cut.from_deg + cut.width_deg}) {
+            const double angle = (side - front) * std::numbers::pi / 180;
             if (std::cos(angle) > 0) { // else behind
                 const double y = m_axis + half(step.diameter_mm) * std::sin(angle);
                 line(x(step.from_mm), y, x(step.to_mm), y, outline);

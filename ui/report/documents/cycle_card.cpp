@@ -46,8 +46,8 @@ std::vector<Block> CycleCard::verdict(const Outcome& outcome) {
 }
 
 Table CycleCard::accuracy(const Outcome& outcome) {
-    const auto micrometres = [](double value_mm) {
-        return Names::micrometres(value_mm * units::umPerMm);
+    const auto amount = [](double value_mm) {
+        return Names::amountFixed(value_mm * units::umPerMm, 2);
     };
     const auto deviation = [](double value_mm) {
         return Names::signedMicrometres(value_mm * units::umPerMm);
@@ -75,8 +75,8 @@ Table CycleCard::accuracy(const Outcome& outcome) {
                         Names::significant(section.position_mm),
                         whole ? deviation(section.diameterDeviationMin_mm) : cell({}),
                         whole ? deviation(section.diameterDeviationMax_mm) : cell({}),
-                        whole ? micrometres(section.radialRunout_mm) : cell({}),
-                        whole ? micrometres(form.minimumZone.deviation()) : cell({})};
+                        whole ? amount(section.radialRunout_mm) : cell({}),
+                        whole ? amount(form.minimumZone.deviation()) : cell({})};
         if (roughness) {
             const auto ra =
                 std::ranges::find_if(outcome.constraints, [&](const ConstraintResult& c) {
@@ -89,6 +89,23 @@ Table CycleCard::accuracy(const Outcome& outcome) {
         table.rows.push_back(row);
     }
     table.texts = {true};
+    return table;
+}
+
+Table CycleCard::zoneForms(const Outcome& outcome) {
+    Table table;
+    table.head = {tr("Zone"), tr("Cylindricity, µm"), tr("Total runout, µm"), tr("Taper, µm"),
+                  tr("Crown, µm")};
+    table.texts = {true};
+    const auto& zones = outcome.accuracy.zones;
+    for (std::size_t i = 0; i < zones.size(); ++i) {
+        using units::umPerMm;
+        table.rows.push_back({Names::zoneFull(outcome.result.sections.at(i).zone),
+                              Names::amountFixed(zones[i].cylindricity_mm * umPerMm, 2),
+                              Names::amountFixed(zones[i].totalRunout_mm * umPerMm, 2),
+                              Names::signedMicrometres(zones[i].profile.taper_mm * umPerMm),
+                              Names::signedMicrometres(zones[i].profile.crown_mm * umPerMm)});
+    }
     return table;
 }
 
@@ -123,6 +140,9 @@ Report CycleCard::write(const OutcomePtr& outcome, const QString& file, const QD
     }
     heading(tr("Predicted accuracy"));
     blocks.push_back(accuracy(*outcome));
+    if (!outcome->accuracy.zones.empty() && FinishedSurface(project).isWhole()) {
+        blocks.push_back(zoneForms(*outcome));
+    }
     if (!outcome->constraints.empty()) {
         heading(tr("Requirements and margins"));
         blocks.push_back(requirements(*outcome));

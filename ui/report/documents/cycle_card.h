@@ -19,7 +19,8 @@ public:
 
     // Its sections.
     static std::vector<Block> verdict(const Outcome& outcome);
-    static Table accuracy(const Outcome& outcome); ///< by zone or section
+    static Table accuracy(const Outcome& outcome);  ///< by zone or section
+    static Table zoneForms(const Outcome& outcome); ///< of zones that hold several sections
     static Table requirements(const Outcome& outcome);
 };
 

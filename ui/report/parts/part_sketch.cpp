@@ -23,7 +23,7 @@ namespace {
 constexpr QSizeF sketchSize(820, 236);
 constexpr double left = 80, right = 740, axis = 106, mostHalf = 46, leastHalf = 14;
 constexpr double zoneLine = 34, lengthLine = 206, wholeLine = 230;
-constexpr double arrow = 7, centre = 26;
+constexpr double arrow = 7, centre = 26, wallWidth = 10;
 constexpr double supportName = axis + mostHalf + 22; ///< under the body
 constexpr int fontPixels = 12;
 constexpr QColor ink(0, 0, 0), faint(110, 110, 110), paper(255, 255, 255), body(225, 230, 236),
@@ -196,6 +196,10 @@ void Drawing::drawSupports() {
         m_painter.drawPolygon(QPolygonF{QPointF(right, axis), QPointF(right + centre, axis - 10),
                                         QPointF(right + centre, axis + 10)});
         text({right + centre, supportName}, Sketch::tailstock());
+    }
+    if (bore && m_part.blind_bore) {
+        m_painter.setBrush(body);
+        m_painter.drawRect(QRectF(left - wallWidth, axis - mostHalf, wallWidth, 2 * mostHalf));
     }
     text({left - centre, supportName}, Sketch::headstock());
     for (const SteadyRest& rest : m_part.shaft.steady_rests) {

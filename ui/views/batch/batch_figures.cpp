@@ -77,7 +77,8 @@ QString BatchFigures::text(const CharacteristicSummary& summary, bool isSample, 
     case mean: return estimated ? value(summary.moments.mean) : QStringLiteral("–");
     case meanInterval:
         return estimated ? BatchText::range(*summary.mean95, of) : QStringLiteral("–");
-    case deviation: return estimated ? value(summary.moments.deviation) : QStringLiteral("–");
+    case deviation:
+        return estimated ? BatchText::scatter(summary.moments.deviation, of) : QStringLiteral("–");
     case lowPercentile: return percentile(lowOrder);
     case median: return percentile(0.5);
     case highPercentile: return percentile(highOrder);

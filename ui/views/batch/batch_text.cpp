@@ -29,6 +29,10 @@ QString percent(double share) {
     return Names::fixed(hundredth, decimals);
 }
 
+int decimalsOf(const Characteristic& characteristic) {
+    return std::clamp(static_cast<int>(std::lround(-std::log10(characteristic.resolution))), 0, 6);
+}
+
 } // namespace
 
 QString BatchText::name(const Characteristic& characteristic) {
@@ -62,9 +66,20 @@ QString BatchText::factorAxis(FactorKind kind) {
 }
 
 QString BatchText::value(double value, const Characteristic& characteristic) {
-    const int count =
-        std::clamp(static_cast<int>(std::lround(-std::log10(characteristic.resolution))), 0, 6);
-    return Names::fixed(value, count);
+    if (characteristic.isEstimate) {
+        return QStringLiteral("≈\u00a0") + Names::significant(value, 1);
+    }
+    const Requirement* const row = characteristic.requirement;
+    return row && !row->isDeviation ? scatter(value, characteristic) : mark(value, characteristic);
+}
+
+QString BatchText::scatter(double deviation, const Characteristic& characteristic) {
+    return characteristic.isEstimate ? value(deviation, characteristic)
+                                     : Names::amountFixed(deviation, decimalsOf(characteristic));
+}
+
+QString BatchText::mark(double value, const Characteristic& characteristic) {
+    return Names::fixed(value, decimalsOf(characteristic));
 }
 
 QString BatchText::percentile(const Percentile& percentile, const CharacteristicSummary& of) {
@@ -74,7 +89,10 @@ QString BatchText::percentile(const Percentile& percentile, const Characteristic
 }
 
 QString BatchText::range(const Interval& interval, const Characteristic& characteristic) {
-    return value(interval.low, characteristic) + u'…' + value(interval.high, characteristic);
+    const QString low = value(interval.low, characteristic);
+    const QString high = value(interval.high, characteristic);
+    const QString sign = QStringLiteral("≈\u00a0"); // once for both
+    return low == high ? low : low + u'…' + (high.startsWith(sign) ? high.mid(sign.size()) : high);
 }
 
 QString BatchText::capability(const std::optional<Capability>& capability) {

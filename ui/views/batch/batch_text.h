@@ -20,7 +20,11 @@ public:
     static QString factor(FactorKind kind);                     ///< "Stock per side"
     static QString factorAxis(FactorKind kind);                 ///< "Stock per side, mm"
 
-    static QString value(double value, const Characteristic& characteristic); ///< without unit
+    /// Without unit; an estimate with one digit, and nothing but 0 as 0.
+    static QString value(double value, const Characteristic& characteristic);
+    static QString scatter(double deviation, const Characteristic& characteristic);
+    /// The same with as many decimals as every mark of its axis has.
+    static QString mark(double value, const Characteristic& characteristic);
     static QString range(const Interval& interval, const Characteristic& characteristic);
     /// A dash where the values are too few to tell it from the smallest or the largest.
     static QString percentile(const Percentile& percentile, const CharacteristicSummary& of);

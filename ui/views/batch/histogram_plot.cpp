@@ -171,7 +171,8 @@ QString HistogramPlot::valuesAt(const QPointF& at) const {
         for (const HistogramBar& bar : cell.summary.histogram) {
             if (x >= bar.low && x < bar.high) {
                 return tr("%1: %2 %3, %n part(s)", nullptr, static_cast<int>(bar.count))
-                    .arg(BatchText::full(of), BatchText::range({bar.low, bar.high}, of),
+                    .arg(BatchText::full(of),
+                         BatchText::mark(bar.low, of) + u'…' + BatchText::mark(bar.high, of),
                          unitText(of.unit));
             }
         }
@@ -212,8 +213,8 @@ void HistogramPlot::outline() {
                            && text.horizontalAdvance(full) <= cell.rect->outerRect().width();
         values.setLabel(named ? full : unitText(of.unit));
         const int tick =
-            std::max(text.horizontalAdvance(BatchText::value(values.range().lower, of)),
-                     text.horizontalAdvance(BatchText::value(values.range().upper, of)));
+            std::max(text.horizontalAdvance(BatchText::mark(values.range().lower, of)),
+                     text.horizontalAdvance(BatchText::mark(values.range().upper, of)));
         const int ticks =
             std::clamp(static_cast<int>(cell.rect->width() / (tickRoom * tick)), 2, valueTicks);
         changed = changed || values.ticker()->tickCount() != ticks;

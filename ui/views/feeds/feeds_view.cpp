@@ -126,7 +126,7 @@ void FeedsView::connectPlot() {
         readSpan();
     });
     connect(m_overview, &FeedsOverview::dragged, this,
-            [this, &navigation] { navigation.noteView(navigation.gestureOf(overviewGesture)); });
+            [&navigation] { navigation.noteView(navigation.gestureOf(overviewGesture)); });
     connect(m_overview, &FeedsOverview::fitAsked, &navigation, &PlotNavigation::fit);
 }
 

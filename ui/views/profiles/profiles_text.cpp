@@ -59,8 +59,9 @@ QString ProfilesText::numbers(const ProfileSeries& series, const Profile& profil
 
 QString ProfilesText::roundness(const RoundnessZone& zone, bool brief) {
     const int decimals = brief ? 2 : 3;
-    const QString deviation = um(zone.deviation(), decimals);
-    const QString eccentricity = um(std::hypot(zone.x_mm, zone.y_mm), decimals);
+    const QString deviation = Names::amountFixed(zone.deviation() * units::umPerMm, decimals);
+    const QString eccentricity =
+        Names::amountFixed(std::hypot(zone.x_mm, zone.y_mm) * units::umPerMm, decimals);
     return (brief ? tr("RONt %1, e %2 µm") : tr("RONt %1 µm, eccentricity %2 µm"))
         .arg(deviation, eccentricity);
 }
@@ -106,6 +107,13 @@ QString ProfilesText::stretch(const ProfileSeries& series, const Profile& profil
                             range(mm(radius.min), mm(radius.max)), signedUm(mm(radius.mean)),
                             range(profile.diameterMin_mm, profile.diameterMax_mm),
                             um(profile.radialRunout_mm));
+    if (series.isWhole && !series.zoneForms.empty()) {
+        const ZoneForm& zone = series.zoneForms.at(static_cast<std::size_t>(profile.section));
+        text += tr("; cylindricity %1 µm, total runout %2 µm, taper %3 µm")
+                    .arg(Names::amountFixed(zone.cylindricity_mm * units::umPerMm, 2),
+                         Names::amountFixed(zone.totalRunout_mm * units::umPerMm, 2),
+                         Names::signedMicrometres(zone.profile.taper_mm * units::umPerMm));
+    }
     if (withBlank) {
         const LengthSpread blank = spreadOf(series.blank_mm, series, LengthQuantity::radius_um);
         text += tr("; blank %1 µm from target").arg(range(mm(blank.min), mm(blank.max)));

@@ -242,9 +242,12 @@ void ProfilesView::showSeries() {
         return;
     }
     const CycleCursor* const at = cycleIn(good());
-    const ProfileSeries series =
+    ProfileSeries series =
         makeProfileSeries(good()->result, good()->trajectory,
                           at && !at->atEnd() ? std::optional(at->progress()) : std::nullopt);
+    if (!series.zoneSections.empty()) {
+        series.zoneForms = good()->accuracy.zones;
+    }
     const std::vector<int> shown = shownProfiles();
     m_across->setSeries(series, shown);
     m_along->setSeries(series, shaftSteps(good()->result.project), shown);

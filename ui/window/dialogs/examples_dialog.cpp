@@ -119,7 +119,7 @@ void ExamplesDialog::fill() {
         if (hasErrors(document.openCopy(textOf(path)))) {
             continue;
         }
-        const Entry& entry = m_entries.emplace_back(path, document.setup());
+        const Entry& entry = m_entries.emplace_back(Entry{path, document.setup()});
         drawing.setOutline(PartOutline::of(document.state()));
         new QListWidgetItem(QIcon(drawing.grab()),
                             tr("%1\n%2").arg(exampleTitle(entry.first().title), kindOf(entry)),
