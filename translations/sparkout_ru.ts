@@ -946,6 +946,153 @@ med, µm</source>
         </message>
     </context>
     <context>
+        <name>Measured</name>
+        <message>
+            <source>the model agrees with the parts</source>
+            <translation>модель согласуется с деталями</translation>
+        </message>
+        <message>
+            <source>the mean lies outside the predicted range</source>
+            <translation>среднее лежит вне диапазона прогноза</translation>
+        </message>
+        <message>
+            <source>the parts scatter otherwise than predicted</source>
+            <translation>рассеяние деталей отличается от прогноза</translation>
+        </message>
+        <message>
+            <source>the mean lies outside the predicted range, and the parts scatter otherwise</source>
+            <translation>среднее лежит вне диапазона прогноза, и рассеяние деталей отличается</translation>
+        </message>
+        <message>
+            <source>too few parts to tell</source>
+            <translation>деталей слишком мало, чтобы судить</translation>
+        </message>
+        <message>
+            <source>not predicted by this cycle</source>
+            <translation>этим циклом не прогнозируется</translation>
+        </message>
+        <message>
+            <source>found</source>
+            <translation>найдено</translation>
+        </message>
+        <message>
+            <source>the data cannot tell some parameters</source>
+            <translation>некоторые параметры по данным определить нельзя</translation>
+        </message>
+        <message>
+            <source>there are too few measured values for these parameters</source>
+            <translation>измеренных значений слишком мало для этих параметров</translation>
+        </message>
+        <message>
+            <source>the project cannot have these parameters, or one of them is asked for twice</source>
+            <translation>таких параметров у проекта быть не может, или один из них указан дважды</translation>
+        </message>
+        <message>
+            <source>the cycle of the project cannot be run to size</source>
+            <translation>цикл проекта не доходит до размера</translation>
+        </message>
+        <message>
+            <source>no best values were found</source>
+            <translation>наилучшие значения не найдены</translation>
+        </message>
+        <message>
+            <source>stopped</source>
+            <translation>остановлено</translation>
+        </message>
+        <message>
+            <source>record the wheel&apos;s power over the same cycle</source>
+            <translation>запишите мощность круга за тот же цикл</translation>
+        </message>
+        <message>
+            <source>record the normal force over the same cycle</source>
+            <translation>запишите нормальную силу за тот же цикл</translation>
+        </message>
+        <message>
+            <source>record the size at the gauge over a cycle</source>
+            <translation>запишите размер на приборе за цикл</translation>
+        </message>
+        <message>
+            <source>record a cycle with a stage at another feed, or with a spark-out</source>
+            <translation>запишите цикл со ступенью на другой подаче или с выхаживанием</translation>
+        </message>
+        <message>
+            <source>record the power before the wheel touches, too</source>
+            <translation>запишите мощность и до касания круга</translation>
+        </message>
+        <message>
+            <source>measure the size in these zones or sections</source>
+            <translation>измерьте размер в этих зонах или сечениях</translation>
+        </message>
+        <message>
+            <source>record a trace that has the beginning of the cut</source>
+            <translation>сделайте запись, в которой есть начало резания</translation>
+        </message>
+        <message>
+            <source>measure more parts</source>
+            <translation>измерьте больше деталей</translation>
+        </message>
+        <message>
+            <source>factor of α = γ·b·k_s</source>
+            <translation>множитель α = γ·b·k_s</translation>
+        </message>
+        <message>
+            <source>factor of β = γ·b·k_r</source>
+            <translation>множитель β = γ·b·k_r</translation>
+        </message>
+        <message>
+            <source>factor of the compliance γ</source>
+            <translation>множитель податливости γ</translation>
+        </message>
+        <message>
+            <source>factor of the flow stress σ_i</source>
+            <translation>множитель интенсивности напряжений σ_i</translation>
+        </message>
+        <message>
+            <source>factor of the dullness η</source>
+            <translation>множитель затупления η</translation>
+        </message>
+        <message>
+            <source>factor of b·k_t·V_k</source>
+            <translation>множитель b·k_t·V_k</translation>
+        </message>
+        <message>
+            <source>factor of b·μ·k_r·V_k</source>
+            <translation>множитель b·μ·k_r·V_k</translation>
+        </message>
+        <message>
+            <source>idle power</source>
+            <translation>мощность холостого хода</translation>
+        </message>
+        <message>
+            <source>offset of the gauge</source>
+            <translation>смещение прибора</translation>
+        </message>
+        <message>
+            <source>beginning of the cycle in the trace</source>
+            <translation>начало цикла в записи</translation>
+        </message>
+        <message>
+            <source>runout of the blank</source>
+            <translation>биение заготовки</translation>
+        </message>
+        <message>
+            <source>size at the gauge</source>
+            <translation>размер на приборе</translation>
+        </message>
+        <message>
+            <source>power of the wheel</source>
+            <translation>мощность круга</translation>
+        </message>
+        <message>
+            <source>normal force</source>
+            <translation>нормальная сила</translation>
+        </message>
+        <message>
+            <source>diameters of parts</source>
+            <translation>диаметры деталей</translation>
+        </message>
+    </context>
+    <context>
         <name>OperationCard</name>
         <message>
             <source>Cylindrical grinding, several surfaces</source>

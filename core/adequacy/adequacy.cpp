@@ -11,7 +11,9 @@ namespace sparkout {
 namespace {
 
 MeanPlace placeOfMean(const Interval& mean, const PredictedRange& range) {
-    if (mean.low >= range.low && mean.high <= range.high) {
+    // A prediction that does not scatter is one value: inside when the interval holds it.
+    const bool isOne = range.low == range.high && mean.low <= range.low && mean.high >= range.high;
+    if (isOne || (mean.low >= range.low && mean.high <= range.high)) {
         return MeanPlace::inside;
     }
     return mean.high < range.low   ? MeanPlace::below
