@@ -106,7 +106,7 @@ bool readInto(Project& project, const std::string& file) {
     return true;
 }
 
-ordered_json intervalJson(const std::optional<Interval>& interval) {
+ordered_json limitsJson(const std::optional<Interval>& interval) {
     return interval ? ordered_json{interval->low, interval->high} : ordered_json(nullptr);
 }
 
@@ -117,10 +117,10 @@ ordered_json rowJson(const Project& project, const AdequacyRow& row) {
                          {"summary", parts.isSummary},
                          {"count", parts.count},
                          {"mean_um", parts.mean},
-                         {"mean_95_um", intervalJson(row.mean95)},
+                         {"mean_95_um", limitsJson(row.mean95)},
                          {"deviation_um", nullptr},
                          {"predicted", nullptr},
-                         {"bias_95_um", intervalJson(row.bias95)},
+                         {"bias_95_um", limitsJson(row.bias95)},
                          {"variance_ratio", nullptr},
                          {"inside", nullptr},
                          {"verdict", wordsOf(row.verdict).key}};
@@ -145,7 +145,7 @@ ordered_json rowJson(const Project& project, const AdequacyRow& row) {
     if (row.share) {
         json["inside"] = {{"count", row.share->inside},
                           {"of", row.share->count},
-                          {"interval_95", intervalJson(row.share->interval)}};
+                          {"interval_95", limitsJson(row.share->interval)}};
     }
     return json;
 }
@@ -175,7 +175,7 @@ std::string rowText(const Project& project, const AdequacyRow& row) {
     return text + ": " + wordsOf(row.verdict).text + '\n';
 }
 
-ordered_json fitJson(const Identification& found, const std::vector<FittedParameter>& asked) {
+ordered_json fitJson(const Identification& found, const std::vector<FittedParameter>& requested) {
     ordered_json json = {{"status", wordsOf(found.status).key},  {"values", ordered_json::array()},
                          {"correlation", found.correlation},     {"condition", nullptr},
                          {"residuals", ordered_json::array()},   {"normality_probability", nullptr},
@@ -184,7 +184,7 @@ ordered_json fitJson(const Identification& found, const std::vector<FittedParame
         json["values"].push_back({{"parameter", parameterName(value.parameter)},
                                   {"value", value.value},
                                   {"unit", unitOf(value.parameter.kind)},
-                                  {"interval_95", intervalJson(value.interval95)}});
+                                  {"interval_95", limitsJson(value.interval95)}});
     }
     if (std::isfinite(found.condition)) {
         json["condition"] = found.condition;
@@ -202,7 +202,7 @@ ordered_json fitJson(const Identification& found, const std::vector<FittedParame
     for (const Unidentified& one : found.unidentified) {
         ordered_json names = ordered_json::array();
         for (const std::size_t i : one.parameters) {
-            names.push_back(parameterName(asked[i]));
+            names.push_back(parameterName(requested[i]));
         }
         json["cannot_tell"].push_back(
             {{"parameters", std::move(names)}, {"measure", wordsOf(one.advice).key}});
@@ -210,7 +210,7 @@ ordered_json fitJson(const Identification& found, const std::vector<FittedParame
     return json;
 }
 
-std::string fitText(const Identification& found, const std::vector<FittedParameter>& asked) {
+std::string fitText(const Identification& found, const std::vector<FittedParameter>& requested) {
     std::string text;
     constexpr int digits = 4;
     for (const FittedValue& value : found.values) {
@@ -231,7 +231,7 @@ std::string fitText(const Identification& found, const std::vector<FittedParamet
     for (const Unidentified& one : found.unidentified) {
         std::string names;
         for (const std::size_t i : one.parameters) {
-            names += (names.empty() ? "" : ", ") + parameterName(asked[i]);
+            names += (names.empty() ? "" : ", ") + parameterName(requested[i]);
         }
         text += "cannot be told: " + names + "; " + wordsOf(one.advice).text + '\n';
     }
@@ -320,8 +320,8 @@ int measureOne(Project project, const std::string& name,
 int runMeasuredCommand(const Options& options) {
     std::vector<FittedParameter> parameters;
     if (!options.fit.empty()) {
-        const auto asked = parametersOf(options.fit);
-        if (!asked) {
+        const auto requested = parametersOf(options.fit);
+        if (!requested) {
             std::string known;
             for (int kind = 0; kind < static_cast<int>(FittedKind::count_); ++kind) {
                 known += (known.empty() ? "" : ", ")
@@ -330,7 +330,7 @@ int runMeasuredCommand(const Options& options) {
             return usageError("--fit needs parameters out of " + known
                               + "; compliance:N is of one zone or section");
         }
-        parameters = *asked;
+        parameters = *requested;
     }
     const Surfaces surfaces(options.operand, options.surface);
     if (surfaces.status() != done) {

@@ -984,7 +984,7 @@ med, µm</source>
             <translation>измеренных значений слишком мало для этих параметров</translation>
         </message>
         <message>
-            <source>the project cannot have these parameters, or one of them is asked for twice</source>
+            <source>the project cannot have these parameters, or one of them is given twice</source>
             <translation>таких параметров у проекта быть не может, или один из них указан дважды</translation>
         </message>
         <message>

@@ -38,7 +38,7 @@ MeasuredWords wordsOf(IdentificationStatus status) {
         return {"not_applicable",
                 SPARKOUT_NOOP("Measured",
                               "the project cannot have these parameters, or one of them "
-                              "is asked for twice")};
+                              "is given twice")};
     case IdentificationStatus::notRun:
         return {"not_run", SPARKOUT_NOOP("Measured", "the cycle of the project cannot be run to "
                                                      "size")};

@@ -126,7 +126,7 @@ private:
         return false;
     }
 
-    /// Wrong steps may drive a factor to nothing, from where no way leads back.
+    /// With wrong steps a factor may run off to 0, where every further fit would stay.
     [[nodiscard]] bool isAstray() const {
         constexpr double farthest = 1.4; // a factor of 4
         for (std::size_t i = 0; i < m_best.q.size(); ++i) {

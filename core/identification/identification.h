@@ -60,7 +60,7 @@ struct Identification {
     double condition = 1;
     std::vector<Unidentified> unidentified;
     std::vector<int> stepsByStage;  ///< of the cycle that fits
-    std::vector<int> withoutFactor; ///< currents left out for want of their factor, by number
+    std::vector<int> withoutFactor; ///< currents left out, as their factor is not given; by number
     std::size_t count = 0;          ///< measured values
     Issues issues;                  ///< why the cycle cannot be run
 };

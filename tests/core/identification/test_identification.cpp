@@ -345,7 +345,7 @@ private slots:
         truth.material->flow_stress_mpa *= 0.9;
         truth.wheel->dullness *= 1.2;
         const Record cycle = record(truth);
-        const std::vector<std::vector<FittedParameter>> asked{
+        const std::vector<std::vector<FittedParameter>> requested{
             {of(FittedKind::alpha), of(FittedKind::beta), of(FittedKind::size_offset)},
             {of(FittedKind::chip_power), of(FittedKind::friction_power),
              of(FittedKind::idle_power)},
@@ -364,7 +364,7 @@ private slots:
             default: return 1.0 + 0 * kind;
             }
         };
-        const auto& parameters = asked[static_cast<std::size_t>(kind)];
+        const auto& parameters = requested[static_cast<std::size_t>(kind)];
         std::vector<int> held(parameters.size(), 0);
         int fitted = 0;
         for (int set = 0; set < sets; ++set) {
