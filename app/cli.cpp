@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli_batch_command.h"
 #include "app/cli_io.h"
+#include "app/cli_measured.h"
 #include "app/cli_optimise.h"
 #include "app/cli_options.h"
 #include "app/cli_remedies.h"
@@ -41,6 +42,8 @@ constexpr const char* helpText =
   sparkout-cli batch FILE [--surface NAME|N|all] [option…] [--shard I/N | --json | --csv]
   sparkout-cli batch-merge SHARD… [--json | --csv] [--check]
   sparkout-cli sweep FILE [--surface NAME|N|all] [--threads N] [--json | --csv] [--progress]
+  sparkout-cli measured FILE [--surface NAME|N|all] [--data TABLE.csv] [--fit PARAMETER,…]
+                        [--json] [--check] [--progress]
   sparkout-cli examples DIR [--force]
   sparkout-cli --version | --help
 
@@ -94,12 +97,25 @@ batch-merge
 sweep      runs the sweep of a project file: one or two inputs varied over their ranges
   --threads N          threads, instead of one a processor; the answer is the same
   --json, --csv        prints one JSON object, or a row for every point
+measured   holds what was measured, in the file's section measured, against the predicted batch:
+           for each zone or section and quantity the mean with its 95 % interval, the
+           predicted range, Fisher's ratio of the variances, the share of the parts inside
+  --data     reads a table of parts or traces, too: a CSV file in either dialect whose headings
+             name quantities and units ("Diameter, mm", "Диаметр, мм", "t, s", "P [kW]"), or lines
+             time|key|value
+  --fit      finds parameters from the traces and diameters: alpha, beta, compliance (of all, or
+             compliance:N of one zone or section), flow_stress, dullness, chip_power,
+             friction_power, idle_power, size_offset, time_shift, blank_runout; names what the
+             data cannot tell and what to measure
+  --json     prints one JSON object
+  --check    exit status 4 when the model disagrees with the parts, or the data cannot tell
+             a parameter
 examples   writes the example projects into a folder, which is made if need be;
            where one of them was edited there, nothing is written
   --force    replaces those that were edited
 
 A file may hold several surfaces of a part that are ground in one set-up. simulate, remedies,
-optimize, batch and sweep take each in its order, or the one that --surface names, by its name or
+optimize, batch, sweep and measured take each in its order, or the one that --surface names, by its name or
 its number from 1; the wheel comes to it as the surfaces before have left it. A time
 limit holds for each surface.
 
@@ -252,7 +268,7 @@ int run(const std::vector<std::string>& arguments) {
     const std::string& command = options.command;
     if (command != "simulate" && command != "validate" && command != "remedies"
         && command != "batch" && command != "batch-merge" && command != "sweep"
-        && command != "examples") {
+        && command != "measured" && command != "examples") {
         return usageError(command.empty() ? "a command is needed" : "unknown command " + command);
     }
     if (options.operand.empty()) {
@@ -272,6 +288,9 @@ int run(const std::vector<std::string>& arguments) {
     }
     if (command == "sweep") {
         return runSweepCommand(options);
+    }
+    if (command == "measured") {
+        return runMeasuredCommand(options);
     }
     if (command == "validate") {
         return loadSetup(options.operand) ? done : refused;

@@ -105,6 +105,10 @@ const ValueOption valueOptions[] = {
      [](const std::string& text, Options& options) {
          return put(options.measured, fileName(text));
      }},
+    {"measured", "--data", "a file name",
+     [](const std::string& text, Options& options) { return put(options.data, fileName(text)); }},
+    {"measured", "--fit", "parameters, as alpha,beta,size_offset",
+     [](const std::string& text, Options& options) { return put(options.fit, fileName(text)); }},
     {"batch", "--rows", "a file name",
      [](const std::string& text, Options& options) { return put(options.rows, fileName(text)); }},
 };
@@ -117,7 +121,7 @@ const ValueOption surfaceOption{nullptr, "--surface", "a name, a number from 1 o
 
 bool takesSurface(const std::string& command) {
     return command == "simulate" || command == "batch" || command == "sweep"
-           || command == "remedies";
+           || command == "remedies" || command == "measured";
 }
 
 const ValueOption* valueOption(const std::string& command, const std::string& name) {
@@ -137,10 +141,11 @@ bool* switchOf(const std::string& name, Options& options) {
     const bool simulates = options.command == "simulate", runs = options.command == "batch";
     const bool batch = runs || options.command == "batch-merge";
     const bool sweeps = options.command == "sweep", mends = options.command == "remedies";
-    return (simulates || mends || batch || sweeps) && name == "--json"    ? &options.json
-           : (simulates || batch) && name == "--check"                    ? &options.check
-           : (batch || sweeps) && name == "--csv"                         ? &options.csv
-           : (runs || sweeps) && name == "--progress"                     ? &options.progress
+    const bool measures = options.command == "measured";
+    return (simulates || mends || batch || sweeps || measures) && name == "--json" ? &options.json
+           : (simulates || batch || measures) && name == "--check"                 ? &options.check
+           : (batch || sweeps) && name == "--csv"                                  ? &options.csv
+           : (runs || sweeps || measures) && name == "--progress"         ? &options.progress
            : (runs || options.command == "examples") && name == "--force" ? &options.force
                                                                           : nullptr;
 }

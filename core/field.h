@@ -3,6 +3,8 @@
 
 #include "core/indirect.h"
 #include "core/optional_indirect.h"
+#include "core/optional_shared.h"
+#include "core/samples.h"
 
 #include <array>
 #include <cstddef>
@@ -109,6 +111,7 @@ enum class Kind {
     compliance,
     levels,
     numberRows,
+    samples,
     jsonText,
 };
 
@@ -145,16 +148,17 @@ struct Field : Row {
     void* (*member)(void* owner) = nullptr;
     bool (*same)(const void* a, const void* b) = nullptr; ///< of two owners; not of object kinds
     int (*getChoice)(const void* owner) = nullptr; ///< choice, or word of a countOrWord; −1: none
-    void (*setChoice)(void* owner, int value) = nullptr;   ///< −1 likewise
-    std::span<const Choice> choices;                       ///< or words
-    void (*setNumber)(void* owner, int number) = nullptr;  ///< countOrWord
-    int* (*number)(void* owner) = nullptr;                 ///< countOrWord; null where it is none
-    Phrase (*expected)() = nullptr;                        ///< countOrWord: instead of another type
-    const StructInfo* nested = nullptr;                    ///< object kinds
-    void* (*object)(void* owner, bool create) = nullptr;   ///< object kinds; null if not given
-    void (*reset)(void* owner) = nullptr;                  ///< optional object: not given
-    std::size_t (*size)(const void* owner) = nullptr;      ///< objectList
-    void* (*at)(void* owner, std::size_t index) = nullptr; ///< objectList
+    void (*setChoice)(void* owner, int value) = nullptr;  ///< −1 likewise
+    std::span<const Choice> choices;                      ///< or words
+    void (*setNumber)(void* owner, int number) = nullptr; ///< countOrWord
+    int* (*number)(void* owner) = nullptr;                ///< countOrWord; null where it is none
+    Phrase (*expected)() = nullptr;                       ///< countOrWord: instead of another type
+    const StructInfo* nested = nullptr;                   ///< object kinds
+    void* (*object)(void* owner, bool create) = nullptr;  ///< object kinds; null if not given
+    const void* (*readObject)(const void* owner) = nullptr; ///< the same, to be read only
+    void (*reset)(void* owner) = nullptr;                   ///< optional object: not given
+    std::size_t (*size)(const void* owner) = nullptr;       ///< objectList
+    void* (*at)(void* owner, std::size_t index) = nullptr;  ///< objectList
     void (*resize)(void* owner, std::size_t size) = nullptr;
 
     template <class T>
@@ -176,9 +180,7 @@ struct Field : Row {
     [[nodiscard]] const int* wholeNumber(const void* owner) const {
         return wholeNumber(const_cast<void*>(owner));
     }
-    [[nodiscard]] const void* objectIn(const void* owner) const {
-        return object(const_cast<void*>(owner), false);
-    }
+    [[nodiscard]] const void* objectIn(const void* owner) const { return readObject(owner); }
     [[nodiscard]] const void* itemIn(const void* owner, std::size_t index) const {
         return at(const_cast<void*>(owner), index);
     }
@@ -217,6 +219,10 @@ template <class T>
 struct IsOptionalIndirect : std::false_type {};
 template <class T>
 struct IsOptionalIndirect<OptionalIndirect<T>> : std::true_type {};
+template <class T>
+struct IsOptionalShared : std::false_type {};
+template <class T>
+struct IsOptionalShared<OptionalShared<T>> : std::true_type {};
 template <class T>
 struct IsVector : std::false_type {};
 template <class T>
@@ -284,6 +290,10 @@ void fillOptionalObject(Field& f) {
         }
         return member ? &*member : nullptr;
     };
+    f.readObject = [](const void* owner) -> const void* {
+        const auto& member = static_cast<const S*>(owner)->*Member;
+        return member ? &*member : nullptr;
+    };
     f.reset = [](void* owner) { (static_cast<S*>(owner)->*Member).reset(); };
 }
 
@@ -294,6 +304,14 @@ void fillObject(Field& f) {
     f.object = [](void* owner, bool) -> void* {
         auto& member = static_cast<S*>(owner)->*Member;
         if constexpr (std::is_same_v<std::remove_reference_t<decltype(member)>, T>) {
+            return &member;
+        } else {
+            return &*member;
+        }
+    };
+    f.readObject = [](const void* owner) -> const void* {
+        const auto& member = static_cast<const S*>(owner)->*Member;
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(member)>, T>) {
             return &member;
         } else {
             return &*member;
@@ -387,11 +405,14 @@ Field makeField(const char* key, const Row& row) {
         f.kind = Kind::levels;
     } else if constexpr (std::is_same_v<T, NumberRows>) {
         f.kind = Kind::numberRows;
+    } else if constexpr (std::is_same_v<T, Samples>) {
+        f.kind = Kind::samples;
     } else if constexpr (std::is_same_v<T, JsonText>) {
         f.kind = Kind::jsonText;
     } else if constexpr (detail::IsVector<T>::value) {
         detail::fillList<Member, S, typename T::value_type>(f);
-    } else if constexpr (detail::IsOptional<T>::value || detail::IsOptionalIndirect<T>::value) {
+    } else if constexpr (detail::IsOptional<T>::value || detail::IsOptionalIndirect<T>::value
+                         || detail::IsOptionalShared<T>::value) {
         detail::fillOptionalObject<Member, S, typename T::value_type>(f);
     } else if constexpr (detail::IsIndirect<T>::value) {
         detail::fillObject<Member, S, typename T::value_type>(f);

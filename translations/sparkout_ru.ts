@@ -564,6 +564,42 @@
             <source>ground away</source>
             <translation>деталь сошлифована</translation>
         </message>
+        <message>
+            <source>diameter deviation</source>
+            <translation>отклонение диаметра</translation>
+        </message>
+        <message>
+            <source>radial runout</source>
+            <translation>радиальное биение</translation>
+        </message>
+        <message>
+            <source>roundness</source>
+            <translation>отклонение от круглости</translation>
+        </message>
+        <message>
+            <source>cylindricity</source>
+            <translation>отклонение от цилиндричности</translation>
+        </message>
+        <message>
+            <source>roughness Ra</source>
+            <translation>шероховатость Ra</translation>
+        </message>
+        <message>
+            <source>size at the gauge</source>
+            <translation>размер на приборе</translation>
+        </message>
+        <message>
+            <source>wheel power</source>
+            <translation>мощность привода круга</translation>
+        </message>
+        <message>
+            <source>spindle current</source>
+            <translation>ток шпинделя</translation>
+        </message>
+        <message>
+            <source>normal force</source>
+            <translation>нормальная сила</translation>
+        </message>
     </context>
     <context>
         <name>Company</name>
@@ -907,6 +943,153 @@ med, µm</source>
         <message>
             <source>Answers</source>
             <translation>Ответы</translation>
+        </message>
+    </context>
+    <context>
+        <name>Measured</name>
+        <message>
+            <source>the model agrees with the parts</source>
+            <translation>модель согласуется с деталями</translation>
+        </message>
+        <message>
+            <source>the mean lies outside the predicted range</source>
+            <translation>среднее лежит вне диапазона прогноза</translation>
+        </message>
+        <message>
+            <source>the parts scatter otherwise than predicted</source>
+            <translation>рассеяние деталей отличается от прогноза</translation>
+        </message>
+        <message>
+            <source>the mean lies outside the predicted range, and the parts scatter otherwise</source>
+            <translation>среднее лежит вне диапазона прогноза, и рассеяние деталей отличается</translation>
+        </message>
+        <message>
+            <source>too few parts to tell</source>
+            <translation>деталей слишком мало, чтобы судить</translation>
+        </message>
+        <message>
+            <source>not predicted by this cycle</source>
+            <translation>этим циклом не прогнозируется</translation>
+        </message>
+        <message>
+            <source>found</source>
+            <translation>найдено</translation>
+        </message>
+        <message>
+            <source>the data cannot tell some parameters</source>
+            <translation>некоторые параметры по данным определить нельзя</translation>
+        </message>
+        <message>
+            <source>there are too few measured values for these parameters</source>
+            <translation>измеренных значений слишком мало для этих параметров</translation>
+        </message>
+        <message>
+            <source>the project cannot have these parameters, or one of them is given twice</source>
+            <translation>таких параметров у проекта быть не может, или один из них указан дважды</translation>
+        </message>
+        <message>
+            <source>the cycle of the project cannot be run to size</source>
+            <translation>цикл проекта не доходит до размера</translation>
+        </message>
+        <message>
+            <source>no best values were found</source>
+            <translation>наилучшие значения не найдены</translation>
+        </message>
+        <message>
+            <source>stopped</source>
+            <translation>остановлено</translation>
+        </message>
+        <message>
+            <source>record the wheel&apos;s power over the same cycle</source>
+            <translation>запишите мощность круга за тот же цикл</translation>
+        </message>
+        <message>
+            <source>record the normal force over the same cycle</source>
+            <translation>запишите нормальную силу за тот же цикл</translation>
+        </message>
+        <message>
+            <source>record the size at the gauge over a cycle</source>
+            <translation>запишите размер на приборе за цикл</translation>
+        </message>
+        <message>
+            <source>record a cycle with a stage at another feed, or with a spark-out</source>
+            <translation>запишите цикл со ступенью на другой подаче или с выхаживанием</translation>
+        </message>
+        <message>
+            <source>record the power before the wheel touches, too</source>
+            <translation>запишите мощность и до касания круга</translation>
+        </message>
+        <message>
+            <source>measure the size in these zones or sections</source>
+            <translation>измерьте размер в этих зонах или сечениях</translation>
+        </message>
+        <message>
+            <source>record a trace that has the beginning of the cut</source>
+            <translation>сделайте запись, в которой есть начало резания</translation>
+        </message>
+        <message>
+            <source>measure more parts</source>
+            <translation>измерьте больше деталей</translation>
+        </message>
+        <message>
+            <source>factor of α = γ·b·k_s</source>
+            <translation>множитель α = γ·b·k_s</translation>
+        </message>
+        <message>
+            <source>factor of β = γ·b·k_r</source>
+            <translation>множитель β = γ·b·k_r</translation>
+        </message>
+        <message>
+            <source>factor of the compliance γ</source>
+            <translation>множитель податливости γ</translation>
+        </message>
+        <message>
+            <source>factor of the flow stress σ_i</source>
+            <translation>множитель интенсивности напряжений σ_i</translation>
+        </message>
+        <message>
+            <source>factor of the dullness η</source>
+            <translation>множитель затупления η</translation>
+        </message>
+        <message>
+            <source>factor of b·k_t·V_k</source>
+            <translation>множитель b·k_t·V_k</translation>
+        </message>
+        <message>
+            <source>factor of b·μ·k_r·V_k</source>
+            <translation>множитель b·μ·k_r·V_k</translation>
+        </message>
+        <message>
+            <source>idle power</source>
+            <translation>мощность холостого хода</translation>
+        </message>
+        <message>
+            <source>offset of the gauge</source>
+            <translation>смещение прибора</translation>
+        </message>
+        <message>
+            <source>beginning of the cycle in the trace</source>
+            <translation>начало цикла в записи</translation>
+        </message>
+        <message>
+            <source>runout of the blank</source>
+            <translation>биение заготовки</translation>
+        </message>
+        <message>
+            <source>size at the gauge</source>
+            <translation>размер на приборе</translation>
+        </message>
+        <message>
+            <source>power of the wheel</source>
+            <translation>мощность круга</translation>
+        </message>
+        <message>
+            <source>normal force</source>
+            <translation>нормальная сила</translation>
+        </message>
+        <message>
+            <source>diameters of parts</source>
+            <translation>диаметры деталей</translation>
         </message>
     </context>
     <context>
@@ -4413,6 +4596,310 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Sections at the middles of equal slices of each zone. They all go through its steps, each with its own compliance if that is computed; size and form are judged in all of them.</source>
             <translation>Сечения в серединах равных участков каждой зоны. Все проходят её этапы, каждое со своей податливостью, если она вычисляется; размер и форма оцениваются во всех.</translation>
         </message>
+        <message>
+            <source>Measurements</source>
+            <translation>Измерения</translation>
+        </message>
+        <message>
+            <source>Part number</source>
+            <translation>Номер детали</translation>
+        </message>
+        <message>
+            <source>Number or name of the measured part.</source>
+            <translation>Номер или название измеренной детали.</translation>
+        </message>
+        <message>
+            <source>Zone or section</source>
+            <translation>Зона или сечение</translation>
+        </message>
+        <message>
+            <source>Where it was measured: the zone or section, counted from 0 from the headstock.</source>
+            <translation>Место измерения: зона или сечение, счёт с 0 от передней бабки.</translation>
+        </message>
+        <message>
+            <source>Measured diameters</source>
+            <translation>Измеренные диаметры</translation>
+        </message>
+        <message>
+            <source>One diameter, or several round the part, of which the mean counts.</source>
+            <translation>Один диаметр или несколько по окружности; в счёт идёт их среднее.</translation>
+        </message>
+        <message>
+            <source>Measured roundness</source>
+            <translation>Измеренное отклонение от круглости</translation>
+        </message>
+        <message>
+            <source>Roundness deviation of this section.</source>
+            <translation>Отклонение от круглости в этом сечении.</translation>
+        </message>
+        <message>
+            <source>Measured runout</source>
+            <translation>Измеренное биение</translation>
+        </message>
+        <message>
+            <source>Radial runout of this section about the centres.</source>
+            <translation>Радиальное биение этого сечения относительно центров.</translation>
+        </message>
+        <message>
+            <source>Measured cylindricity</source>
+            <translation>Измеренное отклонение от цилиндричности</translation>
+        </message>
+        <message>
+            <source>Cylindricity deviation of the part, stated once in any of its zones or sections.</source>
+            <translation>Отклонение детали от цилиндричности; указывается один раз в любой её зоне или сечении.</translation>
+        </message>
+        <message>
+            <source>Measured roughness</source>
+            <translation>Измеренная шероховатость</translation>
+        </message>
+        <message>
+            <source>Arithmetic mean roughness Ra along the axis.</source>
+            <translation>Среднее арифметическое отклонение профиля Ra вдоль оси.</translation>
+        </message>
+        <message>
+            <source>When the part was ground or measured.</source>
+            <translation>Когда деталь была отшлифована или измерена.</translation>
+        </message>
+        <message>
+            <source>Anything worth knowing of the data.</source>
+            <translation>Всё, что важно знать о данных.</translation>
+        </message>
+        <message>
+            <source>Quantity</source>
+            <translation>Величина</translation>
+        </message>
+        <message>
+            <source>What was recorded over the time.</source>
+            <translation>Что записано во времени.</translation>
+        </message>
+        <message>
+            <source>where the gauge measures</source>
+            <translation>там, где измеряет прибор</translation>
+        </message>
+        <message>
+            <source>Where a size was recorded: the zone or section, counted from 0.</source>
+            <translation>Где записан размер: зона или сечение, счёт с 0.</translation>
+        </message>
+        <message>
+            <source>Power to current</source>
+            <translation>Мощность на единицу тока</translation>
+        </message>
+        <message>
+            <source>not known, or the trace is no current</source>
+            <translation>не известно, или запись не является током</translation>
+        </message>
+        <message>
+            <source>Power of the wheel spindle to one ampere of its current.</source>
+            <translation>Мощность шпинделя круга на один ампер его тока.</translation>
+        </message>
+        <message>
+            <source>Idle value</source>
+            <translation>Значение холостого хода</translation>
+        </message>
+        <message>
+            <source>not known</source>
+            <translation>не известно</translation>
+        </message>
+        <message>
+            <source>Power or current of the spindle while nothing is cut, in the unit of the values.</source>
+            <translation>Мощность или ток шпинделя без резания, в единицах записи.</translation>
+        </message>
+        <message>
+            <source>Times</source>
+            <translation>Моменты времени</translation>
+        </message>
+        <message>
+            <source>Times of the samples, none before the one ahead of it; at most 20,000.</source>
+            <translation>Моменты отсчётов, каждый не раньше предыдущего; не более 20 000.</translation>
+        </message>
+        <message>
+            <source>Values</source>
+            <translation>Значения</translation>
+        </message>
+        <message>
+            <source>One value for each time: a size in mm of diameter from any zero, a power in kW, a current in A, a force in N.</source>
+            <translation>Одно значение на каждый момент: размер в мм диаметра от любого нуля, мощность в кВт, ток в А, сила в Н.</translation>
+        </message>
+        <message>
+            <source>Source file</source>
+            <translation>Исходный файл</translation>
+        </message>
+        <message>
+            <source>Name of the file the samples were read from.</source>
+            <translation>Имя файла, из которого прочитаны отсчёты.</translation>
+        </message>
+        <message>
+            <source>Digest of the source</source>
+            <translation>Контрольная сумма источника</translation>
+        </message>
+        <message>
+            <source>SHA-256 of that file, as hexadecimal digits.</source>
+            <translation>SHA-256 этого файла шестнадцатеричными цифрами.</translation>
+        </message>
+        <message>
+            <source>Samples of the source</source>
+            <translation>Отсчётов в источнике</translation>
+        </message>
+        <message>
+            <source>How many samples that file has; more than are kept were thinned out, peaks kept.</source>
+            <translation>Сколько отсчётов в этом файле; лишние прорежены с сохранением пиков.</translation>
+        </message>
+        <message>
+            <source>What the statistics are of.</source>
+            <translation>К чему относится статистика.</translation>
+        </message>
+        <message>
+            <source>Number of parts</source>
+            <translation>Число деталей</translation>
+        </message>
+        <message>
+            <source>How many parts were measured.</source>
+            <translation>Сколько деталей измерено.</translation>
+        </message>
+        <message>
+            <source>Mean</source>
+            <translation>Среднее</translation>
+        </message>
+        <message>
+            <source>Mean of the parts; of a diameter its mean deviation from the nominal one.</source>
+            <translation>Среднее по деталям; для диаметра — среднее отклонение от номинального.</translation>
+        </message>
+        <message>
+            <source>Half width of the interval</source>
+            <translation>Полуширина интервала</translation>
+        </message>
+        <message>
+            <source>Half the width of the confidence interval of the mean: what stands behind ±.</source>
+            <translation>Половина ширины доверительного интервала среднего: то, что стоит после ±.</translation>
+        </message>
+        <message>
+            <source>Confidence</source>
+            <translation>Доверительная вероятность</translation>
+        </message>
+        <message>
+            <source>Confidence of that interval.</source>
+            <translation>Доверительная вероятность этого интервала.</translation>
+        </message>
+        <message>
+            <source>Standard deviation</source>
+            <translation>Стандартное отклонение</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the parts. Where it is not stated, it follows from the interval of the mean.</source>
+            <translation>Стандартное отклонение деталей. Если не указано, оно следует из интервала среднего.</translation>
+        </message>
+        <message>
+            <source>Least value</source>
+            <translation>Наименьшее значение</translation>
+        </message>
+        <message>
+            <source>Least value of all parts.</source>
+            <translation>Наименьшее значение по всем деталям.</translation>
+        </message>
+        <message>
+            <source>Greatest value</source>
+            <translation>Наибольшее значение</translation>
+        </message>
+        <message>
+            <source>Greatest value of all parts.</source>
+            <translation>Наибольшее значение по всем деталям.</translation>
+        </message>
+        <message>
+            <source>Calibrated input</source>
+            <translation>Откалиброванный параметр</translation>
+        </message>
+        <message>
+            <source>Path of the input whose value was found.</source>
+            <translation>Путь параметра, значение которого найдено.</translation>
+        </message>
+        <message>
+            <source>Value found</source>
+            <translation>Найденное значение</translation>
+        </message>
+        <message>
+            <source>Value that was found, in the unit of the input.</source>
+            <translation>Найденное значение в единицах параметра.</translation>
+        </message>
+        <message>
+            <source>Lower end</source>
+            <translation>Нижняя граница</translation>
+        </message>
+        <message>
+            <source>Lower end of its 95 % interval.</source>
+            <translation>Нижняя граница его интервала 95 %.</translation>
+        </message>
+        <message>
+            <source>Upper end</source>
+            <translation>Верхняя граница</translation>
+        </message>
+        <message>
+            <source>Upper end of its 95 % interval.</source>
+            <translation>Верхняя граница его интервала 95 %.</translation>
+        </message>
+        <message>
+            <source>Data</source>
+            <translation>Данные</translation>
+        </message>
+        <message>
+            <source>What it was calibrated on.</source>
+            <translation>По каким данным калибровано.</translation>
+        </message>
+        <message>
+            <source>Measured values</source>
+            <translation>Измеренных значений</translation>
+        </message>
+        <message>
+            <source>How many measured values it rests on.</source>
+            <translation>На скольких измеренных значениях оно основано.</translation>
+        </message>
+        <message>
+            <source>Date</source>
+            <translation>Дата</translation>
+        </message>
+        <message>
+            <source>When it was calibrated, ISO 8601.</source>
+            <translation>Когда калибровано, ISO 8601.</translation>
+        </message>
+        <message>
+            <source>Measured parts</source>
+            <translation>Измеренные детали</translation>
+        </message>
+        <message>
+            <source>A row for each zone or section of a part.</source>
+            <translation>Строка на каждую зону или сечение детали.</translation>
+        </message>
+        <message>
+            <source>Measured traces</source>
+            <translation>Измеренные записи</translation>
+        </message>
+        <message>
+            <source>Quantities recorded over the time of a cycle.</source>
+            <translation>Величины, записанные за время цикла.</translation>
+        </message>
+        <message>
+            <source>Measured statistics</source>
+            <translation>Статистика измерений</translation>
+        </message>
+        <message>
+            <source>Statistics of parts that are not listed.</source>
+            <translation>Статистика деталей, не перечисленных поштучно.</translation>
+        </message>
+        <message>
+            <source>Calibrations</source>
+            <translation>Калибровки</translation>
+        </message>
+        <message>
+            <source>Inputs whose values were found from measurements.</source>
+            <translation>Параметры, значения которых найдены по измерениям.</translation>
+        </message>
+        <message>
+            <source>nothing is measured</source>
+            <translation>ничего не измерено</translation>
+        </message>
+        <message>
+            <source>Measured parts and traces to hold the prediction against, and what was calibrated on them.</source>
+            <translation>Измеренные детали и записи, с которыми сравнивается прогноз, и то, что по ним откалибровано.</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>
@@ -7135,6 +7622,26 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Gap of the surface</source>
             <translation>Разрыв поверхности</translation>
+        </message>
+        <message>
+            <source>Measured part</source>
+            <translation>Измеренная деталь</translation>
+        </message>
+        <message>
+            <source>Measured trace</source>
+            <translation>Измеренная запись</translation>
+        </message>
+        <message>
+            <source>Measured statistics</source>
+            <translation>Статистика измерений</translation>
+        </message>
+        <message>
+            <source>Calibration</source>
+            <translation>Калибровка</translation>
+        </message>
+        <message>
+            <source>Measurements</source>
+            <translation>Измерения</translation>
         </message>
     </context>
     <context>

@@ -5,6 +5,9 @@
 #include "core/format/strict_json.h"
 #include "core/format/table_writer.h"
 
+#include <string>
+#include <vector>
+
 namespace sparkout {
 
 ReadResult readProject(std::string_view text) {
@@ -41,8 +44,12 @@ bool sameProject(const Project& a, const Project& b) {
     if (a.runs != b.runs) {
         return writeProject(a) == writeProject(b);
     }
-    const auto rest = [](const Project& project) {
-        return printJson(writeByTable(tableOf<Project>(), &project, {"runs"}));
+    std::vector<std::string> same{"runs"};
+    if (a.measured.isSharedWith(b.measured)) {
+        same.emplace_back("measured");
+    }
+    const auto rest = [&same](const Project& project) {
+        return printJson(writeByTable(tableOf<Project>(), &project, same));
     };
     return rest(a) == rest(b);
 }

@@ -129,8 +129,10 @@ private:
             refuse(path, value, Phrase::listOfObjects);
             return;
         }
-        constexpr std::size_t mostItems = 1000;
-        if (value.size() > mostItems) {
+        constexpr double usualItems = 1000;
+        const double mostItems =
+            std::isfinite(field.hard.high) ? std::max(field.hard.high, usualItems) : usualItems;
+        if (static_cast<double>(value.size()) > mostItems) {
             report(IssueCode::wrongCount, path, value.size(), Bounds{{.high = mostItems}});
             return;
         }
@@ -283,6 +285,10 @@ private:
         case Kind::compliance: readCompliance(value, field, owner, path); break;
         case Kind::levels: readLevels(value, field, owner, path); break;
         case Kind::numberRows: readRows(value, field, owner, path); break;
+        case Kind::samples:
+            field.as<Samples>(owner) =
+                Samples(numbers(value, path).value_or(std::vector<double>{}));
+            break;
         case Kind::jsonText:
             value.is_object() ? void(field.as<JsonText>(owner).text = value.dump())
                               : refuse(path, value, Phrase::object);

@@ -73,6 +73,7 @@ ordered_json fieldJson(const Field& field, const void* owner) {
     case Kind::compliance: return complianceJson(field.as<GivenCompliance>(owner));
     case Kind::levels: return levelsJson(field.as<Levels>(owner));
     case Kind::numberRows: return orNull(field.as<NumberRows>(owner));
+    case Kind::samples: return field.as<Samples>(owner).values();
     case Kind::jsonText: // by way of json: in the order of the keys, as it is read again
         return nlohmann::json::parse(field.as<JsonText>(owner).text);
     }

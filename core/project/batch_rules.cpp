@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/batch_rules.h"
 
+#include "core/cholesky.h"
 #include "core/project/batch.h"
-#include "core/project/cholesky.h"
 #include "core/project/given_factors.h"
 #include "core/project/validate.h"
 

@@ -21,10 +21,14 @@ std::string_view takeKey(std::string_view& path) {
     return key;
 }
 
-/// The struct a path goes on in below an object row; null when there is none.
-void* descend(const Field& field, void* owner, std::string_view& path, bool create) {
+enum class Missing { stop, create, defaults };
+
+/// The struct a path goes on in below an object row; null when there is none. What is only read
+/// from (`defaults`) stays shared with other projects.
+void* descend(const Field& field, void* owner, std::string_view& path, Missing missing) {
     if (field.kind == Kind::object || field.kind == Kind::optionalObject) {
-        return field.object(owner, create);
+        return missing == Missing::defaults ? const_cast<void*>(field.objectIn(owner))
+                                            : field.object(owner, missing == Missing::create);
     }
     if (field.kind != Kind::objectList) {
         return nullptr;
@@ -35,8 +39,6 @@ void* descend(const Field& field, void* owner, std::string_view& path, bool crea
     const bool read = error == std::errc{} && end == key.data() + key.size();
     return read && index < field.size(owner) ? field.at(owner, index) : nullptr;
 }
-
-enum class Missing { stop, create, defaults };
 
 Member walk(Project& project, std::string_view path, Missing missing, const Field** nearest) {
     const StructInfo* table = &tableOf<Project>();
@@ -55,7 +57,7 @@ Member walk(Project& project, std::string_view path, Missing missing, const Fiel
         if (!field->nested) {
             return {};
         }
-        owner = descend(*field, owner, path, missing == Missing::create);
+        owner = descend(*field, owner, path, missing);
         if (!owner && missing == Missing::defaults && field->kind == Kind::optionalObject) {
             owner = const_cast<void*>(field->nested->defaults); // only read from
         }

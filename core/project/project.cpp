@@ -7,6 +7,7 @@
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
+#include "core/project/measured.h"
 #include "core/project/optimisation.h"
 #include "core/project/part.h"
 #include "core/project/sweep.h"
@@ -24,6 +25,7 @@ template class Indirect<Optimisation>;
 template class Indirect<Part>;
 template class Indirect<Sweep>;
 template class Indirect<Wheel>;
+template class OptionalShared<Measured>;
 
 int placeCount(const Project& project) {
     return project.operation->hasZones ? 3 : project.sections;
@@ -146,6 +148,11 @@ const StructInfo& tableOf<Project>() {
                        .hint =
                            SPARKOUT_NOOP("Input", "Inputs that the view of sweeps varies over a "
                                                   "range.")),
+        SPARKOUT_FIELD(Project, measured, .label = SPARKOUT_NOOP("Input", "Measurements"),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "nothing is measured"),
+                       .hint = SPARKOUT_NOOP("Input", "Measured parts and traces to hold the "
+                                                      "prediction against, and what was "
+                                                      "calibrated on them.")),
         SPARKOUT_FIELD(Project, runs, .label = SPARKOUT_NOOP("Input", "Kept runs"),
                        .hard = {0, 1000},
                        .hint = SPARKOUT_NOOP("Input", "Runs kept for comparison.")),

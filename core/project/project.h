@@ -4,6 +4,7 @@
 #include "core/field.h"
 #include "core/indirect.h"
 #include "core/optional_indirect.h"
+#include "core/optional_shared.h"
 #include "core/project/operation.h"
 
 #include <optional>
@@ -19,6 +20,7 @@ struct Cycle;
 struct Gauge;
 struct Machine;
 struct Material;
+struct Measured;
 struct Optimisation;
 struct Part;
 struct Sweep;
@@ -32,6 +34,7 @@ extern template class Indirect<Optimisation>;
 extern template class Indirect<Part>;
 extern template class Indirect<Sweep>;
 extern template class Indirect<Wheel>;
+extern template class OptionalShared<Measured>;
 
 /// A kept run: what was run, when, by which engine, and its summary. Never changed again.
 struct KeptRun {
@@ -67,6 +70,7 @@ struct Project {
     OptionalIndirect<Batch> batch;
     OptionalIndirect<Optimisation> optimisation;
     OptionalIndirect<Sweep> sweep;
+    OptionalShared<Measured> measured;
     std::vector<KeptRun> runs;
 };
 

@@ -95,6 +95,16 @@ private:
         }
     }
 
+    /// Tens of thousands: only the path of a fault is put together.
+    void checkSamples(const Field& field, const void* owner, const std::string& path) {
+        const std::vector<double>& values = field.as<Samples>(owner).values();
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (!std::isfinite(values[i]) || !field.hard.contains(values[i])) {
+                checkNumber(field, values[i], path + "/" + std::to_string(i), false);
+            }
+        }
+    }
+
     void checkItems(const Field& field, const void* owner, const std::string& path) {
         const std::size_t size = field.size(owner);
         if (!field.hard.unbounded() && !field.hard.contains(static_cast<double>(size))) {
@@ -138,6 +148,7 @@ private:
         case Kind::compliance: checkCompliance(field, owner, path, relevant); break;
         case Kind::levels: checkLevels(field, owner, path); break;
         case Kind::numberRows: checkRows(field, owner, path); break;
+        case Kind::samples: checkSamples(field, owner, path); break;
         case Kind::boolean:
         case Kind::text:
         case Kind::choice:

@@ -5,6 +5,7 @@
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
+#include "core/project/measured.h"
 #include "core/project/optimisation.h"
 #include "core/project/part.h"
 #include "core/project/range_check.h"
@@ -48,6 +49,7 @@ public:
         checkOptimisation();
         checkBatch();
         checkSweep();
+        checkMeasured();
     }
 
 private:
@@ -500,6 +502,13 @@ private:
     void checkSweep() {
         for (Issue& issue : sweepFaults(project())) {
             warn(issue.code, issue.path, std::move(issue.value), std::move(issue.limit));
+        }
+    }
+
+    void checkMeasured() {
+        for (Issue& issue : measuredFaults(project())) {
+            add(issue.code, issue.path, std::move(issue.value), std::move(issue.limit),
+                issue.severity);
         }
     }
 

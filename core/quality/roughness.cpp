@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/roughness.h"
 
+#include "core/project/measured.h"
 #include "core/project/wheel.h"
 #include "core/text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -90,7 +92,12 @@ double RoughnessModel::limitDepth(double Ra, FormulaSheet* sheet) const {
 }
 
 bool isRoughnessCalibrated(const Project& project) {
-    return project.wheel->roughness_factor != 1;
+    const auto isOfRoughness = [](const Calibration& calibration) {
+        return calibration.input == "/wheel/roughness_factor";
+    };
+    return project.wheel->roughness_factor != 1
+           || (project.measured
+               && std::ranges::any_of(project.measured->calibrations, isOfRoughness));
 }
 
 FormulaSheet roughnessSheet(const Project& project, double a) {

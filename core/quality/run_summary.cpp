@@ -218,6 +218,7 @@ KeptRun keptRun(const SimulationResult& result, const RunSummary& summary, std::
                 std::string when) {
     Project inputs = result.project;
     inputs.runs.clear();
+    inputs.measured.reset(); // no part of what is computed
     const std::string values = printJson(writeByTable(tableOf<RunSummary>(), &summary));
     return {std::move(name),
             std::move(when),

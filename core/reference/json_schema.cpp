@@ -114,7 +114,8 @@ ordered_json kindSchema(const Field& field) {
     case Kind::boolean: return {{"type", "boolean"}};
     case Kind::text: return {{"type", "string"}};
     case Kind::choice: return choiceSchema(field);
-    case Kind::numberList: return numbersSchema(field);
+    case Kind::numberList:
+    case Kind::samples: return numbersSchema(field);
     case Kind::optionalNumberList: return orNull(numbersSchema(field));
     case Kind::object: return objectSchema(*field.nested);
     case Kind::optionalObject: return orNull(objectSchema(*field.nested));

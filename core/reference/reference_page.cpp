@@ -140,6 +140,7 @@ const char* typeText(Kind kind) {
     case Kind::text: return "text";
     case Kind::choice: return "one of";
     case Kind::numberList:
+    case Kind::samples:
     case Kind::optionalNumberList: return "list of numbers";
     case Kind::object:
     case Kind::optionalObject: return "object";

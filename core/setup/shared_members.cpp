@@ -86,8 +86,8 @@ void copyShared(const Project& from, Project& to) {
 }
 
 bool haveSameShared(const Project& a, const Project& b) {
-    return splitProject(writeByTable(tableOf<Project>(), &a, {"runs"})).shared
-           == splitProject(writeByTable(tableOf<Project>(), &b, {"runs"})).shared;
+    return splitProject(writeByTable(tableOf<Project>(), &a, {"measured", "runs"})).shared
+           == splitProject(writeByTable(tableOf<Project>(), &b, {"measured", "runs"})).shared;
 }
 
 } // namespace sparkout

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/statistics/correlation.h"
 
-#include "core/project/cholesky.h"
+#include "core/cholesky.h"
 #include "core/statistics/intervals.h"
 
 #include <algorithm>

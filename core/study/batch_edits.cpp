@@ -123,6 +123,7 @@ void keepOwn(Project& of, Project from) {
     of.batch = std::move(from.batch);
     of.optimisation = std::move(from.optimisation);
     of.sweep = std::move(from.sweep);
+    of.measured = std::move(from.measured);
     of.runs = std::move(from.runs);
 }
 

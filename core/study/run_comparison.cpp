@@ -193,7 +193,9 @@ std::vector<RunValue> inputsRead(const Project& project) {
     for (const Leaf& leaf : leavesOf(tableOf<Project>(), &project)) {
         const Field& field = *leaf.field;
         const bool isRead = !field.relevant || field.relevant(project, leaf.owner);
-        if (isRead && !leaf.path.starts_with("/runs") && !leaf.path.starts_with("/sweep")) {
+        const bool isOther = leaf.path.starts_with("/runs") || leaf.path.starts_with("/sweep")
+                             || leaf.path.starts_with("/measured");
+        if (isRead && !isOther) {
             values.push_back({leaf.path, leaf});
         }
     }

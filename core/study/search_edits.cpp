@@ -109,6 +109,7 @@ bool sameSearch(const Project& a, const Project& b) {
         project.title.clear();
         project.author.clear();
         project.notes.clear();
+        project.measured.reset();
         project.runs.clear();
         project.sweep.reset();
         if (project.optimisation) { // what is searched need not be as it was

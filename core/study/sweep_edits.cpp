@@ -53,6 +53,7 @@ Project sweepOnly(Project project) {
     project.notes.clear();
     project.batch.reset();
     project.optimisation.reset();
+    project.measured.reset();
     project.runs.clear();
     if (project.sweep && sweepFaults(project).empty()) {
         const std::vector<SweepAxis> axes = project.sweep->inputs;

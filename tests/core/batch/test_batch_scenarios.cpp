@@ -9,7 +9,7 @@
 #include "core/statistics/permutation.h"
 #include "core/statistics/sobol_sequence.h"
 
-#include "core/project/cholesky.h"
+#include "core/cholesky.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
 

@@ -115,6 +115,7 @@ inline std::vector<json> wrongValues(Kind kind) {
     case Kind::choice:
         return {nullptr, true, 0, 1.5, json::array(), json{"a"}, json::object(), object};
     case Kind::numberList:
+    case Kind::samples:
         return {nullptr, true, 1, "1", json{"1"}, json{nullptr}, json{json{1}}, object};
     case Kind::optionalNumberList:
     case Kind::numberRows:
@@ -155,6 +156,7 @@ numbersOf(const Field& field) {
     case Kind::optionalInteger:
     case Kind::countOrWord: return {{"", [](double x) { return json(x); }}};
     case Kind::numberList:
+    case Kind::samples:
     case Kind::optionalNumberList: return {{"/0", list}};
     case Kind::compliance:
         return {{"/0", list}, {"/nz", [](double x) {

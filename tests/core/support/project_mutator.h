@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/measured.h"
 #include "core/project/validate.h"
 #include "tests/core/support/project_samples.h"
 
@@ -30,7 +31,10 @@ public:
 
     /// Whether the row could be changed. `spot` is stale afterwards if it could not.
     bool mutateOne(Project& project, const Spot& spot) {
-        const Project before = project;
+        Project before = project;
+        if (before.measured) {
+            (void)*before.measured; // its own: the spot's owner stands in the project's
+        }
         change(*spot.field, spot.owner);
         if (hasErrors(validate(project))) {
             project = before;
@@ -177,6 +181,7 @@ private:
                 row = numbers(field);
             }
             break;
+        case Kind::samples: field.as<Samples>(owner) = Samples(numbers(field)); break;
         case Kind::jsonText: field.as<JsonText>(owner).text = object(field); break;
         }
     }

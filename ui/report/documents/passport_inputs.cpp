@@ -177,8 +177,8 @@ std::vector<Block> PassportInputs::scenarios(const Subject& subject) {
 
 Table PassportInputs::inputs(const Project& project) {
     constexpr std::array<std::string_view, 6> left{
-        "/title",        "/author", "/notes",
-        "/optimisation", "/sweep",  "/runs"}; // no part of what is computed
+        "/title", "/author",   "/notes", "/optimisation",
+        "/sweep", "/measured", "/runs"}; // no part of what is computed
     Table table;
     table.head = {tr("Input"), tr("Value"), tr("Unit")};
     table.texts = {true, true, true};

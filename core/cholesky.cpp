@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/cholesky.h"
+#include "core/cholesky.h"
 
 #include <cmath>
 #include <cstddef>

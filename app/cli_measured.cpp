@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli_measured.h"
+
+#include "app/batch_watch.h"
+#include "app/cli_io.h"
+#include "app/cli_report.h"
+#include "app/cli_surfaces.h"
+#include "app/stop_signals.h"
+#include "core/adequacy/adequacy.h"
+#include "core/batch/batch_check.h"
+#include "core/identification/identification.h"
+#include "core/measured/measured_table.h"
+#include "core/printable.h"
+#include "core/project/batch.h"
+#include "core/project/part.h"
+#include "core/project/validate.h"
+#include "core/quality/result_names.h"
+#include "words/issue_words.h"
+#include "words/measured_words.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace sparkout::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+const char* keyOf(MeasuredQuantity quantity) {
+    return choicesOf<MeasuredQuantity>()[static_cast<std::size_t>(quantity)].key;
+}
+
+std::string placeName(const Project& project, int place) {
+    return sectionOrPart(project.operation->hasZones && place >= 0 ? static_cast<Zone>(place)
+                                                                   : Zone::section,
+                         place);
+}
+
+/// "compliance:2,alpha" as parameters; nothing where one of them is none, which is said.
+std::optional<std::vector<FittedParameter>> parametersOf(const std::string& text) {
+    std::vector<FittedParameter> found;
+    for (std::size_t from = 0; from <= text.size();) {
+        const std::size_t end = std::min(text.find(',', from), text.size());
+        std::string key = text.substr(from, end - from);
+        from = end + 1;
+        FittedParameter parameter;
+        bool isKnown = true;
+        if (const std::size_t colon = key.find(':'); colon != std::string::npos) {
+            int place = -1;
+            const char* const last = key.data() + key.size();
+            const auto [read, error] = std::from_chars(key.data() + colon + 1, last, place);
+            isKnown = error == std::errc() && read == last && place >= 0;
+            parameter.place = place;
+            key.resize(colon);
+        }
+        int kind = 0;
+        while (kind < static_cast<int>(FittedKind::count_)
+               && key != sparkout::keyOf(static_cast<FittedKind>(kind))) {
+            ++kind;
+        }
+        parameter.kind = static_cast<FittedKind>(kind);
+        if (!isKnown || parameter.kind == FittedKind::count_) {
+            return std::nullopt;
+        }
+        found.push_back(parameter);
+    }
+    return found;
+}
+
+std::string parameterName(const FittedParameter& parameter) {
+    const std::string key = sparkout::keyOf(parameter.kind);
+    return parameter.place ? key + ':' + std::to_string(*parameter.place) : key;
+}
+
+/// Reads a table of measurements into a project; its faults are said by line and column.
+bool readInto(Project& project, const std::string& file) {
+    const auto text = readOrSay(file, limits::measuredBytes);
+    if (!text) {
+        return false;
+    }
+    const MeasuredContext context{std::filesystem::path(file).filename().string(),
+                                  project.part->diameter_mm, 0};
+    ReadMeasured read = readMeasured(*text, proposeTable(*text), context);
+    for (const CellFault& fault : read.faults) {
+        std::string at = printable(file);
+        at += fault.line > 0 ? ":" + std::to_string(fault.line) : "";
+        at += fault.column > 0 ? ":" + std::to_string(fault.column) : "";
+        print(stderr, at + ": " + issueSentence(fault.issue) + '\n');
+    }
+    if (!read.faults.empty()) {
+        return false;
+    }
+    Measured& measured = project.measured ? *project.measured : project.measured.emplace();
+    std::ranges::move(read.data.parts, std::back_inserter(measured.parts));
+    std::ranges::move(read.data.traces, std::back_inserter(measured.traces));
+    return true;
+}
+
+ordered_json limitsJson(const std::optional<Interval>& interval) {
+    return interval ? ordered_json{interval->low, interval->high} : ordered_json(nullptr);
+}
+
+ordered_json rowJson(const Project& project, const AdequacyRow& row) {
+    const MeasuredStatistics& parts = row.measured;
+    ordered_json json = {{"quantity", keyOf(parts.quantity)},
+                         {"where", placeName(project, parts.place)},
+                         {"summary", parts.isSummary},
+                         {"count", parts.count},
+                         {"mean_um", parts.mean},
+                         {"mean_95_um", limitsJson(row.mean95)},
+                         {"deviation_um", nullptr},
+                         {"predicted", nullptr},
+                         {"bias_95_um", limitsJson(row.bias95)},
+                         {"variance_ratio", nullptr},
+                         {"inside", nullptr},
+                         {"verdict", wordsOf(row.verdict).key}};
+    if (parts.deviation) {
+        json["deviation_um"] = *parts.deviation;
+    }
+    if (row.predicted) {
+        json["predicted"] = {{"count", row.predicted->count},
+                             {"mean_um", row.predicted->mean},
+                             {"low_um", row.predicted->low},
+                             {"high_um", row.predicted->high}};
+        if (row.predicted->deviation) {
+            json["predicted"]["deviation_um"] = *row.predicted->deviation;
+        }
+    }
+    if (row.scatter) {
+        json["variance_ratio"] = {{"value", row.scatter->ratio},
+                                  {"low", row.scatter->low},
+                                  {"high", row.scatter->high},
+                                  {"probability", row.scatter->probability}};
+    }
+    if (row.share) {
+        json["inside"] = {{"count", row.share->inside},
+                          {"of", row.share->count},
+                          {"interval_95", limitsJson(row.share->interval)}};
+    }
+    return json;
+}
+
+std::string rowText(const Project& project, const AdequacyRow& row) {
+    const MeasuredStatistics& parts = row.measured;
+    std::string text = placeName(project, parts.place) + ", " + keyOf(parts.quantity)
+                       + ": n = " + std::to_string(parts.count) + ", mean " + fixed(parts.mean, 2);
+    if (row.mean95) {
+        text += " ± " + fixed((row.mean95->high - row.mean95->low) / 2, 2);
+    }
+    text += " µm";
+    if (row.predicted) {
+        text += "; predicted " + fixed(row.predicted->low, 2) + "…" + fixed(row.predicted->high, 2)
+                + " µm";
+    }
+    if (row.scatter) {
+        text += "; F = " + fixed(row.scatter->ratio, 2) + " (" + fixed(row.scatter->low, 2) + "…"
+                + fixed(row.scatter->high, 2) + ")";
+    }
+    if (row.share) {
+        constexpr double perCent = 100;
+        text += "; " + std::to_string(row.share->inside) + " of " + std::to_string(row.share->count)
+                + " inside (" + fixed(perCent * row.share->interval.low, 0) + "…"
+                + fixed(perCent * row.share->interval.high, 0) + " %)";
+    }
+    return text + ": " + wordsOf(row.verdict).text + '\n';
+}
+
+ordered_json fitJson(const Identification& found, const std::vector<FittedParameter>& requested) {
+    ordered_json json = {{"status", wordsOf(found.status).key},  {"values", ordered_json::array()},
+                         {"correlation", found.correlation},     {"condition", nullptr},
+                         {"residuals", ordered_json::array()},   {"normality_probability", nullptr},
+                         {"cannot_tell", ordered_json::array()}, {"measured_values", found.count}};
+    for (const FittedValue& value : found.values) {
+        json["values"].push_back({{"parameter", parameterName(value.parameter)},
+                                  {"value", value.value},
+                                  {"unit", unitOf(value.parameter.kind)},
+                                  {"interval_95", limitsJson(value.interval95)}});
+    }
+    if (std::isfinite(found.condition)) {
+        json["condition"] = found.condition;
+    }
+    for (const FitResiduals& group : found.residuals) {
+        json["residuals"].push_back({{"source", wordsOf(group.source).key},
+                                     {"trace", group.trace},
+                                     {"count", group.values.size()},
+                                     {"rms", group.rms},
+                                     {"unit", unitOf(group.source)}});
+    }
+    if (found.normality) {
+        json["normality_probability"] = found.normality->probability;
+    }
+    for (const Unidentified& one : found.unidentified) {
+        ordered_json names = ordered_json::array();
+        for (const std::size_t i : one.parameters) {
+            names.push_back(parameterName(requested[i]));
+        }
+        json["cannot_tell"].push_back(
+            {{"parameters", std::move(names)}, {"measure", wordsOf(one.advice).key}});
+    }
+    return json;
+}
+
+std::string fitText(const Identification& found, const std::vector<FittedParameter>& requested) {
+    std::string text;
+    constexpr int digits = 4;
+    for (const FittedValue& value : found.values) {
+        const std::string unit = unitOf(value.parameter.kind);
+        text += parameterName(value.parameter) + ": " + fixed(value.value, digits) + " ("
+                + fixed(value.interval95.low, digits) + "…" + fixed(value.interval95.high, digits)
+                + ")" + (unit.empty() ? "" : " " + unit) + ", " + wordsOf(value.parameter.kind).text
+                + '\n';
+    }
+    for (const FitResiduals& group : found.residuals) {
+        text += std::string(wordsOf(group.source).text) + ": residuals of "
+                + std::to_string(group.values.size()) + " values, RMS " + fixed(group.rms, 5) + ' '
+                + unitOf(group.source) + '\n';
+    }
+    if (found.status != IdentificationStatus::fitted) {
+        text += std::string(wordsOf(found.status).text) + '\n';
+    }
+    for (const Unidentified& one : found.unidentified) {
+        std::string names;
+        for (const std::size_t i : one.parameters) {
+            names += (names.empty() ? "" : ", ") + parameterName(requested[i]);
+        }
+        text += "cannot be told: " + names + "; " + wordsOf(one.advice).text + '\n';
+    }
+    return text;
+}
+
+/// What one project gave.
+struct MeasuredAnswer {
+    std::vector<AdequacyRow> rows;
+    std::optional<Identification> fit;
+};
+
+/// Runs the batch that predicts, and judges; the exit status.
+int judge(const Project& project, const std::string& name, const Options& options,
+          MeasuredAnswer& answer) {
+    if (statisticsOfMeasured(project).empty()) {
+        return done;
+    }
+    const Project predicting = predictingProject(project);
+    const Issues issues = checkBatch(predicting);
+    printIssues(name, issues);
+    if (!issues.empty()) {
+        return refused;
+    }
+    BatchOptions run;
+    BatchWatch watch(predicting.batch->parts, options.progress, "parts");
+    run.stop = watch.stop();
+    run.done = watch.done();
+    answer.rows = judgeAdequacy(project, runBatchUnchecked(predicting, run));
+    return done;
+}
+
+int statusOf(const MeasuredAnswer& answer, const Options& options) {
+    if (answer.fit) {
+        switch (answer.fit->status) {
+        case IdentificationStatus::fitted: break;
+        case IdentificationStatus::cannotTell: return options.check ? requirementFails : done;
+        case IdentificationStatus::notRun:
+            return answer.fit->issues.empty() ? cannotReachSize : refused;
+        default: return refused;
+        }
+    }
+    return options.check && !speaksForModel(answer.rows) ? requirementFails : done;
+}
+
+int measureOne(Project project, const std::string& name,
+               const std::vector<FittedParameter>& parameters, const Options& options) {
+    if (!options.data.empty() && !readInto(project, options.data)) {
+        return refused;
+    }
+    if (!project.measured
+        || (project.measured->parts.empty() && project.measured->traces.empty()
+            && project.measured->summaries.empty())) {
+        print(stderr, printable(name) + ": /measured: nothing is measured\n");
+        return refused;
+    }
+    MeasuredAnswer answer;
+    if (const int failed = judge(project, name, options, answer)) {
+        return failed;
+    }
+    if (!parameters.empty() && caughtSignal() == 0) {
+        answer.fit = identify(
+            project, {parameters, {}, answer.rows.empty() ? false : true, RobustLoss::none});
+        printIssues(name, answer.fit->issues);
+    }
+    if (options.json) {
+        ordered_json json = {{"adequacy", ordered_json::array()}, {"identification", nullptr}};
+        for (const AdequacyRow& row : answer.rows) {
+            json["adequacy"].push_back(rowJson(project, row));
+        }
+        if (answer.fit) {
+            json["identification"] = fitJson(*answer.fit, parameters);
+        }
+        print(stdout, json.dump(2) + '\n');
+    } else {
+        for (const AdequacyRow& row : answer.rows) {
+            print(stdout, rowText(project, row));
+        }
+        print(stdout, answer.fit ? fitText(*answer.fit, parameters) : std::string());
+    }
+    return caughtSignal() == 0 ? statusOf(answer, options) : interrupted + caughtSignal();
+}
+
+} // namespace
+
+int runMeasuredCommand(const Options& options) {
+    std::vector<FittedParameter> parameters;
+    if (!options.fit.empty()) {
+        const auto requested = parametersOf(options.fit);
+        if (!requested) {
+            std::string known;
+            for (int kind = 0; kind < static_cast<int>(FittedKind::count_); ++kind) {
+                known += (known.empty() ? "" : ", ")
+                         + std::string(sparkout::keyOf(static_cast<FittedKind>(kind)));
+            }
+            return usageError("--fit needs parameters out of " + known
+                              + "; compliance:N is of one zone or section");
+        }
+        parameters = *requested;
+    }
+    const Surfaces surfaces(options.operand, options.surface);
+    if (surfaces.status() != done) {
+        return surfaces.status();
+    }
+    if (const int failed = options.data.empty() ? done : surfaces.oneFor("--data")) {
+        return failed;
+    }
+    return surfaces.run(
+        [&](const Project& project, std::size_t, const std::string& name) {
+            return measureOne(project, name, parameters, options);
+        },
+        options.json);
+}
+
+} // namespace sparkout::cli

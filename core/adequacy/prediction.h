@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/batch/batch_run.h"
+#include "core/project/measured.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace sparkout {
+
+/// What is predicted of one quantity in one zone or section [µm].
+struct PredictedRange {
+    double low = 0, high = 0; ///< that 95 % of the parts lie in; of corners, or as stated: all
+    double mean = 0;
+    std::optional<double> deviation; ///< not of corners, nor where nothing scatters
+    std::int64_t count = 0;          ///< parts of the batch; 0: as stated
+};
+
+/// The project whose batch predicts all that was measured: with a batch, and with limits where the
+/// drawing has none, so that every part is measured for them.
+[[nodiscard]] Project predictingProject(Project project);
+
+/// Of a batch of that project; nothing where it has no such value.
+[[nodiscard]] std::optional<PredictedRange> predicted(const BatchResult& batch,
+                                                      MeasuredQuantity quantity, int place);
+
+} // namespace sparkout

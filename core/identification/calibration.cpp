@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/calibration.h"
+
+#include "core/identification/scaled_project.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/number_input.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace sparkout {
+
+namespace {
+
+/// What the fit found of an input: a factor of it with the standard error of its logarithm.
+struct Found {
+    double factor = 1;
+    double error = 0;
+};
+
+class Calibrator {
+public:
+    Calibrator(const Project& project, const Identification& result, std::string data,
+               std::string date)
+        : m_before(project)
+        , m_made(project)
+        , m_result(result)
+        , m_data(std::move(data))
+        , m_date(std::move(date)) {}
+
+    // The factors as scaledProject() and the problem have them: γ' = γ·c·α, η' = η·d·β/α, and the
+    // products of the powers stay what they were found to be: μ'·η' = μ·η·d·m.
+    Project make() {
+        changeCompliance();
+        change("/material/flow_stress_mpa", {{FittedKind::flow_stress, 1}});
+        change("/wheel/dullness",
+               {{FittedKind::dullness, 1}, {FittedKind::beta, 1}, {FittedKind::alpha, -1}});
+        change("/material/shear_strain", {{FittedKind::chip_power, 1}});
+        change("/material/friction",
+               {{FittedKind::friction_power, 1}, {FittedKind::alpha, 1}, {FittedKind::beta, -1}},
+               has(FittedKind::friction_power));
+        changeRunout();
+        return std::move(m_made);
+    }
+
+private:
+    struct Term {
+        FittedKind kind;
+        double sign; ///< in the sum of the logarithms
+    };
+
+    [[nodiscard]] bool has(FittedKind kind) const {
+        return find(kind, {}) < m_result.values.size();
+    }
+
+    [[nodiscard]] std::size_t find(FittedKind kind, std::optional<int> place) const {
+        const auto found = std::ranges::find_if(m_result.values, [&](const FittedValue& value) {
+            return value.parameter.kind == kind && value.parameter.place == place;
+        });
+        return static_cast<std::size_t>(found - m_result.values.begin());
+    }
+
+    /// Product of factors; its error by their covariance.
+    [[nodiscard]] Found productOf(const std::vector<std::size_t>& at,
+                                  const std::vector<double>& signs) const {
+        Found found;
+        double variance = 0;
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            found.factor *= std::pow(m_result.values[at[i]].value, signs[i]);
+            for (std::size_t k = 0; k < at.size(); ++k) {
+                variance += signs[i] * signs[k] * m_result.covariance[at[i]][at[k]];
+            }
+        }
+        found.error = std::sqrt(std::max(0.0, variance));
+        return found;
+    }
+
+    [[nodiscard]] std::pair<std::vector<std::size_t>, std::vector<double>>
+    termsOf(const std::vector<Term>& terms) const {
+        std::pair<std::vector<std::size_t>, std::vector<double>> found;
+        for (const Term& term : terms) {
+            if (has(term.kind)) {
+                found.first.push_back(find(term.kind, {}));
+                found.second.push_back(term.sign);
+            }
+        }
+        return found;
+    }
+
+    void change(const char* path, const std::vector<Term>& terms, bool wanted = true) {
+        const auto [at, signs] = termsOf(terms);
+        if (at.empty() || !wanted) {
+            return;
+        }
+        const Found found = productOf(at, signs);
+        const auto input = numberInput(m_before, path);
+        if (input && input->value) {
+            const double value = *input->value * found.factor;
+            setNumberInput(m_made, path, value);
+            record(path, value, found.error);
+        }
+    }
+
+    void changeCompliance() {
+        const auto [common, signs] = termsOf({{FittedKind::compliance, 1}, {FittedKind::alpha, 1}});
+        std::vector<Found> places(static_cast<std::size_t>(placeCount(m_before)));
+        bool any = !common.empty(), anyPlace = false;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            std::vector<std::size_t> at = common;
+            std::vector<double> sign = signs;
+            const std::size_t own = find(FittedKind::compliance, static_cast<int>(i));
+            if (own < m_result.values.size()) {
+                at.push_back(own);
+                sign.push_back(1);
+                any = anyPlace = true;
+            }
+            places[i] = productOf(at, sign);
+        }
+        if (!any) {
+            return;
+        }
+        if (anyPlace) {
+            std::vector<double> factors;
+            for (const Found& place : places) {
+                factors.push_back(place.factor);
+            }
+            scaleCompliance(m_made, factors);
+        } else {
+            scaleCompliance(m_made, places.front().factor);
+        }
+        recordCompliance(places);
+    }
+
+    void recordCompliance(const std::vector<Found>& places) {
+        const GivenCompliance& given = m_made.machine->compliance_mm_per_n;
+        if (const auto* const zones = std::get_if<ZoneCompliance>(&given)) {
+            const std::string path = "/machine/compliance_mm_per_n/";
+            record(path + "rz1", zones->rz1, places[0].error);
+            record(path + "nz", zones->nz, places[1].error);
+            record(path + "rz2", zones->rz2, places[2].error);
+        } else if (const auto* const sections = std::get_if<std::vector<double>>(&given)) {
+            for (std::size_t i = 0; i < sections->size() && i < places.size(); ++i) {
+                record("/machine/compliance_mm_per_n/" + std::to_string(i), (*sections)[i],
+                       places[i].error);
+            }
+        } else {
+            for (const char* path :
+                 {"/machine/stiffness_n_um/headstock", "/machine/stiffness_n_um/tailstock",
+                  "/machine/stiffness_n_um/wheel_head", "/part/shaft/youngs_modulus_gpa"}) {
+                if (const auto input = numberInput(m_made, path); input && input->value) {
+                    record(path, *input->value, places.front().error);
+                }
+            }
+        }
+    }
+
+    void changeRunout() {
+        const std::size_t at = find(FittedKind::blank_runout, {});
+        if (at < m_result.values.size()) {
+            const double value = m_result.values[at].value;
+            m_made.part->initial_runout_mm = value;
+            record("/part/initial_runout_mm", value, m_result.values[at].error);
+        }
+    }
+
+    void record(const std::string& path, double value, double error) {
+        constexpr double quantile = 1.959963984540054; // of the normal law, 97.5 %
+        Calibration calibration;
+        calibration.input = path;
+        calibration.value = value;
+        calibration.low = value * std::exp(-quantile * error);
+        calibration.high = value * std::exp(quantile * error);
+        calibration.data = m_data;
+        calibration.count = static_cast<int>(m_result.count);
+        calibration.date = m_date;
+        recordCalibration(m_made, std::move(calibration));
+    }
+
+    const Project& m_before;
+    Project m_made;
+    const Identification& m_result;
+    std::string m_data, m_date;
+};
+
+} // namespace
+
+Project withCalibration(const Project& project, const Identification& result,
+                        const std::string& data, const std::string& date) {
+    return result.status == IdentificationStatus::fitted
+               ? Calibrator(project, result, data, date).make()
+               : project;
+}
+
+void recordCalibration(Project& project, Calibration calibration) {
+    Measured& measured = project.measured ? *project.measured : project.measured.emplace();
+    const auto before =
+        std::ranges::find(measured.calibrations, calibration.input, &Calibration::input);
+    if (before != measured.calibrations.end()) {
+        *before = std::move(calibration);
+    } else {
+        measured.calibrations.push_back(std::move(calibration));
+    }
+}
+
+} // namespace sparkout

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/cycle_response.h"
+
+#include "core/process/force.h"
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/simulation/plunge.h"
+#include "core/simulation/simulate.h"
+#include "core/simulation/stage_control.h"
+#include "core/simulation/traverse.h"
+#include "core/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+
+namespace sparkout {
+
+namespace {
+
+class Responder {
+public:
+    Responder(const Project& project, const CycleFactors& factors, bool withPlaces)
+        : m_scaled(scaledProject(project, factors))
+        , m_law(forceLaw(project))
+        , m_withPlaces(withPlaces)
+        , m_isExternal(project.part->surface == Surface::external)
+        , m_steps(m_scaled.operation->hasZones
+                      ? traverseSteps(m_scaled, Zone::nz, &m_trajectory, {})
+                      : plungeSteps(m_scaled, &m_trajectory, {})) {
+        const double wheelSpeed_mm_s = project.machine->wheel_speed_m_s * units::mmPerM;
+        m_kwPerN = wheelSpeed_mm_s / (units::mmPerM * units::wPerKw); // N·mm/s = mW
+    }
+
+    CycleResponse run(const std::vector<int>& stepsByStage) {
+        const std::vector<double> feeds = infeedsOfStages(m_scaled);
+        addSize();
+        addIdle(0);
+        bool ok = true;
+        for (std::size_t z = 0; ok && z < stepsByStage.size() && z < feeds.size(); ++z) {
+            for (int i = 0; ok && i < stepsByStage[z]; ++i) {
+                ok = step(z, feedsIn(z) ? feeds[z] : 0, std::numeric_limits<double>::infinity());
+            }
+        }
+        return finish(ok, stepsByStage);
+    }
+
+    /// The wheel head's position ends the stages.
+    CycleResponse runByPosition() {
+        StageControl control(m_scaled, infeedsOfStages(m_scaled),
+                             m_steps->run().blank().totalInfeed_mm);
+        addSize();
+        addIdle(0);
+        bool ok = true;
+        while (ok && !control.finished() && !m_steps->run().mustEnd()) {
+            ok =
+                step(control.stage(), control.nextInfeed(m_steps->run().fed_mm), control.mostFed());
+            control.stepDone(m_steps->remaining(), m_steps->run().fed_mm, m_steps->run().time_s());
+        }
+        return finish(ok && control.finished(), control.stepsByStage());
+    }
+
+private:
+    [[nodiscard]] bool feedsIn(std::size_t stage) const {
+        return m_scaled.cycle->stages[stage].feeds();
+    }
+
+    bool step(std::size_t stage, double infeed_mm, double most_mm) {
+        Run& run = m_steps->run();
+        const double before_s = run.time_s();
+        const std::size_t firstPass = m_trajectory.passes.size();
+        const Stage& settings = m_scaled.cycle->stages[stage];
+        const bool done =
+            !run.mustEnd()
+            && m_steps->step({infeed_mm, stage, settings.axial_feed_mm_min.value_or(0),
+                              m_scaled.operation->hasZones ? settings.continuousFeed_mm_min() : 0,
+                              most_mm});
+        m_response.middle_s.push_back((before_s + run.time_s()) / 2);
+        addForces(firstPass);
+        addSize();
+        // One step's visits at a time: a long cycle need not be kept.
+        m_trajectory.passes.clear();
+        m_trajectory.visits.clear();
+        return done;
+    }
+
+    /// Means over the passes of the step, each by the time it lasts, and over their radii.
+    void addForces(std::size_t firstPass) {
+        double chip = 0, friction = 0, time_s = 0;
+        const auto radii = static_cast<std::size_t>(m_trajectory.radii);
+        for (std::size_t i = firstPass; i < m_trajectory.passes.size(); ++i) {
+            const Pass& pass = m_trajectory.passes[i];
+            double depths = 0, roots = 0;
+            std::size_t ground = 0;
+            for (std::size_t k = 0; k < radii; ++k) {
+                const Visit& visit = m_trajectory.visits[pass.firstVisit + k];
+                if (!visit.isGap()) {
+                    depths += visit.actual_mm;
+                    roots += std::sqrt(std::max(0.0, visit.actual_mm));
+                    ++ground;
+                }
+            }
+            const double weight = pass.duration_s * pass.effectiveWidth_mm
+                                  / static_cast<double>(std::max(ground, std::size_t{1}));
+            chip += weight * depths;
+            friction += weight * roots;
+            time_s += pass.duration_s;
+        }
+        chip = time_s > 0 ? chip / time_s : 0;
+        friction = time_s > 0 ? friction / time_s : 0;
+        m_response.chip_n.push_back(m_law.ks * chip);
+        m_response.friction_n.push_back(m_law.kr * friction);
+        m_response.chip_kw.push_back(m_law.kt * chip * m_kwPerN);
+        m_response.friction_kw.push_back(m_law.mu * m_law.kr * friction * m_kwPerN);
+    }
+
+    void addSize() {
+        const Run& run = m_steps->run();
+        const double sign = m_isExternal ? 2 : -2;
+        m_response.end_s.push_back(run.time_s());
+        m_response.size_mm.push_back(sign * m_steps->remaining());
+        if (!m_withPlaces) {
+            return;
+        }
+        const auto places = static_cast<std::size_t>(placeCount(m_scaled));
+        m_response.placeSizes_mm.resize(places);
+        for (std::size_t place = 0; place < places; ++place) {
+            m_response.placeSizes_mm[place].push_back(sizeAt(place));
+        }
+    }
+
+    /// D of a place less the target, by the gauge's rule.
+    [[nodiscard]] double sizeAt(std::size_t place) const {
+        const Part& part = *m_scaled.part;
+        const auto [least, most] = m_steps->run().diameterDeviations(place);
+        const double target = 2 * targetRadius(part) - part.diameter_mm;
+        switch (m_scaled.gauge->rule) {
+        case GaugeRule::min: return (m_isExternal ? least : most) - target;
+        case GaugeRule::max: return (m_isExternal ? most : least) - target;
+        case GaugeRule::mean: break;
+        }
+        return (least + most) / 2 - target;
+    }
+
+    /// A step in which nothing is cut.
+    void addIdle(double time_s) {
+        m_response.middle_s.push_back(time_s);
+        for (auto* const values : {&m_response.chip_n, &m_response.friction_n, &m_response.chip_kw,
+                                   &m_response.friction_kw}) {
+            values->push_back(0);
+        }
+    }
+
+    CycleResponse finish(bool ok, const std::vector<int>& stepsByStage) {
+        const double end_s = m_response.end_s.back();
+        addIdle(end_s + (end_s - m_response.middle_s.back()));
+        const SimulationResult result = m_steps->finish(stepsByStage);
+        m_response.ran = ok;
+        for (const SectionResult& section : result.sections) {
+            const double mean_mm = meanOfGround(section.radii_mm);
+            m_response.deviation_um.push_back((2 * mean_mm - m_scaled.part->diameter_mm)
+                                              * units::umPerMm);
+        }
+        for (const auto* values : {&m_response.size_mm, &m_response.chip_n}) {
+            for (const double value : *values) {
+                m_response.ran = m_response.ran && std::isfinite(value);
+            }
+        }
+        return std::move(m_response);
+    }
+
+    Project m_scaled;
+    ForceLaw m_law; ///< of the project as it is
+    bool m_withPlaces, m_isExternal;
+    double m_kwPerN = 0;
+    Trajectory m_trajectory;
+    std::unique_ptr<CycleSteps> m_steps;
+    CycleResponse m_response;
+};
+
+} // namespace
+
+CycleResponse respond(const Project& project, const CycleFactors& factors,
+                      const std::vector<int>& stepsByStage, bool withPlaces) {
+    Responder responder(project, factors, withPlaces);
+    return project.gauge->control == Control::position ? responder.runByPosition()
+                                                       : responder.run(stepsByStage);
+}
+
+std::vector<int> stepsByGauge(const Project& project, const CycleFactors& factors) {
+    const SimulationResult result = simulateUnchecked(scaledProject(project, factors));
+    return result.status == RunStatus::completed ? result.countsByStage : std::vector<int>();
+}
+
+double valueAt(const std::vector<double>& times, const std::vector<double>& values, double time) {
+    if (times.empty() || time <= times.front()) {
+        return values.empty() ? 0 : values.front();
+    }
+    if (time >= times.back()) {
+        return values.back();
+    }
+    const auto after = static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), time)
+                                                - times.begin());
+    const double share = (time - times[after - 1]) / (times[after] - times[after - 1]);
+    return values[after - 1] + share * (values[after] - values[after - 1]);
+}
+
+} // namespace sparkout

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace sparkout {
+
+enum class FitSource { size, power, force, parts };
+
+/// Measured values that have one noise.
+struct FitGroup {
+    FitSource source = FitSource::size;
+    int trace = -1;             ///< its number in the project; −1: parts
+    std::optional<int> place;   ///< of a size; not given: where the gauge measures
+    std::vector<double> time_s; ///< of traces
+    std::vector<int> places;    ///< of parts, one a value
+    std::vector<double> values; ///< mm of diameter, kW, N; of parts µm from the nominal diameter
+    std::optional<double> idle_kw; ///< as stated with the trace
+    double noise = 1;              ///< standard deviation, estimated from the values
+};
+
+struct FitData {
+    std::vector<FitGroup> groups;
+    std::vector<int> withoutFactor; ///< currents that cannot be read as powers, by number
+    [[nodiscard]] bool has(FitSource source) const;
+    [[nodiscard]] std::size_t count() const; ///< of all values
+};
+
+/// The measured values of a project: the traces with these numbers (empty: all), and the diameters
+/// of its parts if wanted.
+[[nodiscard]] FitData fitDataOf(const Project& project, const std::vector<int>& traces,
+                                bool withParts);
+
+} // namespace sparkout

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/fit_problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+/// What one coordinate of an offset is.
+double unitOf(FittedKind kind) {
+    constexpr double offset_mm = 1e-3, shift_s = 0.1, idle_kw = 0.1;
+    switch (kind) {
+    case FittedKind::size_offset: return offset_mm;
+    case FittedKind::time_shift: return shift_s;
+    case FittedKind::idle_power: return idle_kw;
+    default: return 1;
+    }
+}
+
+bool isLogarithm(FittedKind kind) {
+    return isFactor(kind) || kind == FittedKind::blank_runout;
+}
+
+} // namespace
+
+FitProblem::FitProblem(const Project& project, const FitData& data,
+                       const std::vector<FittedParameter>& parameters)
+    : m_project(project), m_data(data), m_parameters(parameters) {
+    for (const FittedParameter& parameter : parameters) {
+        m_priors += parameter.prior ? 1 : 0;
+    }
+    for (const FitGroup& group : data.groups) {
+        m_noise.push_back(group.noise);
+        m_withPlaces = m_withPlaces || (group.source == FitSource::size && group.place);
+    }
+}
+
+void FitProblem::setSteps(std::vector<int> stepsByStage) {
+    m_steps = std::move(stepsByStage);
+    m_hasResponse = false;
+}
+
+double FitProblem::valueOf(FittedKind kind, double q) {
+    return isLogarithm(kind) ? std::exp(q) : q * unitOf(kind);
+}
+
+double FitProblem::coordinateOf(FittedKind kind, double value) {
+    return isLogarithm(kind) ? std::log(value) : value / unitOf(kind);
+}
+
+double FitProblem::derivativeStep(FittedKind kind) {
+    constexpr double ofLogarithm = 1e-5, ofOffset = 1e-3;
+    return isLogarithm(kind) ? ofLogarithm : ofOffset;
+}
+
+CycleFactors FitProblem::factorsAt(const std::vector<double>& q) const {
+    CycleFactors factors = factorsOf(m_project);
+    for (std::size_t i = 0; i < m_parameters.size(); ++i) {
+        const FittedParameter& parameter = m_parameters[i];
+        const double value = valueOf(parameter.kind, q[i]);
+        switch (parameter.kind) {
+        case FittedKind::alpha: factors.alpha = value; break;
+        case FittedKind::beta: factors.beta = value; break;
+        case FittedKind::flow_stress: factors.flowStress = value; break;
+        case FittedKind::dullness: factors.dullness = value; break;
+        case FittedKind::blank_runout: factors.blankRunout_mm = value; break;
+        case FittedKind::compliance:
+            if (parameter.place) {
+                factors.places.resize(static_cast<std::size_t>(placeCount(m_project)), 1);
+                factors.places[static_cast<std::size_t>(*parameter.place)] = value;
+            } else {
+                factors.compliance = value;
+            }
+            break;
+        default: break;
+        }
+    }
+    return factors;
+}
+
+FitProblem::Scalars FitProblem::scalarsAt(const std::vector<double>& q) const {
+    Scalars scalars;
+    for (const FitGroup& group : m_data.groups) {
+        scalars.idle_kw = group.idle_kw.value_or(scalars.idle_kw);
+    }
+    for (std::size_t i = 0; i < m_parameters.size(); ++i) {
+        const double value = valueOf(m_parameters[i].kind, q[i]);
+        switch (m_parameters[i].kind) {
+        case FittedKind::flow_stress: scalars.flow = value; break;
+        case FittedKind::dullness: scalars.dullness = value; break;
+        case FittedKind::chip_power: scalars.chip = value; break;
+        case FittedKind::friction_power: scalars.friction = value; break;
+        case FittedKind::idle_power: scalars.idle_kw = value; break;
+        case FittedKind::size_offset: scalars.offset_mm = value; break;
+        case FittedKind::time_shift: scalars.shift_s = value; break;
+        default: break;
+        }
+    }
+    return scalars;
+}
+
+bool FitProblem::run(const CycleFactors& factors) {
+    if (!m_hasResponse || !(factors == m_lastFactors)) {
+        m_response = respond(m_project, factors, m_steps, m_withPlaces);
+        m_lastFactors = factors;
+        m_hasResponse = true;
+    }
+    return m_response.ran;
+}
+
+double FitProblem::predicted(const FitGroup& group, std::size_t index,
+                             const Scalars& scalars) const {
+    if (group.source == FitSource::parts) {
+        return m_response.deviation_um[static_cast<std::size_t>(group.places[index])];
+    }
+    const double time = group.time_s[index] - scalars.shift_s;
+    if (group.source == FitSource::size) {
+        const std::vector<double>& sizes =
+            group.place ? m_response.placeSizes_mm[static_cast<std::size_t>(*group.place)]
+                        : m_response.size_mm;
+        return valueAt(m_response.end_s, sizes, time) + scalars.offset_mm;
+    }
+    const auto value = [&](const std::vector<double>& values) {
+        return valueAt(m_response.middle_s, values, time);
+    };
+    if (group.source == FitSource::force) {
+        return scalars.flow
+               * (value(m_response.chip_n) + scalars.dullness * value(m_response.friction_n));
+    }
+    return scalars.idle_kw
+           + scalars.flow
+                 * (scalars.chip * value(m_response.chip_kw)
+                    + scalars.dullness * scalars.friction * value(m_response.friction_kw));
+}
+
+bool FitProblem::differences(const std::vector<double>& q, std::vector<double>& values) {
+    values.clear();
+    if (!run(factorsAt(q))) {
+        return false;
+    }
+    const Scalars scalars = scalarsAt(q);
+    for (const FitGroup& group : m_data.groups) {
+        for (std::size_t i = 0; i < group.values.size(); ++i) {
+            values.push_back(group.values[i] - predicted(group, i, scalars));
+        }
+    }
+    return true;
+}
+
+bool FitProblem::evaluate(const std::vector<double>& q, std::vector<double>& residuals) {
+    if (!differences(q, residuals)) {
+        return false;
+    }
+    std::size_t at = 0;
+    for (std::size_t g = 0; g < m_data.groups.size(); ++g) {
+        for (std::size_t i = 0; i < m_data.groups[g].values.size(); ++i, ++at) {
+            residuals[at] *= (m_weights.empty() ? 1 : m_weights[at]) / m_noise[g];
+        }
+    }
+    for (std::size_t i = 0; i < m_parameters.size(); ++i) {
+        if (const auto& prior = m_parameters[i].prior) {
+            residuals.push_back((valueOf(m_parameters[i].kind, q[i]) - prior->mean)
+                                / prior->deviation);
+        }
+    }
+    return std::ranges::all_of(residuals, [](double value) { return std::isfinite(value); });
+}
+
+double FitProblem::startOfIdle() const {
+    for (const FitGroup& group : m_data.groups) {
+        if (group.source == FitSource::power) {
+            return group.idle_kw.value_or(std::ranges::min(group.values));
+        }
+    }
+    return 0;
+}
+
+/// The mean difference of the sizes at this shift.
+double FitProblem::startOfOffset(double shift_s) const {
+    for (const FitGroup& group : m_data.groups) {
+        if (group.source == FitSource::size) {
+            double sum = 0;
+            for (std::size_t i = 0; i < group.values.size(); ++i) {
+                sum += group.values[i] - predicted(group, i, {.offset_mm = 0, .shift_s = shift_s});
+            }
+            return sum / static_cast<double>(group.values.size());
+        }
+    }
+    return 0;
+}
+
+/// The best of shifts all over the traces, each with its own offset: one is fitted near the truth.
+double FitProblem::startOfShift() const {
+    constexpr int tries = 200;
+    const double cycle_s = m_response.end_s.back();
+    double best = 0, least = std::numeric_limits<double>::infinity();
+    double from = 0, to = 0;
+    for (const FitGroup& group : m_data.groups) {
+        if (!group.time_s.empty()) {
+            from = std::min(from, group.time_s.front() - cycle_s / 2);
+            to = std::max(to, group.time_s.back() - cycle_s / 2);
+        }
+    }
+    for (int i = 0; i <= tries; ++i) {
+        // 0 is tried too, and stays where nothing is better.
+        const double shift = i == 0 ? 0 : from + (to - from) * (i - 1) / (tries - 1);
+        const double offset_mm = startOfOffset(shift);
+        double sum = 0;
+        for (std::size_t g = 0; g < m_data.groups.size(); ++g) {
+            const FitGroup& group = m_data.groups[g];
+            const Scalars scalars{
+                .idle_kw = startOfIdle(), .offset_mm = offset_mm, .shift_s = shift};
+            for (std::size_t k = 0; k < group.values.size(); ++k) {
+                const double r = (group.values[k] - predicted(group, k, scalars)) / m_noise[g];
+                sum += r * r;
+            }
+        }
+        if (sum < least) {
+            least = sum;
+            best = shift;
+        }
+    }
+    return best;
+}
+
+std::vector<double> FitProblem::start() {
+    std::vector<double> q(m_parameters.size(), 0);
+    const auto has = [this](FittedKind kind) {
+        return std::ranges::find(m_parameters, kind, &FittedParameter::kind) != m_parameters.end();
+    };
+    const bool runs = run(factorsOf(m_project));
+    const double shift_s = runs && has(FittedKind::time_shift) ? startOfShift() : 0;
+    constexpr double leastRunout_mm = 1e-4; // whose logarithm can be taken
+    for (std::size_t i = 0; i < m_parameters.size(); ++i) {
+        const FittedKind kind = m_parameters[i].kind;
+        switch (kind) {
+        case FittedKind::time_shift: q[i] = coordinateOf(kind, shift_s); break;
+        case FittedKind::size_offset:
+            q[i] = coordinateOf(kind, runs ? startOfOffset(shift_s) : 0);
+            break;
+        case FittedKind::idle_power: q[i] = coordinateOf(kind, startOfIdle()); break;
+        case FittedKind::blank_runout:
+            q[i] =
+                coordinateOf(kind, std::max(leastRunout_mm, factorsOf(m_project).blankRunout_mm));
+            break;
+        default:
+            if (m_parameters[i].prior && m_parameters[i].prior->mean > 0) {
+                q[i] = coordinateOf(kind, m_parameters[i].prior->mean);
+            }
+        }
+    }
+    return q;
+}
+
+} // namespace sparkout

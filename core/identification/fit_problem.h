@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/cycle_response.h"
+#include "core/identification/fit_data.h"
+#include "core/identification/fitted_parameter.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace sparkout {
+
+/// The residuals of the measured values against the simulated cycle as a function of coordinates
+/// q, one a parameter: the logarithm of a factor and of a runout, else the value by its unit of
+/// search. The steps of the stages are given, so that the function is smooth.
+class FitProblem {
+public:
+    FitProblem(const Project& project, const FitData& data,
+               const std::vector<FittedParameter>& parameters);
+
+    [[nodiscard]] std::size_t residuals() const { return m_data.count() + m_priors; }
+    [[nodiscard]] std::size_t values() const { return m_data.count(); }
+    [[nodiscard]] std::size_t parameters() const { return m_parameters.size(); }
+    [[nodiscard]] const std::vector<FittedParameter>& list() const { return m_parameters; }
+
+    void setSteps(std::vector<int> stepsByStage);
+    [[nodiscard]] const std::vector<int>& steps() const { return m_steps; }
+    /// The noise of each group, by which its residuals are divided.
+    void setNoise(std::vector<double> noise) { m_noise = std::move(noise); }
+    [[nodiscard]] const std::vector<double>& noise() const { return m_noise; }
+    /// A weight for each value, of a robust loss; empty: 1.
+    void setWeights(std::vector<double> weights) { m_weights = std::move(weights); }
+
+    /// Coordinates to begin at: factors 1, offsets from the data.
+    [[nodiscard]] std::vector<double> start();
+    /// False: the cycle cannot be run there.
+    bool evaluate(const std::vector<double>& q, std::vector<double>& residuals);
+    /// Measured less predicted, in the unit of its group, group by group; no priors, no weights.
+    bool differences(const std::vector<double>& q, std::vector<double>& values);
+    /// How far to go in each coordinate for a derivative.
+    [[nodiscard]] static double derivativeStep(FittedKind kind);
+
+    [[nodiscard]] static double valueOf(FittedKind kind, double q);
+    [[nodiscard]] static double coordinateOf(FittedKind kind, double value);
+    [[nodiscard]] CycleFactors factorsAt(const std::vector<double>& q) const;
+
+private:
+    /// What does not change the cycle.
+    struct Scalars {
+        double flow = 1, dullness = 1, chip = 1, friction = 1, idle_kw = 0, offset_mm = 0,
+               shift_s = 0;
+    };
+    [[nodiscard]] Scalars scalarsAt(const std::vector<double>& q) const;
+    [[nodiscard]] double predicted(const FitGroup& group, std::size_t index,
+                                   const Scalars& scalars) const;
+    bool run(const CycleFactors& factors);
+    [[nodiscard]] double startOfIdle() const;
+    [[nodiscard]] double startOfOffset(double shift_s) const;
+    [[nodiscard]] double startOfShift() const;
+
+    const Project& m_project;
+    const FitData& m_data;
+    std::vector<FittedParameter> m_parameters;
+    std::vector<int> m_steps;
+    std::vector<double> m_noise, m_weights;
+    std::size_t m_priors = 0;
+    bool m_withPlaces = false;
+    CycleFactors m_lastFactors; ///< that the response is of
+    CycleResponse m_response;
+    bool m_hasResponse = false;
+};
+
+} // namespace sparkout

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/fitted_parameter.h"
+
+namespace sparkout {
+
+bool isFactor(FittedKind kind) {
+    switch (kind) {
+    case FittedKind::idle_power:
+    case FittedKind::size_offset:
+    case FittedKind::time_shift:
+    case FittedKind::blank_runout:
+    case FittedKind::count_: return false;
+    default: return true;
+    }
+}
+
+bool changesCycle(FittedKind kind) {
+    switch (kind) {
+    case FittedKind::alpha:
+    case FittedKind::beta:
+    case FittedKind::compliance:
+    case FittedKind::flow_stress:
+    case FittedKind::dullness:
+    case FittedKind::blank_runout: return true;
+    default: return false;
+    }
+}
+
+double plausibleRange(FittedKind kind) {
+    constexpr double ratio = 2, offset_mm = 0.1, shift_s = 1, idle_kw = 1;
+    switch (kind) {
+    case FittedKind::idle_power: return idle_kw;
+    case FittedKind::size_offset: return offset_mm;
+    case FittedKind::time_shift: return shift_s;
+    default: return ratio;
+    }
+}
+
+const char* keyOf(FittedKind kind) {
+    switch (kind) {
+    case FittedKind::alpha: return "alpha";
+    case FittedKind::beta: return "beta";
+    case FittedKind::compliance: return "compliance";
+    case FittedKind::flow_stress: return "flow_stress";
+    case FittedKind::dullness: return "dullness";
+    case FittedKind::chip_power: return "chip_power";
+    case FittedKind::friction_power: return "friction_power";
+    case FittedKind::idle_power: return "idle_power";
+    case FittedKind::size_offset: return "size_offset";
+    case FittedKind::time_shift: return "time_shift";
+    case FittedKind::blank_runout: return "blank_runout";
+    case FittedKind::count_: break;
+    }
+    return "";
+}
+
+} // namespace sparkout

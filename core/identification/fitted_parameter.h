@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+namespace sparkout {
+
+/// What can be found from measurements [MODEL-13]. In the balance of a pass, D = a + α·a + β·√a,
+/// α = γ·b·k_s and β = γ·b·k_r; the wheel's power is idle + b·k_t·V_k·a + b·μ·k_r·V_k·√a, the
+/// normal force b·k_s·a + b·k_r·√a.
+enum class FittedKind {
+    alpha,          ///< factor of α alone
+    beta,           ///< factor of β alone
+    compliance,     ///< factor of γ: of α and β; of one zone or section, or of all
+    flow_stress,    ///< factor of σ_i: of k_s, k_r and k_t
+    dullness,       ///< factor of η: of k_r
+    chip_power,     ///< factor of b·k_t·V_k
+    friction_power, ///< factor of b·μ·k_r·V_k
+    idle_power,     ///< [kW]
+    size_offset,    ///< of the gauge's zero [mm of diameter]
+    time_shift,     ///< of the beginning of the cycle in the traces [s]
+    blank_runout,   ///< ΔR of the blank [mm]
+    count_
+};
+
+/// What is known before: a mean and its standard deviation, in the unit of the parameter.
+struct Prior {
+    double mean = 1, deviation = 1;
+    friend bool operator==(const Prior&, const Prior&) = default;
+};
+
+struct FittedParameter {
+    FittedKind kind = FittedKind::alpha;
+    std::optional<int> place; ///< zone or section of a compliance; not given: all
+    std::optional<Prior> prior;
+    friend bool operator==(const FittedParameter&, const FittedParameter&) = default;
+};
+
+/// Whether it multiplies an input: then it is fitted as its logarithm, stays positive and begins
+/// at 1.
+[[nodiscard]] bool isFactor(FittedKind kind);
+/// Whether the cycle has to be run again for another value of it.
+[[nodiscard]] bool changesCycle(FittedKind kind);
+/// How far the parameter may lie from its value before it counts as not known: of a factor and of
+/// the runout a ratio, else a difference in its unit.
+[[nodiscard]] double plausibleRange(FittedKind kind);
+/// Its key on the command line and in JSON, "time_shift".
+[[nodiscard]] const char* keyOf(FittedKind kind);
+
+} // namespace sparkout

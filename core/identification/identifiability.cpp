@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/identifiability.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace sparkout {
+
+namespace {
+
+/// The least share of a direction at which a parameter counts as part of it.
+constexpr double partOfDirection = 0.2;
+
+Eigen::Index at(std::size_t i) {
+    return static_cast<Eigen::Index>(i);
+}
+
+class Inquiry {
+public:
+    Inquiry(FitProblem& problem, const FitData& data, const LeastSquares& best,
+            const std::stop_token& stop)
+        : m_problem(problem), m_data(data), m_best(best), m_stop(stop) {}
+
+    Identifiability inquire() {
+        const std::size_t count = m_problem.parameters();
+        std::vector<std::size_t> all(count);
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        std::vector<double> columns;
+        if (!derivatives(m_problem, m_best.q, all, columns)) {
+            m_found.condition = std::numeric_limits<double>::infinity();
+            return std::move(m_found);
+        }
+        const Eigen::MatrixXd jacobian =
+            Eigen::Map<const Eigen::MatrixXd>(columns.data(), at(m_problem.residuals()), at(count));
+        decompose(jacobian);
+        return std::move(m_found);
+    }
+
+private:
+    void decompose(const Eigen::MatrixXd& jacobian) {
+        const Eigen::Index count = jacobian.cols();
+        // What does not act at all is its own group; of the others the columns get length 1.
+        Eigen::VectorXd lengths = jacobian.colwise().norm();
+        const double longest = std::max(lengths.maxCoeff(), 1e-300);
+        for (Eigen::Index i = 0; i < count; ++i) {
+            if (lengths[i] < longest * 1e-12) {
+                report({static_cast<std::size_t>(i)});
+                lengths[i] = 1;
+            }
+        }
+        const Eigen::MatrixXd scaled = jacobian * lengths.cwiseInverse().asDiagonal();
+        // JᵀJ of columns of length 1 has the squares of the singular values; R keeps them.
+        const Eigen::MatrixXd r = Eigen::HouseholderQR<Eigen::MatrixXd>(scaled)
+                                      .matrixQR()
+                                      .topRows(count)
+                                      .template triangularView<Eigen::Upper>();
+        const Eigen::JacobiSVD<Eigen::MatrixXd> svd(r, Eigen::ComputeFullV);
+        const Eigen::VectorXd& values = svd.singularValues();
+        const double least = values[count - 1];
+        m_found.condition = least > 0 ? values[0] / least : std::numeric_limits<double>::infinity();
+        Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(count, count);
+        for (Eigen::Index i = 0; i < count; ++i) {
+            const double value = std::max(values[i], values[0] / mostCondition / 10);
+            const Eigen::VectorXd direction =
+                lengths.cwiseInverse().asDiagonal() * svd.matrixV().col(i);
+            covariance += direction * direction.transpose() / (value * value);
+            if (values[i] * mostCondition < values[0] && values[0] > 0) {
+                reportDirection(svd.matrixV().col(i));
+            }
+        }
+        for (Eigen::Index i = 0; i < count; ++i) {
+            for (Eigen::Index k = 0; k < count; ++k) {
+                m_found.covariance.push_back(covariance(i, k));
+            }
+        }
+        reportFlat(covariance);
+    }
+
+    /// Where the interval is as wide as the plausible range the profile itself decides.
+    void reportFlat(const Eigen::MatrixXd& covariance) {
+        for (std::size_t i = 0; i < m_problem.parameters(); ++i) {
+            const double error = std::sqrt(covariance(at(i), at(i)));
+            const double range = plausible(i);
+            if (isReported(i) || 2 * error < range || !isFlat(i, range)) {
+                continue;
+            }
+            std::vector<std::size_t> group{i};
+            constexpr double together = 0.95;
+            for (std::size_t k = 0; k < m_problem.parameters(); ++k) {
+                const double other = std::sqrt(covariance(at(k), at(k)));
+                if (k != i && std::abs(covariance(at(i), at(k))) > together * error * other) {
+                    group.push_back(k);
+                }
+            }
+            std::ranges::sort(group);
+            report(std::move(group));
+        }
+    }
+
+    /// The plausible range in the coordinate.
+    [[nodiscard]] double plausible(std::size_t i) const {
+        const FittedKind kind = m_problem.list()[i].kind;
+        const bool isRatio = isFactor(kind) || kind == FittedKind::blank_runout;
+        const double range = plausibleRange(kind);
+        return isRatio ? std::log(range) : FitProblem::coordinateOf(kind, range);
+    }
+
+    /// Whether the criterion stays within 4 of the least at an end of the range, the others fitted.
+    bool isFlat(std::size_t i, double range) {
+        std::vector<bool> fixed(m_problem.parameters(), false);
+        fixed[i] = true;
+        for (const double end : {range, -range}) {
+            std::vector<double> from = m_best.q;
+            from[i] += end;
+            if (minimise(m_problem, from, fixed, m_stop).criterion < m_best.criterion + flatRise) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool isReported(std::size_t i) const {
+        return std::ranges::any_of(m_found.unidentified, [i](const Unidentified& one) {
+            return std::ranges::find(one.parameters, i) != one.parameters.end();
+        });
+    }
+
+    void reportDirection(const Eigen::VectorXd& direction) {
+        std::vector<std::size_t> group;
+        for (Eigen::Index i = 0; i < direction.size(); ++i) {
+            if (std::abs(direction[i]) > partOfDirection
+                && !isReported(static_cast<std::size_t>(i))) {
+                group.push_back(static_cast<std::size_t>(i));
+            }
+        }
+        if (!group.empty()) {
+            report(std::move(group));
+        }
+    }
+
+    void report(std::vector<std::size_t> group) {
+        const Advice advice = adviceFor(group);
+        m_found.unidentified.push_back({std::move(group), advice});
+    }
+
+    [[nodiscard]] Advice adviceFor(const std::vector<std::size_t>& group) const {
+        const auto has = [&](FittedKind kind) {
+            return std::ranges::any_of(
+                group, [&](std::size_t i) { return m_problem.list()[i].kind == kind; });
+        };
+        const bool ofPlace = std::ranges::any_of(
+            group, [&](std::size_t i) { return m_problem.list()[i].place.has_value(); });
+        if (ofPlace) {
+            return Advice::place_sizes;
+        }
+        if (has(FittedKind::idle_power)) {
+            return m_data.has(FitSource::power) ? Advice::idle : Advice::power;
+        }
+        if (has(FittedKind::chip_power) || has(FittedKind::friction_power)) {
+            return m_data.has(FitSource::power) ? Advice::another_feed : Advice::power;
+        }
+        if (has(FittedKind::time_shift)) {
+            return Advice::cycle_start;
+        }
+        if (has(FittedKind::size_offset) && !m_data.has(FitSource::size)) {
+            return Advice::size;
+        }
+        if (has(FittedKind::compliance) || has(FittedKind::flow_stress)
+            || has(FittedKind::dullness)) {
+            return !m_data.has(FitSource::power)   ? Advice::power
+                   : !m_data.has(FitSource::force) ? Advice::force
+                   : !m_data.has(FitSource::size)  ? Advice::size
+                                                   : Advice::another_feed;
+        }
+        if (has(FittedKind::alpha) || has(FittedKind::beta)) {
+            return m_data.has(FitSource::size) ? Advice::another_feed : Advice::size;
+        }
+        return Advice::several_parts;
+    }
+
+    FitProblem& m_problem;
+    const FitData& m_data;
+    const LeastSquares& m_best;
+    const std::stop_token& m_stop;
+    Identifiability m_found;
+};
+
+} // namespace
+
+Identifiability identifiabilityAt(FitProblem& problem, const FitData& data,
+                                  const LeastSquares& best, const std::stop_token& stop) {
+    return Inquiry(problem, data, best, stop).inquire();
+}
+
+} // namespace sparkout

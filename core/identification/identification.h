@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/fit_data.h"
+#include "core/identification/fitted_parameter.h"
+#include "core/identification/identifiability.h"
+#include "core/identification/robust_weights.h"
+#include "core/issue.h"
+#include "core/statistics/intervals.h"
+#include "core/statistics/normality.h"
+
+#include <cstddef>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+/// Parameters of the process from measured cycles: nonlinear least squares on the simulated cycle
+/// itself [MODEL-13].
+namespace sparkout {
+
+struct IdentificationRequest {
+    std::vector<FittedParameter> parameters;
+    std::vector<int> traces; ///< by their numbers in the project; empty: all
+    bool withParts = false;  ///< the measured diameters too
+    RobustLoss loss = RobustLoss::none;
+};
+
+enum class IdentificationStatus {
+    fitted,
+    cannotTell,    ///< the data do not tell some of the parameters: no values
+    noData,        ///< nothing measured that the parameters act on, or less than there are
+    notApplicable, ///< compliances of places that the project cannot have, a parameter twice
+    notRun,        ///< the cycle of the project cannot be run
+    notConverged,
+    stopped
+};
+
+struct FittedValue {
+    FittedParameter parameter;
+    double value = 1;
+    Interval interval95;
+    double error = 0; ///< standard error: of a factor relative to it
+};
+
+/// How the values of one group are met.
+struct FitResiduals {
+    FitSource source = FitSource::size;
+    int trace = -1;
+    std::vector<double> values; ///< measured less predicted, in the order of the data
+    double rms = 0;
+};
+
+struct Identification {
+    IdentificationStatus status = IdentificationStatus::noData;
+    std::vector<FittedValue> values;
+    std::vector<std::vector<double>> covariance; ///< of the values; of factors of their logarithms
+    std::vector<std::vector<double>> correlation;
+    std::vector<FitResiduals> residuals;
+    std::optional<Normality> normality; ///< of the residuals, each by the RMS of its group
+    double condition = 1;
+    std::vector<Unidentified> unidentified;
+    std::vector<int> stepsByStage;  ///< of the cycle that fits
+    std::vector<int> withoutFactor; ///< currents left out, as their factor is not given; by number
+    std::size_t count = 0;          ///< measured values
+    Issues issues;                  ///< why the cycle cannot be run
+};
+
+[[nodiscard]] Identification identify(const Project& project, const IdentificationRequest& request,
+                                      const std::stop_token& stop = {});
+
+} // namespace sparkout

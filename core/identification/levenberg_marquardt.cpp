@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/levenberg_marquardt.h"
+
+#include <Eigen/Dense>
+#include <unsupported/Eigen/NonLinearOptimization>
+
+#include <limits>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+/// The problem as Eigen's method takes it: of the free coordinates alone.
+class Functor {
+public:
+    Functor(FitProblem& problem, std::vector<double> q, std::vector<std::size_t> free,
+            const std::stop_token& stop)
+        : m_problem(problem), m_q(std::move(q)), m_free(std::move(free)), m_stop(stop) {}
+
+    [[nodiscard]] int inputs() const { return static_cast<int>(m_free.size()); }
+    [[nodiscard]] int values() const { return static_cast<int>(m_problem.residuals()); }
+
+    int operator()(const Eigen::VectorXd& x, Eigen::VectorXd& residuals) {
+        put(x);
+        if (m_stop.stop_requested()) {
+            return -1;
+        }
+        ++evaluations;
+        constexpr double beyond = 1e6; // a step to where no cycle can be run is taken back
+        if (m_problem.evaluate(m_q, m_residuals)) {
+            residuals = Eigen::Map<const Eigen::VectorXd>(m_residuals.data(), values());
+        } else {
+            residuals.setConstant(beyond);
+        }
+        return 0;
+    }
+
+    int df(const Eigen::VectorXd& x, Eigen::MatrixXd& jacobian) {
+        put(x);
+        if (!derivatives(m_problem, m_q, m_free, m_columns)) {
+            return -1;
+        }
+        jacobian = Eigen::Map<const Eigen::MatrixXd>(m_columns.data(), values(), inputs());
+        evaluations += 2 * inputs();
+        return 0;
+    }
+
+    void put(const Eigen::VectorXd& x) {
+        for (std::size_t i = 0; i < m_free.size(); ++i) {
+            m_q[m_free[i]] = x[static_cast<Eigen::Index>(i)];
+        }
+    }
+    [[nodiscard]] const std::vector<double>& q() const { return m_q; }
+
+    int evaluations = 0;
+
+private:
+    FitProblem& m_problem;
+    std::vector<double> m_q;
+    std::vector<std::size_t> m_free;
+    const std::stop_token& m_stop;
+    std::vector<double> m_residuals, m_columns;
+};
+
+} // namespace
+
+bool derivatives(FitProblem& problem, const std::vector<double>& q,
+                 const std::vector<std::size_t>& free, std::vector<double>& columns) {
+    columns.clear();
+    std::vector<double> at = q, above, below;
+    for (const std::size_t i : free) {
+        const double step = FitProblem::derivativeStep(problem.list()[i].kind);
+        at[i] = q[i] + step;
+        bool ran = problem.evaluate(at, above);
+        at[i] = q[i] - step;
+        ran = ran && problem.evaluate(at, below);
+        at[i] = q[i];
+        if (!ran) {
+            return false;
+        }
+        for (std::size_t k = 0; k < above.size(); ++k) {
+            columns.push_back((above[k] - below[k]) / (2 * step));
+        }
+    }
+    return true;
+}
+
+LeastSquares minimise(FitProblem& problem, const std::vector<double>& start,
+                      const std::vector<bool>& fixed, const std::stop_token& stop) {
+    LeastSquares found;
+    std::vector<std::size_t> free;
+    for (std::size_t i = 0; i < start.size(); ++i) {
+        if (!fixed[i]) {
+            free.push_back(i);
+        }
+    }
+    Functor functor(problem, start, free, stop);
+    Eigen::VectorXd x(functor.inputs());
+    for (std::size_t i = 0; i < free.size(); ++i) {
+        x[static_cast<Eigen::Index>(i)] = start[free[i]];
+    }
+    if (!free.empty() && functor.values() >= functor.inputs()) {
+        Eigen::LevenbergMarquardt<Functor> method(functor);
+        constexpr double tolerance = 1e-11;
+        constexpr int mostEvaluations = 200;
+        method.parameters.ftol = tolerance;
+        method.parameters.xtol = tolerance;
+        method.parameters.maxfev = mostEvaluations;
+        const auto status = method.minimize(x);
+        found.converged = status != Eigen::LevenbergMarquardtSpace::UserAsked
+                          && status != Eigen::LevenbergMarquardtSpace::ImproperInputParameters
+                          && status != Eigen::LevenbergMarquardtSpace::TooManyFunctionEvaluation;
+        functor.put(x);
+    } else {
+        found.converged = free.empty();
+    }
+    found.q = functor.q();
+    found.evaluations = functor.evaluations;
+    std::vector<double> residuals;
+    if (problem.evaluate(found.q, residuals)) {
+        for (const double residual : residuals) {
+            found.criterion += residual * residual;
+        }
+    } else {
+        found.converged = false;
+        found.criterion = std::numeric_limits<double>::infinity();
+    }
+    return found;
+}
+
+} // namespace sparkout

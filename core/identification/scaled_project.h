@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+
+#include <vector>
+
+namespace sparkout {
+
+/// What the depths of cut depend on: factors of what the project has.
+struct CycleFactors {
+    double alpha = 1, beta = 1, compliance = 1, flowStress = 1, dullness = 1;
+    std::vector<double> places; ///< of the compliance of each zone or section; empty: 1
+    double blankRunout_mm = 0;  ///< ΔR itself
+    friend bool operator==(const CycleFactors&, const CycleFactors&) = default;
+};
+
+/// The factors of a project as it is.
+[[nodiscard]] CycleFactors factorsOf(const Project& project);
+
+/// Whether zones or sections can have compliances of their own: given, or computed for each by
+/// itself.
+[[nodiscard]] bool hasPlaceCompliances(const Project& project);
+
+/// Multiplies γ everywhere: what is given, or divides the stiffnesses it is computed from.
+void scaleCompliance(Project& project, double factor);
+/// The same place by place; what is computed becomes given.
+void scaleCompliance(Project& project, const std::vector<double>& factors);
+
+/// The project whose cycle has these α and β in every balance. Its forces are not those of the
+/// factors: they follow from the depths of cut.
+[[nodiscard]] Project scaledProject(const Project& project, const CycleFactors& factors);
+
+} // namespace sparkout

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/issue.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace sparkout {
+
+/// A fault of a table: the issue, and the cell it stands in.
+struct CellFault {
+    std::size_t line = 0;   ///< from 1; 0: of the whole text
+    std::size_t column = 0; ///< from 1; 0: of the whole line
+    Issue issue;            ///< without a path
+    friend bool operator==(const CellFault&, const CellFault&) = default;
+};
+
+using CellFaults = std::vector<CellFault>;
+
+} // namespace sparkout

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/measured/measured_table.h"
+
+#include <string_view>
+#include <vector>
+
+/// Lines time|key|value, with more keys and values behind them, as adapters of machines write them.
+/// The time is a number of seconds, or a date and time of ISO 8601.
+namespace sparkout {
+
+/// The keys of the first lines, in the order in which they come.
+[[nodiscard]] std::vector<ColumnMatch> matchKeys(std::string_view text);
+
+/// Reads them into one trace a key. A value UNAVAILABLE is left out.
+[[nodiscard]] ReadMeasured readKeyValueLines(std::string_view text, const MeasuredTable& table,
+                                             const MeasuredContext& context,
+                                             const std::stop_token& stop);
+
+} // namespace sparkout

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/measured/measured_table.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace sparkout {
+
+/// The samples of one column while they are read.
+class TraceBuilder {
+public:
+    explicit TraceBuilder(const ColumnMatch& match) : m_match(&match) {}
+
+    void add(double time_s, double value) {
+        m_times.push_back(time_s);
+        m_values.push_back(value);
+    }
+    [[nodiscard]] bool empty() const { return m_times.empty(); }
+    /// Thinned out to what a project keeps; leaves nothing behind.
+    [[nodiscard]] MeasuredTrace take(const MeasuredContext& context);
+
+private:
+    const ColumnMatch* m_match;
+    std::vector<double> m_times, m_values;
+};
+
+} // namespace sparkout

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/statistics/intervals.h"
+
+#include <cstdint>
+
+/// Two samples held against each other.
+namespace sparkout {
+
+/// Quantile of Student's law, 0 < p < 1, freedom > 0.
+[[nodiscard]] double studentQuantile(double p, double freedom);
+
+/// Fisher's test of two variances of normal values [FISHER1925]: whether their ratio can be chance.
+struct VarianceRatio {
+    double ratio = 1; ///< s₁²/s₂²
+    std::int64_t freedom = 1, otherFreedom = 1;
+    double low = 0, high = 0; ///< what the ratio stays between at this confidence if it is chance
+    double probability = 1;   ///< of one that is at least so far from 1, to either side
+    [[nodiscard]] bool differs() const { return ratio < low || ratio > high; }
+};
+/// Of standard deviations of n ≥ 2 values each, the other not 0.
+[[nodiscard]] VarianceRatio varianceRatio(double deviation, std::int64_t count, double other,
+                                          std::int64_t otherCount, double confidence);
+
+/// Of the difference of two means, mean − other, whatever their variances [WELCH1947]; each n ≥ 2
+/// and one deviation not 0.
+struct SampleMean {
+    double mean = 0, deviation = 0;
+    std::int64_t count = 0;
+};
+[[nodiscard]] Interval welchInterval(const SampleMean& one, const SampleMean& other,
+                                     double confidence);
+
+} // namespace sparkout

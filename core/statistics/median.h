@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+namespace sparkout {
+
+/// What a normal law's standard deviation is to the median of the sizes of its values.
+inline constexpr double deviationPerMedian = 1.482602218505602;
+
+/// The upper median of at least one value.
+[[nodiscard]] double medianOf(std::vector<double> values);
+
+} // namespace sparkout

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "words/measured_words.h"
+
+#include "core/text.h"
+
+namespace sparkout {
+
+MeasuredWords wordsOf(AdequacyVerdict verdict) {
+    switch (verdict) {
+    case AdequacyVerdict::adequate:
+        return {"adequate", SPARKOUT_NOOP("Measured", "the model agrees with the parts")};
+    case AdequacyVerdict::biased:
+        return {"biased", SPARKOUT_NOOP("Measured", "the mean lies outside the predicted range")};
+    case AdequacyVerdict::scatterDiffers:
+        return {"scatter_differs",
+                SPARKOUT_NOOP("Measured", "the parts scatter otherwise than predicted")};
+    case AdequacyVerdict::biasedAndScatters:
+        return {"biased_and_scatter_differs",
+                SPARKOUT_NOOP("Measured",
+                              "the mean lies outside the predicted range, and the parts "
+                              "scatter otherwise")};
+    case AdequacyVerdict::tooFewParts:
+        return {"too_few_parts", SPARKOUT_NOOP("Measured", "too few parts to tell")};
+    case AdequacyVerdict::notPredicted: break;
+    }
+    return {"not_predicted", SPARKOUT_NOOP("Measured", "not predicted by this cycle")};
+}
+
+MeasuredWords wordsOf(IdentificationStatus status) {
+    switch (status) {
+    case IdentificationStatus::fitted: return {"fitted", SPARKOUT_NOOP("Measured", "found")};
+    case IdentificationStatus::cannotTell:
+        return {"cannot_tell", SPARKOUT_NOOP("Measured", "the data cannot tell some parameters")};
+    case IdentificationStatus::noData:
+        return {"no_data", SPARKOUT_NOOP("Measured", "there are too few measured values for these "
+                                                     "parameters")};
+    case IdentificationStatus::notApplicable:
+        return {"not_applicable",
+                SPARKOUT_NOOP("Measured",
+                              "the project cannot have these parameters, or one of them "
+                              "is given twice")};
+    case IdentificationStatus::notRun:
+        return {"not_run", SPARKOUT_NOOP("Measured", "the cycle of the project cannot be run to "
+                                                     "size")};
+    case IdentificationStatus::notConverged:
+        return {"not_converged", SPARKOUT_NOOP("Measured", "no best values were found")};
+    case IdentificationStatus::stopped: break;
+    }
+    return {"stopped", SPARKOUT_NOOP("Measured", "stopped")};
+}
+
+MeasuredWords wordsOf(Advice advice) {
+    switch (advice) {
+    case Advice::power:
+        return {"power", SPARKOUT_NOOP("Measured", "record the wheel's power over the same cycle")};
+    case Advice::force:
+        return {"force", SPARKOUT_NOOP("Measured", "record the normal force over the same cycle")};
+    case Advice::size:
+        return {"size", SPARKOUT_NOOP("Measured", "record the size at the gauge over a cycle")};
+    case Advice::another_feed:
+        return {"another_feed", SPARKOUT_NOOP("Measured", "record a cycle with a stage at another "
+                                                          "feed, or with a spark-out")};
+    case Advice::idle:
+        return {"idle",
+                SPARKOUT_NOOP("Measured", "record the power before the wheel touches, too")};
+    case Advice::place_sizes:
+        return {"place_sizes",
+                SPARKOUT_NOOP("Measured", "measure the size in these zones or sections")};
+    case Advice::cycle_start:
+        return {"cycle_start",
+                SPARKOUT_NOOP("Measured", "record a trace that has the beginning of the cut")};
+    case Advice::several_parts:
+    case Advice::count_: break;
+    }
+    return {"several_parts", SPARKOUT_NOOP("Measured", "measure more parts")};
+}
+
+MeasuredWords wordsOf(FittedKind kind) {
+    switch (kind) {
+    case FittedKind::alpha: return {"alpha", SPARKOUT_NOOP("Measured", "factor of α = γ·b·k_s")};
+    case FittedKind::beta: return {"beta", SPARKOUT_NOOP("Measured", "factor of β = γ·b·k_r")};
+    case FittedKind::compliance:
+        return {"compliance", SPARKOUT_NOOP("Measured", "factor of the compliance γ")};
+    case FittedKind::flow_stress:
+        return {"flow_stress", SPARKOUT_NOOP("Measured", "factor of the flow stress σ_i")};
+    case FittedKind::dullness:
+        return {"dullness", SPARKOUT_NOOP("Measured", "factor of the dullness η")};
+    case FittedKind::chip_power:
+        return {"chip_power", SPARKOUT_NOOP("Measured", "factor of b·k_t·V_k")};
+    case FittedKind::friction_power:
+        return {"friction_power", SPARKOUT_NOOP("Measured", "factor of b·μ·k_r·V_k")};
+    case FittedKind::idle_power: return {"idle_power", SPARKOUT_NOOP("Measured", "idle power")};
+    case FittedKind::size_offset:
+        return {"size_offset", SPARKOUT_NOOP("Measured", "offset of the gauge")};
+    case FittedKind::time_shift:
+        return {"time_shift", SPARKOUT_NOOP("Measured", "beginning of the cycle in the trace")};
+    case FittedKind::blank_runout:
+        return {"blank_runout", SPARKOUT_NOOP("Measured", "runout of the blank")};
+    case FittedKind::count_: break;
+    }
+    return {"", ""};
+}
+
+MeasuredWords wordsOf(FitSource source) {
+    switch (source) {
+    case FitSource::size: return {"size", SPARKOUT_NOOP("Measured", "size at the gauge")};
+    case FitSource::power: return {"power", SPARKOUT_NOOP("Measured", "power of the wheel")};
+    case FitSource::force: return {"force", SPARKOUT_NOOP("Measured", "normal force")};
+    case FitSource::parts: break;
+    }
+    return {"parts", SPARKOUT_NOOP("Measured", "diameters of parts")};
+}
+
+const char* unitOf(FittedKind kind) {
+    switch (kind) {
+    case FittedKind::idle_power: return "kW";
+    case FittedKind::size_offset:
+    case FittedKind::blank_runout: return "mm";
+    case FittedKind::time_shift: return "s";
+    default: return "";
+    }
+}
+
+const char* unitOf(FitSource source) {
+    switch (source) {
+    case FitSource::size: return "mm";
+    case FitSource::power: return "kW";
+    case FitSource::force: return "N";
+    case FitSource::parts: break;
+    }
+    return "µm";
+}
+
+} // namespace sparkout

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/adequacy/adequacy.h"
+#include "core/identification/identification.h"
+
+namespace sparkout {
+
+/// A value of the core in words: its key in JSON, and the text, in English; the window translates
+/// it in the context "Measured".
+struct MeasuredWords {
+    const char* key;
+    const char* text;
+};
+
+[[nodiscard]] MeasuredWords wordsOf(AdequacyVerdict verdict);
+[[nodiscard]] MeasuredWords wordsOf(IdentificationStatus status);
+/// What to measure.
+[[nodiscard]] MeasuredWords wordsOf(Advice advice);
+[[nodiscard]] MeasuredWords wordsOf(FittedKind kind);
+[[nodiscard]] MeasuredWords wordsOf(FitSource source);
+
+/// The unit of a parameter's value; empty for a factor.
+[[nodiscard]] const char* unitOf(FittedKind kind);
+/// The unit of the residuals of a source.
+[[nodiscard]] const char* unitOf(FitSource source);
+
+} // namespace sparkout
