@@ -19,8 +19,10 @@
 #include <QComboBox>
 #include <QDeadlineTimer>
 #include <QDesktopServices>
+#include <QDir>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QFileInfo>
 #include <QFrame>
 #include <QLabel>
 #include <QMessageBox>
@@ -191,23 +193,45 @@ private slots:
         QVERIFY(!bar->holds(QString::fromLatin1(SavedFile::noticeKey)));
     }
 
+    void theFileAndItsFolderAreOpenedByTheSystem_data() {
+        QTest::addColumn<QString>("folder");
+        QTest::addColumn<QString>("name");
+        const auto row = [](const char* what, const char* folder, const char* name) {
+            QTest::newRow(what) << QString::fromUtf8(folder) << QString::fromUtf8(name);
+        };
+        row("Cyrillic and spaces", "Карты цеха 2", "Карта 1.pdf");
+        row("number sign", "line #3", "part #12 a.pdf");
+        row("per cent", "50% done", "100%25 %41.pdf");
+        row("others of URLs", "a&b;c", "what? yes: [1]+~'2'.pdf");
+    }
     void theFileAndItsFolderAreOpenedByTheSystem() {
+        QFETCH(QString, folder);
+        QFETCH(QString, name);
         Bench bench(QStringLiteral("en"));
         QVERIFY(bench.open(examplePaths().front()));
-        const QString path = m_folder.filePath(QStringLiteral("Карта 1.pdf"));
+        const QDir place(m_folder.filePath(folder));
+        QVERIFY(place.mkpath(QStringLiteral(".")));
+        const QString path = place.filePath(name);
         OpenedUrls opened;
-        for (const auto& [button, url] :
-             {std::pair{"Open", path}, std::pair{"Show in folder", m_folder.path()}}) {
+        for (const auto& [button, target] :
+             {std::pair{"Open", path}, std::pair{"Show in folder", place.path()}}) {
             QFile::remove(path); // or it is asked whether to replace it
             const DialogAnswers answers({QStringLiteral("file:") + path});
             bench.action("pdf-card")->trigger();
             QCOMPARE(answers.fault(), QString());
             QTRY_VERIFY(noticeButton(bench, button)); // it is shown later in the event loop
             click(noticeButton(bench, button));
-            QTRY_COMPARE(opened.urls.value(opened.urls.size() - 1), QUrl::fromLocalFile(url));
+            QTRY_VERIFY(!opened.urls.isEmpty());
+            const QUrl url = opened.urls.takeFirst();
+            QCOMPARE(url.toLocalFile(), target);
+            QVERIFY(QFileInfo::exists(url.toLocalFile()));
+            // As another program reads it: all of it is the path, encoded once.
+            const QUrl again = QUrl::fromEncoded(url.toEncoded(), QUrl::StrictMode);
+            QVERIFY(!again.hasFragment() && !again.hasQuery());
+            QCOMPARE(again.path(QUrl::FullyDecoded), target);
             QVERIFY(!noticeButton(bench, button)); // the notice has been answered
+            QVERIFY(opened.urls.isEmpty());
         }
-        QCOMPARE(opened.urls.size(), 2);
     }
 
     /// The platform of the tests has no programs to open files with.

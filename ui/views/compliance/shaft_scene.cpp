@@ -15,12 +15,13 @@
 namespace sparkout {
 
 namespace {
-constexpr double above = 2.1;    ///< room for the wheel, of the largest radius
-constexpr double below = 1.9;    ///< room for rests and names
-constexpr double holder = 0.08;  ///< length of a centre or chuck, of the shaft's
-constexpr int wheelShade = 70;   ///< opacity of 255
-constexpr double restHalf = 0.2; ///< half the width of a rest, of the largest radius
-constexpr double noteGap = 6;    ///< between a thing and its name, in pixels
+constexpr double above = 2.1;      ///< room for the wheel, of the largest radius
+constexpr double below = 1.9;      ///< room for rests and names
+constexpr double holder = 0.08;    ///< length of a centre or chuck, of the shaft's
+constexpr int wheelShade = 70;     ///< opacity of 255
+constexpr double restHalf = 0.2;   ///< half the width of a rest, of the largest radius
+constexpr double noteGap = 6;      ///< between a thing and its name, in pixels
+constexpr double gaugeHalf = 1.25; ///< half the line of the gauge, of the largest radius
 
 QString stiffnessText(double value_n_um) {
     return printedNumber(value_n_um, 4);
@@ -62,6 +63,11 @@ QString ShaftScene::stiffness(double Stiffness::*unit, const QString& name) cons
 }
 
 void ShaftScene::note(QCPPainter* painter, const QPointF& where, int flags, const QString& text) {
+    note(painter, where, flags, text, mParentPlot->palette().color(QPalette::Text));
+}
+
+void ShaftScene::note(QCPPainter* painter, const QPointF& where, int flags, const QString& text,
+                      const QColor& colour) {
     const QRectF all = m_rect->rect();
     QRectF rect = painter->fontMetrics().boundingRect(QRect(), flags, text);
     rect.moveCenter(where);
@@ -74,14 +80,14 @@ void ShaftScene::note(QCPPainter* painter, const QPointF& where, int flags, cons
                              std::max(all.right() - rect.width() - 2, all.left() + 2)));
     rect.moveTop(std::clamp(rect.top(), all.top() + 2.0,
                             std::max(all.bottom() - rect.height() - 2, all.top() + 2.0)));
-    for (const QRectF& other : m_notes) { // a line lower, or higher at the lower edge
+    for (const auto& [other, words] : m_notes) { // a line lower, or higher at the lower edge
         if (rect.intersects(other)) {
             const bool fits = other.bottom() + rect.height() < all.bottom();
             rect.moveTop(fits ? other.bottom() : other.top() - rect.height());
         }
     }
-    m_notes.push_back(rect);
-    painter->setPen(mParentPlot->palette().color(QPalette::Text));
+    m_notes.push_back({rect, text});
+    painter->setPen(colour);
     painter->drawText(rect, flags | Qt::TextDontClip, text);
 }
 
@@ -106,7 +112,10 @@ void ShaftScene::drawSupport(QCPPainter* painter, bool tailstock) {
     const double y = -m_high_mm * (1 + (below - 1) / 2);
     const QString text = tailstock ? stiffness(&Stiffness::tailstock, tr("tailstock"))
                                    : stiffness(&Stiffness::headstock, tr("headstock"));
-    const QPointF beside = at(end + out, 0) + QPointF(tailstock ? noteGap : -noteGap, 0);
+    QPointF beside = at(end + out, 0) + QPointF(tailstock ? noteGap : -noteGap, 0);
+    if (bore) { // the wheel may stand before the chuck
+        beside.setX(std::min(beside.x(), m_wheelBox.left() - noteGap));
+    }
     const QRectF all = m_rect->rect();
     const double room = tailstock ? all.right() - beside.x() : beside.x() - all.left();
     if (bore || painter->fontMetrics().horizontalAdvance(text) < room - 2) {
@@ -140,7 +149,7 @@ void ShaftScene::drawRests(QCPPainter* painter) {
 }
 
 /// At the entry reversal where it travels, else over the middle.
-void ShaftScene::drawWheel(QCPPainter* painter) {
+void ShaftScene::placeWheel() {
     const Part& part = *m_project.part;
     const double width = m_project.wheel->width_mm, radius = part.diameter_mm / 2;
     double from = (part.length_mm - width) / 2;
@@ -151,38 +160,50 @@ void ShaftScene::drawWheel(QCPPainter* painter) {
     }
     const bool bore = part.surface == Surface::internal;
     const double D = m_project.wheel->diameter_mm;
-    painter->drawRect(bore ? box(from, from + width, radius - D, radius)
-                           : box(from, from + width, radius, radius + D));
-    QPointF where = at(from + width, m_high_mm * (1 + (above - 1) * 0.7)) + QPointF(noteGap, 0);
-    if (bore && part.shaft.quill) {
+    m_wheelBox = bore ? box(from, from + width, radius - D, radius)
+                      : box(from, from + width, radius, radius + D);
+}
+
+void ShaftScene::drawWheel(QCPPainter* painter) {
+    const Part& part = *m_project.part;
+    painter->drawRect(m_wheelBox);
+    QPointF where(m_wheelBox.right() + noteGap, at(0, m_high_mm * (1 + (above - 1) * 0.7)).y());
+    if (part.surface == Surface::internal && part.shaft.quill) {
         const Quill& quill = *part.shaft.quill;
-        const double middle = radius - D / 2;
-        painter->drawRect(box(from + width, from + width + quill.length_mm,
-                              middle - quill.diameter_mm / 2, middle + quill.diameter_mm / 2));
-        where = at(from + width, m_high_mm * (1 + (above - 1) * 0.3)) + QPointF(noteGap, 0);
+        const double half = quill.diameter_mm / 2 * m_rect->height()
+                            / m_rect->axis(QCPAxis::atLeft)->range().size();
+        const double along =
+            quill.length_mm * m_rect->width() / m_rect->axis(QCPAxis::atBottom)->range().size();
+        const double middle = m_wheelBox.center().y();
+        painter->drawRect(QRectF(m_wheelBox.right(), middle - half, along, 2 * half));
+        const double end = at(0, m_high_mm * gaugeHalf).y(); // of the gauge's line
+        where.setY(end - painter->fontMetrics().height());
     }
     const QString text = stiffness(&Stiffness::wheel_head, tr("wheel head"));
     if (where.x() + painter->fontMetrics().horizontalAdvance(text) < m_rect->right()) {
         note(painter, where, Qt::AlignLeft, text);
     } else { // on the wheel's other side
-        note(painter, QPointF(at(from, 0).x() - noteGap, where.y()), Qt::AlignRight, text);
+        note(painter, QPointF(m_wheelBox.left() - noteGap, where.y()), Qt::AlignRight, text);
     }
 }
 
-void ShaftScene::drawGauge(QCPPainter* painter) const {
+void ShaftScene::drawGauge(QCPPainter* painter) {
     const QColor colour =
         ProfileLook::pen(ProfileLine::gauge, mParentPlot->palette(), false).color();
     painter->setPen(QPen(colour, 1.5, Qt::DashDotLine));
-    painter->drawLine(at(m_gauge_mm, m_high_mm * 1.25), at(m_gauge_mm, -m_high_mm * 1.25));
-    // Beside the line's end: below it are the names of the supports.
-    painter->drawText(at(m_gauge_mm, -m_high_mm * 1.25) + QPointF(4, -1),
-                      ProfileLook::name(ProfileLine::gauge));
+    const double high = painter->fontMetrics().height();
+    QPointF end = at(m_gauge_mm, -m_high_mm * gaugeHalf);
+    end.setY(std::max(end.y(), at(0, -m_high_mm).y() + high)); // the name is below the part
+    painter->drawLine(at(m_gauge_mm, m_high_mm * gaugeHalf), end);
+    note(painter, end + QPointF(4, -high / 2), Qt::AlignLeft, ProfileLook::name(ProfileLine::gauge),
+         colour);
 }
 
 void ShaftScene::draw(QCPPainter* painter) {
     const QPalette palette = mParentPlot->palette();
     painter->setFont(mParentPlot->font());
     m_notes.clear();
+    placeWheel();
     const QColor fill = style::thinned(palette.color(QPalette::Text), wheelShade);
     const QPen edge(palette.color(QPalette::Text), 1);
     const auto solid = [&] {

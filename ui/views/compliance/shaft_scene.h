@@ -24,6 +24,14 @@ public:
     void setProject(const Project& project, const QRectF& body, double gauge_mm);
     [[nodiscard]] QRectF bounds() const { return m_bounds; } ///< [mm], y upwards
 
+    /// Words beside a thing, in pixels.
+    struct Note {
+        QRectF place;
+        QString text;
+    };
+    [[nodiscard]] const std::vector<Note>& notes() const { return m_notes; } ///< as last drawn
+    [[nodiscard]] QRectF wheelBox() const { return m_wheelBox; } ///< in pixels, as last drawn
+
 protected:
     void draw(QCPPainter* painter) override;
 
@@ -33,8 +41,11 @@ private:
     void drawSupport(QCPPainter* painter, bool tailstock);
     void drawRests(QCPPainter* painter);
     void drawWheel(QCPPainter* painter);
-    void drawGauge(QCPPainter* painter) const;
+    void drawGauge(QCPPainter* painter);
+    void placeWheel();
     /// Writes beside a thing, clear of the notes written before.
+    void note(QCPPainter* painter, const QPointF& where, int flags, const QString& text,
+              const QColor& colour);
     void note(QCPPainter* painter, const QPointF& where, int flags, const QString& text);
     [[nodiscard]] QString stiffness(double Stiffness::*unit, const QString& name) const;
 
@@ -43,7 +54,8 @@ private:
     double m_from_mm = 0, m_to_mm = 0; ///< ends of the shaft
     double m_high_mm = 0;              ///< its largest radius
     QRectF m_bounds;
-    std::vector<QRectF> m_notes; ///< where they stand, in this drawing
+    std::vector<Note> m_notes;
+    QRectF m_wheelBox;
 };
 
 } // namespace sparkout

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view "Compliance": what it draws is the engine's, the part is to scale, the legend works.
 #include "core/format/project_file.h"
+#include "core/project/machine.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/plot_tools.h"
@@ -8,6 +9,7 @@
 #include "ui/views/compliance/compliance_curves.h"
 #include "ui/views/compliance/compliance_plot.h"
 #include "ui/views/compliance/compliance_view.h"
+#include "ui/views/compliance/shaft_scene.h"
 
 #include "tests/registry.h"
 
@@ -22,10 +24,14 @@ using namespace sparkout;
 
 namespace {
 
+Project projectOf(const QString& name) {
+    const QString path =
+        QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout").arg(name);
+    return loadProject(path).setup.value().surfaces.front().project;
+}
+
 OutcomePtr example(const char* name) {
-    const QString path = QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
-                             .arg(QString::fromLatin1(name));
-    return evaluate(loadProject(path).setup.value().surfaces.front().project, {});
+    return evaluate(projectOf(QString::fromLatin1(name)), {});
 }
 
 /// A view as it stands in the window, with a run drawn.
@@ -108,6 +114,49 @@ private slots:
                          rect.axis(QCPAxis::atBottom)->range().lower);
                 QCOMPARE(bench.plot().curveRect()->left(), rect.left());
             }
+        }
+    }
+
+    /// Wherever the wheel stands, and however wide the drawing is.
+    void theWordsStandBesideTheWheelAndEachOther_data() {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<bool>("fromTailstock");
+        for (const char* file : {"slender-shaft", "plunge-shaft-two-stage", "setups/spindle"}) {
+            for (const bool fromTailstock : {false, true}) {
+                QTest::addRow("%s%s", file, fromTailstock ? " from the tailstock" : "")
+                    << QString::fromLatin1(file) << fromTailstock;
+            }
+        }
+        QTest::newRow("bore") << QStringLiteral("through-bore") << false;
+    }
+    void theWordsStandBesideTheWheelAndEachOther() {
+        QFETCH(QString, file);
+        QFETCH(bool, fromTailstock);
+        Project project = projectOf(file);
+        project.machine->entry_side = fromTailstock ? EntrySide::tailstock : EntrySide::headstock;
+        Bench bench(evaluate(project, {}));
+        const auto* scene = bench.plot().findChild<ShaftScene*>();
+        QVERIFY(scene);
+        for (const QSize size : {QSize(560, 420), QSize(700, 620), QSize(1200, 500)}) {
+            bench.view.resize(size);
+            QTest::qWait(20);
+            bench.plot().replot();
+            int ofTheHead = 0;
+            const std::vector<ShaftScene::Note>& notes = scene->notes();
+            QVERIFY(!notes.empty());
+            for (std::size_t i = 0; i < notes.size(); ++i) {
+                const auto& [place, text] = notes[i];
+                const QByteArray where =
+                    QStringLiteral("%1 at %2").arg(text).arg(size.width()).toUtf8();
+                ofTheHead += text.startsWith(QStringLiteral("wheel head")) ? 1 : 0;
+                QVERIFY2(!place.intersects(scene->wheelBox()), where.constData());
+                QVERIFY2(QRectF(bench.plot().shaftRect()->rect()).contains(place),
+                         where.constData());
+                for (std::size_t j = 0; j < i; ++j) {
+                    QVERIFY2(!place.intersects(notes[j].place), where.constData());
+                }
+            }
+            QCOMPARE(ofTheHead, 1);
         }
     }
 
