@@ -2,18 +2,24 @@
 #pragma once
 
 // The public face of the core: a project read and checked, its cycle simulated, held against the
-// drawing and evaluated, what would help, its batch, its sweep, its search; and the surfaces of a
-// part that are ground in one set-up.
+// drawing and evaluated, what would help, its batch, its sweep, its search; what was measured,
+// read, judged and fitted; and the surfaces of a part that are ground in one set-up.
 
+#include "core/adequacy/adequacy.h"
 #include "core/batch/batch_check.h"
 #include "core/batch/batch_run.h"
 #include "core/batch/batch_summary.h"
 #include "core/format/project_file.h"
+#include "core/identification/calibration.h"
+#include "core/identification/identification.h"
+#include "core/identification/wheel_calibration.h"
+#include "core/measured/measured_table.h"
 #include "core/project/batch.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
+#include "core/project/measured.h"
 #include "core/project/optimisation.h"
 #include "core/project/part.h"
 #include "core/project/project.h"

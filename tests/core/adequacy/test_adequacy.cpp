@@ -3,6 +3,7 @@
 // on parts that do not, the published comparison.
 #include "core/adequacy/adequacy.h"
 
+#include "core/measured/measured_table.h"
 #include "core/project/batch.h"
 #include "core/project/part.h"
 #include "core/statistics/philox.h"
@@ -284,6 +285,33 @@ private slots:
         const auto found = statisticsOfMeasured(project);
         QCOMPARE(found.size(), std::size_t{1});
         QVERIFY(std::abs(found[0].mean - 2) < 1e-9 && !found[0].deviation);
+    }
+
+    /// A table as a study of ground parts publishes it: 1,200 parts of 25 settings, a column that
+    /// means nothing to the program among the others.
+    void aTableOfManyPartsIsReadAndJudged() {
+        Project project = scattering();
+        const BatchResult batch = runBatch(predictingProject(project));
+        const std::vector<Characteristic> all = characteristicsOf(batch.project);
+        std::string text = "Part,Setting,Section,Diameter [mm],Runout [um],Ra [um],Operator\n";
+        constexpr int parts = 1200, settings = 25;
+        for (int i = 0; i < parts; ++i) {
+            const auto row = static_cast<std::size_t>(i) % batch.statistics.rows.size();
+            const double deviation_um = batch.statistics.rows[row].values[0];
+            text += std::to_string(i + 1) + ',' + std::to_string(i % settings) + ",0,"
+                    + std::to_string(project.part->diameter_mm + deviation_um / 1000) + ",2.5,0."
+                    + std::to_string(4 + i % 3) + ",A\n";
+        }
+        QVERIFY(all[0].section == 0 && !all[0].requirement);
+        const ReadMeasured read = readMeasured(text, proposeTable(text), {});
+        QVERIFY(read.faults.empty());
+        QCOMPARE(read.data.parts.size(), std::size_t{parts});
+        project.measured.emplace() = read.data;
+        const auto rows = judgeAdequacy(project, batch);
+        QCOMPARE(rows.size(), std::size_t{3});
+        QVERIFY(find(rows, MeasuredQuantity::diameter_deviation)->verdict
+                == AdequacyVerdict::adequate);
+        QCOMPARE(find(rows, MeasuredQuantity::roughness_ra)->measured.count, std::int64_t{parts});
     }
 
     void aThousandPartsInAFifthOfASecond() {

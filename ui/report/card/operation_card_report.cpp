@@ -6,7 +6,6 @@
 #include "core/project/part.h"
 #include "ui/report/card/sketch_sheet.h"
 #include "ui/report/parts/begun_report.h"
-#include "ui/report/parts/cell_text.h"
 #include "ui/text/number_text.h"
 
 #include <QPainter>
@@ -85,11 +84,11 @@ Table OperationCardReport::table(const std::vector<CardRow>& rows) {
     }
     table.texts = {true, true};
     for (const CardRow& row : rows) {
-        QStringList cells{cell(row.symbol), row.text};
-        for (std::size_t i = form::firstValue; i < form::mainColumn; ++i) {
-            cells << cell(row.cells.value(static_cast<qsizetype>(i - form::firstValue)));
+        QStringList cells{row.symbol, row.text};
+        for (std::size_t i = form::firstValue; i < form::mainColumn; ++i) { // empty as on the form
+            cells << row.cells.value(static_cast<qsizetype>(i - form::firstValue));
         }
-        table.rows.push_back(cells << cell(row.main) << cell(row.auxiliary));
+        table.rows.push_back(cells << row.main << row.auxiliary);
     }
     return table;
 }

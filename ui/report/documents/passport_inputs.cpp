@@ -176,7 +176,7 @@ std::vector<Block> PassportInputs::scenarios(const Subject& subject) {
 }
 
 Table PassportInputs::inputs(const Project& project) {
-    constexpr std::array<std::string_view, 6> left{
+    constexpr std::array<std::string_view, 7> left{
         "/title", "/author",   "/notes", "/optimisation",
         "/sweep", "/measured", "/runs"}; // no part of what is computed
     Table table;

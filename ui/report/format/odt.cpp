@@ -284,7 +284,8 @@ QByteArray contentOf(const Report& report, double width_mm, std::vector<Picture>
     xml.attribute("style:family", QStringLiteral("table"));
     xml.empty("style:table-properties",
               {{QStringLiteral("style:width"), millimetres(width_mm)},
-               {QStringLiteral("table:align"), QStringLiteral("margins")}});
+               {QStringLiteral("table:align"), QStringLiteral("margins")},
+               {QStringLiteral("table:border-model"), QStringLiteral("collapsing")}});
     xml.end();
     xml.begin("style:style");
     xml.attribute("style:name", QStringLiteral("Cell"));
