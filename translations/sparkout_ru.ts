@@ -92,7 +92,7 @@
         <message>
             <source>%1, p</source>
             <comment>name of the test</comment>
-            <translation>Критерий %1, p</translation>
+            <translation>p (%1)</translation>
         </message>
         <message>
             <source>conforms to the drawing</source>
@@ -14754,10 +14754,6 @@ mm/min</source>
         <message>
             <source>Zone or section</source>
             <translation>Зона или сечение</translation>
-        </message>
-        <message>
-            <source>Mean diameter</source>
-            <translation>Средний диаметр</translation>
         </message>
         <message>
             <source>Box: the middle half of the parts, with their median; whiskers: the smallest and the largest part.</source>

@@ -14,7 +14,8 @@
 namespace sparkout {
 
 namespace {
-constexpr double curveRoom = 0.06; ///< of the values
+constexpr double curveRoom = 0.06;    ///< of the values
+constexpr QSize legiblePlot(120, 80); ///< at the least
 } // namespace
 
 ComparePlot::ComparePlot(QWidget* parent) : ViewPlot(parent) {
@@ -35,6 +36,7 @@ void ComparePlot::build() {
     for (std::size_t row = 0; row < m_rects.size(); ++row) {
         QCPAxisRect* const rect = addRect(static_cast<int>(row));
         rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
+        rect->setMinimumSize(legiblePlot);
         for (QCPAxis* axis : rect->axes()) {
             axis->ticker()->setTickCount(4);
             axis->setVisible(true);
@@ -67,6 +69,20 @@ void ComparePlot::fitTexts() {
         if (changed) {
             replot(rpQueuedReplot);
         }
+    }
+    noteLeastSize();
+}
+
+void ComparePlot::noteLeastSize() {
+    QSize least(0, 0);
+    for (const QCPAxisRect* rect : m_rects) {
+        const QMargins around = rect->margins();
+        least = {std::max(least.width(), around.left() + legiblePlot.width() + around.right()),
+                 least.height() + around.top() + legiblePlot.height() + around.bottom()};
+    }
+    if (least != m_leastSize) {
+        m_leastSize = least;
+        updateGeometry();
     }
 }
 
@@ -236,6 +252,9 @@ void ComparePlot::pointAway() {
 
 void ComparePlot::restyle() {
     ViewPlot::restyle();
+    const int half = QFontMetrics(font()).height() / 2; // of a number at the end of an axis
+    m_rects[0]->setMinimumMargins(QMargins(0, half, 0, half));
+    m_rects[1]->setMinimumMargins(QMargins(0, half, 0, 0));
     for (const Quantity quantity : quantities()) { // an axis has the colour of its curves
         const QColor colour = style::colour(style::drawnAs(quantity), palette());
         axisOf(quantity)->setLabelColor(colour);

@@ -45,6 +45,7 @@ public:
     [[nodiscard]] QCPRange readSpan() const override { return {0, m_chart.end()}; }
     [[nodiscard]] CursorSubject cursorSubject() override;
     [[nodiscard]] CsvTable table() const override; ///< the shown points within the visible range
+    [[nodiscard]] QSize minimumSizeHint() const override { return m_leastSize; } ///< legible
 
 signals:
     void timeClicked(double time_s); ///< of the present run
@@ -63,6 +64,7 @@ private:
     };
     void build();
     void fitTexts();
+    void noteLeastSize();
     void fitValues(Quantity quantity);
     void fill();
     [[nodiscard]] const Curve* nearestCurve(const QPointF& at) const;
@@ -74,6 +76,7 @@ private:
     HairLine* m_momentLine = nullptr;
     std::optional<double> m_moment_s;
     PlotHistory::State m_fitted; ///< what fit() showed
+    QSize m_leastSize;
 };
 
 } // namespace sparkout

@@ -21,6 +21,10 @@ namespace sparkout {
 namespace {
 
 constexpr double fullBar = 1.25; ///< usage at the end of a bar
+QString onLines(QString valueAndLimit) {
+    return valueAndLimit.replace(QStringLiteral(" / "), QStringLiteral(" /\n"));
+}
+
 constexpr int leastBarWidth = 76;
 constexpr int air = 4;
 constexpr double scaleHeight = 4, pointerWidth = 5; ///< of a range [px]
@@ -55,6 +59,13 @@ void MarginModel::setAllPlaces(bool all) {
 void MarginModel::setIcons(const std::array<QIcon, 3>& icons) {
     m_icons = icons;
     retranslate();
+}
+
+void MarginModel::setStacked(bool stacked) {
+    if (stacked != m_stacked) {
+        m_stacked = stacked;
+        retranslate();
+    }
 }
 
 void MarginModel::fill() {
@@ -95,11 +106,17 @@ QString MarginModel::text(const ConstraintResult& c, int column) {
     }
 }
 
+QString MarginModel::stackedText(const ConstraintResult& c, int column) {
+    return column == requirement
+               ? QStringLiteral("%1, %2").arg(Names::constraintBrief(c.kind), Names::where(c))
+               : onLines(text(c, column));
+}
+
 QVariant MarginModel::cell(int row, int column, int role) const {
     const ConstraintResult& c = at(row);
     const Light light = lightOf(c);
     switch (role) {
-    case Qt::DisplayRole: return text(c, column);
+    case Qt::DisplayRole: return m_stacked ? stackedText(c, column) : text(c, column);
     case Qt::DecorationRole:
         return column == requirement ? QVariant(m_icons[static_cast<std::size_t>(light)])
                                      : QVariant();
@@ -129,7 +146,7 @@ QVariant MarginModel::head(int column, int role) const {
     switch (column) {
     case requirement: return tr("Requirement");
     case usage: return tr("Used up");
-    case value: return tr("Value / limit");
+    case value: return m_stacked ? onLines(tr("Value / limit")) : tr("Value / limit");
     default: return {};
     }
 }
@@ -158,6 +175,18 @@ QString MarginModel::asTsv() const {
 
 CsvTable MarginModel::table() const {
     return m_outcome ? requirementTable(m_rows, m_outcome->result.project.operation) : CsvTable();
+}
+
+// --- the light ----------------------------------------------------------------------------------
+
+void MarginName::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
+    QStyledItemDelegate::initStyleOption(option, index);
+    const QStyle* style = option->widget ? option->widget->style() : QApplication::style();
+    const QRect room = style->subElementRect(QStyle::SE_ItemViewItemText, option, option->widget);
+    const int gap = style->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, option->widget) + 1;
+    if (option->fontMetrics.horizontalAdvance(option->text) <= room.width() - 2 * gap) {
+        option->decorationAlignment = Qt::AlignLeft | Qt::AlignVCenter; // as the text is
+    }
 }
 
 // --- the bar ------------------------------------------------------------------------------------

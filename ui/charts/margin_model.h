@@ -32,6 +32,7 @@ public:
     void setOutcome(OutcomePtr outcome);
     void setAllPlaces(bool all);
     void setIcons(const std::array<QIcon, 3>& icons);
+    void setStacked(bool stacked); ///< a limit is below its value, for a narrow table
 
     [[nodiscard]] const ConstraintResult& at(int row) const {
         return m_rows[static_cast<std::size_t>(row)];
@@ -48,11 +49,22 @@ private:
     [[nodiscard]] QVariant head(int column, int role) const override;
     void fill();
     [[nodiscard]] static QString text(const ConstraintResult& c, int column);
+    [[nodiscard]] static QString stackedText(const ConstraintResult& c, int column);
 
     OutcomePtr m_outcome;
     std::vector<ConstraintResult> m_rows;
     std::array<QIcon, 3> m_icons;
-    bool m_all = false;
+    bool m_all = false, m_stacked = false;
+};
+
+/// Draws a requirement's name with its light on the first line of the text, however high the row.
+class MarginName : public QStyledItemDelegate {
+    Q_OBJECT
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
 };
 
 /// Draws the usage as a bar with its percentage; a line marks the limit. A range of the machine is

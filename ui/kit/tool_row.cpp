@@ -15,7 +15,13 @@ int roundedShare(int whole, int part, int of) {
     return of > 0 ? static_cast<int>(static_cast<long long>(whole) * part / of) : 0;
 }
 
-/// A box needs no more than its present text does; its own least width is of an older type.
+/// Without the least width of a box, which may be of an older type.
+int hintOf(const QLayoutItem& item) {
+    const auto* box = qobject_cast<const QComboBox*>(const_cast<QLayoutItem&>(item).widget());
+    return box && !box->isHidden() ? box->sizeHint().width() : item.sizeHint().width();
+}
+
+/// A box needs no more than its present text does.
 int leastOf(const QLayoutItem& item) {
     const auto* box = qobject_cast<const QComboBox*>(const_cast<QLayoutItem&>(item).widget());
     if (!box) {
@@ -28,7 +34,7 @@ int leastOf(const QLayoutItem& item) {
         widest = std::max(widest, metrics.boundingRect(box->itemText(i)).width());
     }
     const QString text = box->currentIndex() < 0 ? box->placeholderText() : box->currentText();
-    const int hint = item.sizeHint().width();
+    const int hint = hintOf(item);
     return std::clamp(hint - widest + metrics.horizontalAdvance(text) + air, 0, hint);
 }
 
@@ -93,13 +99,13 @@ std::vector<int> ToolRow::widthsOf(const Line& line, int room) const {
     const int least = leastWidth(line);
     int wished = least, stretches = 0;
     for (const Tool* tool : line) {
-        wished += std::max(0, tool->item->sizeHint().width() - tool->least());
+        wished += std::max(0, hintOf(*tool->item) - tool->least());
         stretches += tool->stretch;
     }
     std::vector<int> widths;
     for (const Tool* tool : line) {
         const int mine = std::min(tool->least(), room); // a text with a line to itself may be less
-        const int own = std::max(mine, tool->item->sizeHint().width());
+        const int own = std::max(mine, hintOf(*tool->item));
         widths.push_back(
             wished <= room
                 ? own + roundedShare(room - wished, tool->stretch, stretches)
@@ -167,7 +173,7 @@ QSize ToolRow::sizeHint() const {
     QSize size(-spacing(), 0);
     for (const Tool& tool : m_items) {
         if (tool.item->spacerItem() || !tool.item->isEmpty()) {
-            size.rwidth() += tool.item->sizeHint().width() + spacing();
+            size.rwidth() += hintOf(*tool.item) + spacing();
             size.setHeight(std::max(size.height(), tool.item->sizeHint().height()));
         }
     }

@@ -15,6 +15,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -70,8 +71,19 @@ void PlotView::addPage(ViewPlot& plot, PlotSubject subject) {
         hideUntilDrawn({m_pages});
     }
     addPlot(plot, std::move(subject));
-    m_pages->addWidget(&plot);
+    m_pages->addWidget(scrolled(plot));
     m_buttons.push_back(pageButtons(*plot.tools()));
+}
+
+QScrollArea* PlotView::scrolled(ViewPlot& plot) {
+    auto* area = new QScrollArea(this);
+    area->setMinimumSize(plot.minimumSize());
+    plot.setMinimumSize(0, 0);
+    area->setWidget(&plot);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus); // the plot has it
+    return area;
 }
 
 QWidget* PlotView::pageButtons(PlotTools& tools) {

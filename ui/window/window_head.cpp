@@ -40,4 +40,10 @@ void WindowHead::resizeEvent(QResizeEvent* event) {
     fit();
 }
 
+/// Only now the buttons have the style and type in which they are as wide as they will be.
+void WindowHead::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    fitNames();
+}
+
 } // namespace sparkout

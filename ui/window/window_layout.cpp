@@ -86,6 +86,7 @@ WindowLayout::~WindowLayout() {
 QDockWidget* WindowLayout::addDock(QWidget* content, const QString& name, Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(&m_window);
     dock->setObjectName(name);
+    setRelativeFont(*dock, 1); // its title does not follow the program's by itself
     dock->setWidget(content);
     m_window.addDockWidget(area, dock);
     return dock;

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every example in every view, language and theme: pictures to look at, in gallery/ of the build
-// folder, and none of them empty or with a warning.
+// folder, and none of them empty or with a warning. With SPARKOUT_GALLERY set also two of them with
+// batch, sweep, search and comparison filled, in three themes, sizes of type and two of the window.
+#include "core/project/cycle.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
+#include "ui/kit/font_size.h"
 #include "ui/plot/view.h"
 #include "ui/window/view_tabs.h"
 
 #include <QDir>
+#include <QPushButton>
+#include <QScopeGuard>
 #include <QSet>
 #include <QTest>
 
+#include <string_view>
 #include <vector>
 
 namespace test_gallery {
@@ -37,6 +43,29 @@ QImage pictureOf(QWidget& widget) {
 QDir galleryFolder() {
     const QDir folder(QStringLiteral(SPARKOUT_BUILD_DIR "/gallery"));
     return folder.mkpath(QStringLiteral(".")) ? folder : QDir();
+}
+
+void fill(Bench& bench) {
+    MainWindow& window = *bench.window;
+    bench.action("keepRun")->trigger();
+    Project project = window.document().project();
+    project.cycle->stages[0].axial_feed_mm_min = 1400;
+    window.document().edit(std::move(project), {"Edit", "Change"});
+    QTRY_VERIFY_WITH_TIMEOUT(!window.runs().running(), 60'000);
+    for (const char* view : {"batch", "sweep", "optimise"}) {
+        QVERIFY(window.showView(QLatin1String(view)));
+        bench.settle();
+        if (view != std::string_view("batch")) {
+            if (auto* const run = window.findChild<QPushButton*>(QString::fromLatin1(view)
+                                                                 + QStringLiteral("Run"));
+                run->isEnabled()) {
+                QTest::mouseClick(run, Qt::LeftButton);
+            }
+        }
+        QTest::qWait(100);
+        const View* const shown = window.viewTabs().currentView();
+        QTRY_VERIFY_WITH_TIMEOUT(!shown->busy(), 240'000);
+    }
 }
 
 } // namespace
@@ -99,6 +128,54 @@ private slots:
                 QVERIFY2(warned.isEmpty(), qPrintable(name + u'\n' + warned.join(u'\n')));
             }
             QCOMPARE(different.size(), qsizetype(bench.window->views().size()));
+        }
+    }
+
+    /// With batch, sweep, search and comparison filled; the looks are changed while it runs.
+    void everyViewFilledInEveryLook_data() {
+        QTest::addColumn<QString>("path");
+        if (!qEnvironmentVariableIsSet("SPARKOUT_GALLERY")) {
+            QSKIP("SPARKOUT_GALLERY is not set");
+        }
+        for (const char* name : {"shaft-30h6-factory", "setups/spindle"}) {
+            QTest::newRow(name) << QStringLiteral(SPARKOUT_SOURCE_DIR
+                                                  "/resources/examples/%1.sparkout")
+                                       .arg(QLatin1String(name));
+        }
+    }
+    void everyViewFilledInEveryLook() {
+        QFETCH(QString, path);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        Bench bench(QStringLiteral("en"));
+        MainWindow& window = *bench.window;
+        QVERIFY(bench.open(path));
+        fill(bench);
+        const QDir folder = galleryFolder();
+        for (const char* language : {"english", "russian"}) {
+            bench.action(language)->trigger();
+            for (const int percent : {100, 115, 130}) {
+                bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+                for (const QSize size : {QSize(1366, 768), QSize(1920, 1080)}) {
+                    window.resize(size);
+                    for (View* view : window.views()) {
+                        window.viewTabs().showView(view);
+                        for (const char* theme : {"theme-light", "theme-dark", "theme-contrast"}) {
+                            bench.action(theme)->trigger();
+                            bench.settle();
+                            QTest::qWait(30);
+                            bench.settle();
+                            const QString name =
+                                QStringLiteral("%1/%2-%3-%4-%5-%6.png")
+                                    .arg(nameOf(path), view->objectName(), QLatin1String(language))
+                                    .arg(percent)
+                                    .arg(size.width())
+                                    .arg(QLatin1String(theme));
+                            QVERIFY(folder.mkpath(nameOf(path)));
+                            QVERIFY(pictureOf(window).save(folder.filePath(name)));
+                        }
+                    }
+                }
+            }
         }
     }
 

@@ -10,16 +10,21 @@
 #include "ui/plot/svg_device.h"
 #include "ui/views/feeds/feeds_plot.h"
 #include "ui/views/feeds/feeds_view.h"
+#include "ui/views/optimise/found_model.h"
 #include "ui/window/view_tabs.h"
 
+#include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QPainter>
+#include <QPushButton>
 #include <QScopeGuard>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTableView>
 #include <QTest>
+#include <QToolBar>
 #include <QToolButton>
 #include <qcustomplot.h>
 
@@ -139,6 +144,158 @@ private slots:
         bench.action("fontSize-100")->trigger();
         wait(bench);
         QCOMPARE(area->widget()->size(), area->viewport()->size()); // nothing left to scroll
+    }
+
+    /// Where the views are too small for both of their plots, they are scrolled; so are the zones
+    /// of a batch.
+    void theOtherPlotsAreLegibleInLargeType_data() { languages(); }
+    void theOtherPlotsAreLegibleInLargeType() {
+        QFETCH(QString, language);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        Bench bench(language);
+        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        for (const int percent : {115, 130}) {
+            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            for (const char* name : {"compare", "optimise", "batch"}) {
+                QVERIFY(bench.window->showView(QString::fromLatin1(name)));
+                const View* const view = bench.window->viewTabs().currentView();
+                QTRY_VERIFY_WITH_TIMEOUT(!view->busy(), 60'000);
+                wait(bench);
+                int seen = 0;
+                for (const auto* plot : view->findChildren<QCustomPlot*>()) {
+                    for (const QCPAxisRect* rect : plot->axisRects()) {
+                        if (plot->isVisible()) {
+                            ++seen;
+                            qInfo("ROOM %s at %d %% %d × %d", name, percent, rect->width(),
+                                  rect->height());
+                            QVERIFY(rect->width() >= 120 && rect->height() >= 80);
+                            QVERIFY(plot->rect().contains(rect->rect()));
+                        }
+                    }
+                }
+                QVERIFY2(seen >= 2, name);
+            }
+        }
+    }
+
+    void theRequirementsOfConstraintsHaveRoom_data() { languages(); }
+    void theRequirementsOfConstraintsHaveRoom() {
+        QFETCH(QString, language);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        Bench bench(language);
+        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        QVERIFY(bench.window->showView(QStringLiteral("constraints")));
+        auto* table = bench.window->findChild<QTableView*>(QStringLiteral("margins"));
+        QVERIFY(table);
+        for (const int percent : fontSizes) {
+            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            wait(bench);
+            QCOMPARE(table->horizontalScrollBar()->maximum(), 0);
+            const QFontMetrics metrics(table->font());
+            const int room = table->columnWidth(0) - table->iconSize().width() - 8;
+            for (int row = 0; row < table->model()->rowCount(); ++row) {
+                const QString name = table->model()->index(row, 0).data().toString();
+                for (const QString& word : name.split(u' ')) {
+                    QVERIFY2(metrics.horizontalAdvance(word) <= room,
+                             qPrintable(QStringLiteral("%1 at %2 %").arg(word).arg(percent)));
+                }
+            }
+        }
+    }
+
+    void theCyclesFoundAreReadWithoutScrolling_data() { languages(); }
+    void theCyclesFoundAreReadWithoutScrolling() {
+        QFETCH(QString, language);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        Bench bench(language);
+        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        QVERIFY(bench.window->showView(QStringLiteral("optimise")));
+        wait(bench);
+        auto* run = bench.window->findChild<QPushButton*>(QStringLiteral("optimiseRun"));
+        QVERIFY(run);
+        QTest::mouseClick(run, Qt::LeftButton);
+        auto* table = bench.window->findChild<QTableView*>(QStringLiteral("optimiseFound"));
+        QTRY_VERIFY_WITH_TIMEOUT(table->isVisible(), 60'000);
+        for (const int percent : fontSizes) {
+            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            wait(bench);
+            const int column = FoundModel::cycle;
+            const int right = table->columnViewportPosition(column) + table->columnWidth(column);
+            qInfo("ROOM cycle at %d %% to %d of %d", percent, right, table->viewport()->width());
+            // In the largest type nothing but the end of a long cycle is scrolled.
+            QVERIFY(right <= table->viewport()->width()
+                    || (percent == 130
+                        && 3 * table->columnViewportPosition(column) < table->viewport()->width()));
+            QVERIFY(table->columnWidth(column)
+                    >= table->sizeHintForIndex(table->model()->index(0, column)).width());
+        }
+    }
+
+    /// Also when the program starts so.
+    void theToolsAreAllShownWhateverTheType_data() { languages(); }
+    void theToolsAreAllShownWhateverTheType() {
+        QFETCH(QString, language);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        for (const int percent : fontSizes) {
+            applyFontSize(percent);
+            Bench bench(language);
+            wait(bench);
+            auto* bar = bench.window->findChild<QToolBar*>(QStringLiteral("toolBar"));
+            QVERIFY(bar);
+            for (const QAction* action : bar->actions()) {
+                const QWidget* button = bar->widgetForAction(const_cast<QAction*>(action));
+                QVERIFY2(!action->isVisible() || (button && button->isVisible()),
+                         qPrintable(QStringLiteral("%1 at %2 %").arg(action->text()).arg(percent)));
+            }
+        }
+    }
+
+    /// A box is measured anew in another type and language, also in a view that is not shown.
+    void theBoxesAreAsWideAsInAFreshWindow() {
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        const auto widthsIn = [](const Bench& bench) {
+            QStringList widths;
+            for (const char* name : {"feeds", "profiles", "batch", "compare", "layers"}) {
+                if (bench.window->showView(QString::fromLatin1(name))) {
+                    wait(bench);
+                }
+                for (const auto* box : bench.window->findChildren<QComboBox*>()) {
+                    if (box->isVisible()
+                        && box->sizeAdjustPolicy() == QComboBox::AdjustToContents) {
+                        widths << QStringLiteral("%1 %2: %3")
+                                      .arg(QLatin1String(name))
+                                      .arg(box->objectName())
+                                      .arg(box->width());
+                    }
+                }
+            }
+            return widths;
+        };
+        QStringList fresh;
+        {
+            Bench bench(QStringLiteral("ru"));
+            QVERIFY(bench.open(example("shaft-30h6-factory")));
+            fresh = widthsIn(bench);
+        }
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        for (const char* step : {"fontSize-130", "theme-dark", "russian", "theme-contrast",
+                                 "fontSize-100", "theme-light"}) {
+            (void)widthsIn(bench);
+            bench.action(step)->trigger();
+        }
+        QCOMPARE(widthsIn(bench), fresh);
+    }
+
+    void theTitlesOfThePanelsFollowTheType() {
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        Bench bench(QStringLiteral("en"));
+        for (const int percent : {130, 100, 115}) {
+            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            for (const char* name : {"inputs", "verdict", "messages", "step"}) {
+                QCOMPARE(dock(bench, name)->font().pointSizeF(), QApplication::font().pointSizeF());
+            }
+        }
     }
 
     /// Longer than any hint: the values of a pass with their spread.
@@ -324,6 +481,54 @@ private slots:
         auto* button = bench.window->findChild<QToolButton*>(QStringLiteral("messagesButton"));
         QTRY_COMPARE(button->text(), QStringLiteral("1 message"));
         QVERIFY(bench.window->messages().count() > 1); // with the step
+    }
+
+    /// The strip of the part does not take the room of the panels, whatever the type.
+    void thePartStripLeavesTheVerdictItsWidth_data() { languages(); }
+    void thePartStripLeavesTheVerdictItsWidth() {
+        QFETCH(QString, language);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        Bench bench(language);
+        for (const int percent : fontSizes) {
+            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            QVERIFY(bench.open(example("shaft-30h6-factory")));
+            wait(bench);
+            const int width = dock(bench, "verdict")->width();
+            QVERIFY(bench.open(
+                QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/setups/spindle.sparkout")));
+            wait(bench);
+            const auto* strip = bench.window->findChild<QWidget*>(QStringLiteral("partStrip"));
+            QVERIFY(strip->isVisible());
+            qInfo("ROOM strip at %d %% at least %d of %d, verdict %d", percent,
+                  strip->minimumSizeHint().width(), strip->width(),
+                  dock(bench, "verdict")->width());
+            QCOMPARE(dock(bench, "verdict")->width(), width);
+        }
+    }
+
+    /// Type and language are changed in a wide window that then is a small one again.
+    void theVerdictHasItsWidthAgainInTheSmallWindow() {
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(
+            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/setups/spindle.sparkout")));
+        for (const char* language : {"english", "russian"}) {
+            bench.action(language)->trigger();
+            for (const int percent : {100, 115, 130}) {
+                bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+                for (const QSize size : {QSize(1366, 768), QSize(1920, 1080)}) {
+                    bench.window->resize(size);
+                    for (const View* view : bench.window->views()) {
+                        QVERIFY(bench.window->showView(view->objectName()));
+                        bench.settle();
+                        qInfo("ROOM verdict %s %d %% %d %s: %d of %d", language, percent,
+                              size.width(), qPrintable(view->objectName()),
+                              dock(bench, "verdict")->width(), bench.window->width());
+                        QVERIFY(dock(bench, "verdict")->width() >= atFontSize(303) - 1);
+                    }
+                }
+            }
+        }
     }
 
     void theVerdictKeepsItsWidthWhateverIsShown() {

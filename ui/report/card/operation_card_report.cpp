@@ -6,6 +6,7 @@
 #include "core/project/part.h"
 #include "ui/report/card/sketch_sheet.h"
 #include "ui/report/parts/begun_report.h"
+#include "ui/report/parts/cell_text.h"
 #include "ui/text/number_text.h"
 
 #include <QPainter>

@@ -8,6 +8,7 @@
 #include "ui/views/batch/batch_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -16,12 +17,13 @@ namespace sparkout {
 
 namespace {
 
-constexpr double barRoom = 0.05;     ///< beside the outermost bar or limit, of what is between them
-constexpr double countRoom = 1.08;   ///< above the highest bar
-constexpr double leastOutlined = 6;  ///< width of a bar with an outline [px]
-constexpr int valueTicks = 3;        ///< have room below narrow cells
-constexpr double tickRoom = 1.6;     ///< of a value below the axis, of its width
-constexpr std::size_t mostNamed = 4; ///< cells beside each other that have room for a name
+constexpr double barRoom = 0.05; ///< beside the outermost bar or limit, of what is between them
+constexpr QSize legibleCell(120, 80); ///< at the least
+constexpr double countRoom = 1.08;    ///< above the highest bar
+constexpr double leastOutlined = 6;   ///< width of a bar with an outline [px]
+constexpr int valueTicks = 3;         ///< have room below narrow cells
+constexpr double tickRoom = 1.6;      ///< of a value below the axis, of its width
+constexpr std::size_t mostNamed = 4;  ///< cells beside each other that have room for a name
 
 } // namespace
 
@@ -67,7 +69,9 @@ void HistogramPlot::build(Cell& cell, int column) {
     cell.header = new QCPTextElement(this);
     plotLayout()->addElement(0, column, cell.header);
     cell.rect = addRect(1, column);
+    cell.rect->setMinimumSize(legibleCell);
     cell.rect->axis(QCPAxis::atLeft)->setTicker(QSharedPointer<WholeTicker>::create());
+    cell.rect->axis(QCPAxis::atLeft)->setTickLabels(column == 0); // all have the range of the first
     QCPAxis* values = cell.rect->axis(QCPAxis::atBottom);
     values->grid()->setVisible(false);
     values->ticker()->setTickCount(valueTicks);
@@ -202,9 +206,25 @@ void HistogramPlot::restyle() {
 /// A name and ticks that have no room below a cell give way to the unit and to fewer ticks.
 /// Bars are set apart where that leaves something of them; narrow ones are an area of one colour,
 /// each at least a pixel wide.
+/// Though the first cell has the numbers of all beside it.
+bool HistogramPlot::shareWidth() {
+    double room = 0;
+    for (const Cell& cell : m_cells) {
+        room += cell.rect->width() / static_cast<double>(m_cells.size());
+    }
+    const bool alike = std::ranges::all_of(
+        m_cells, [room](const Cell& cell) { return std::abs(cell.rect->width() - room) <= 1; });
+    for (std::size_t i = 0; i < m_cells.size() && !alike; ++i) {
+        const QMargins around = m_cells[i].rect->margins();
+        plotLayout()->setColumnStretchFactor(static_cast<int>(i),
+                                             std::max(room, 1.0) + around.left() + around.right());
+    }
+    return !alike;
+}
+
 void HistogramPlot::outline() {
     const QFontMetrics text(font());
-    bool changed = false;
+    bool changed = shareWidth();
     for (const Cell& cell : m_cells) {
         QCPAxis& values = *cell.rect->axis(QCPAxis::atBottom);
         const Characteristic& of = cell.summary.characteristic;

@@ -22,6 +22,7 @@
 #include <QLabel>
 #include <QListView>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -57,7 +58,6 @@ CompareView::CompareView(KeptRuns& kept, QWidget* parent, Settings* settings)
     addPlot(*m_plot);
     addCursors(*m_plot);
     tools()->addTool(m_second->menuAction());
-    hideUntilDrawn({m_plot});
     disableUntilDrawn({m_zone, m_axis});
     build();
     connectParts();
@@ -106,8 +106,11 @@ QWidget* CompareView::buildCurves() {
     row->addWidget(second);
     addButtons(*row, {cursors()->toggle, tools()->back, tools()->forward, tools()->fit});
     m_plot->setMinimumSize(240, 150);
+    QScrollArea* area = scrolled(*m_plot);
+    area->setObjectName(QStringLiteral("compareArea"));
+    hideUntilDrawn({area});
     column->addWidget(legend());
-    column->addWidget(m_plot, 1);
+    column->addWidget(area, 1);
     column->addWidget(strip());
     return panel;
 }

@@ -2,6 +2,7 @@
 #include "ui/views/compliance/compliance_view.h"
 
 #include "core/project/gauge.h"
+#include "ui/kit/tool_row.h"
 #include "ui/plot/cursor_strip.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/plot_cursors.h"
@@ -11,7 +12,6 @@
 #include "ui/views/compliance/compliance_studies.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
@@ -121,7 +121,7 @@ bool ComplianceView::canPutGauge() const {
 }
 
 void ComplianceView::buildTools(QWidget* bar) {
-    auto* row = rowIn<QHBoxLayout>(bar);
+    auto* row = rowIn<ToolRow>(bar);
     row->addWidget(m_content);
     row->addWidget(m_put);
     row->addStretch(1);

@@ -118,7 +118,7 @@ void ShaftScene::drawSupport(QCPPainter* painter, bool tailstock) {
     }
     const QRectF all = m_rect->rect();
     const double room = tailstock ? all.right() - beside.x() : beside.x() - all.left();
-    if (bore || painter->fontMetrics().horizontalAdvance(text) < room - 2) {
+    if (painter->fontMetrics().horizontalAdvance(text) < room - 2) {
         note(painter, beside, tailstock ? Qt::AlignLeft : Qt::AlignRight, text);
     } else {
         note(painter, at(end + out, y), tailstock ? Qt::AlignRight : Qt::AlignLeft, text);

@@ -19,7 +19,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QItemSelectionModel>
 #include <QLabel>
@@ -36,8 +35,9 @@ namespace sparkout {
 namespace {
 
 constexpr int plotShare = 340, lowerShare = 200; ///< of the height at first
-constexpr int tableShare = 450, sheetShare = 220;
-constexpr int leastColumn = 60; ///< of the margins, at the usual size of type
+constexpr int tableShare = 480, sheetShare = 190;
+// Of the margins, at the usual size of type.
+constexpr int leastColumn = 60, wideTable = 400;
 
 } // namespace
 
@@ -89,7 +89,7 @@ void ConstraintsView::build() {
 
 QWidget* ConstraintsView::buildTools() {
     auto* bar = new QWidget(this);
-    auto* row = rowIn<QHBoxLayout>(bar);
+    auto* row = rowIn<ToolRow>(bar);
     addBoxes(*row, {m_zone});
     row->addStretch(1);
     row->addWidget(m_logarithmic);
@@ -109,7 +109,10 @@ QWidget* ConstraintsView::buildCurves() {
 QWidget* ConstraintsView::buildMargins() {
     m_table = addTable(
         *m_model, [this] { return m_model->table(); }, [this] { return m_model->asTsv(); });
+    m_table->setItemDelegateForColumn(MarginModel::requirement, new MarginName(m_table));
     m_table->setItemDelegateForColumn(MarginModel::usage, new MarginBar(m_table));
+    connect(m_table, &CopyTable::resized, this,
+            [this] { m_model->setStacked(m_table->viewport()->width() < atFontSize(wideTable)); });
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->verticalHeader()->hide();

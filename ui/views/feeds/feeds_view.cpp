@@ -43,12 +43,8 @@ FeedsView::FeedsView(QWidget* parent, Settings* settings)
     addPlot(*m_plot, std::move(subject));
     addCursors(*m_plot);
     QWidget* bar = buildTools();
-    auto* area = new QScrollArea(this); // where the plots have no room to be legible
+    QScrollArea* area = scrolled(*m_plot);
     area->setObjectName(QStringLiteral("feedsArea"));
-    area->setWidget(m_plot);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setFocusPolicy(Qt::NoFocus); // the plot has it
     hideUntilDrawn({area, m_overview});
     disableUntilDrawn({m_span, m_stroke, m_axis, m_section});
     addColumn({bar, notice(), legend(), area, m_overview, strip(), values()}, area)->addStretch();

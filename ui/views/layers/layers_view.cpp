@@ -2,6 +2,7 @@
 #include "ui/views/layers/layers_view.h"
 
 #include "core/units.h"
+#include "ui/kit/tool_row.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/text/joined.h"
 #include "ui/text/names.h"
@@ -10,7 +11,6 @@
 #include "ui/views/layers/side_plot.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QSignalBlocker>
@@ -33,9 +33,8 @@ LayersView::LayersView(QWidget* parent, Settings* settings)
     }
     setUpNotice(*m_summary);
     hideUntilDrawn({m_summary});
-    addColumn(
-        {pageTools<QHBoxLayout>({m_radius}), m_summary, notice(), legend(), pages(), values()},
-        pages());
+    addColumn({pageTools<ToolRow>({m_radius}), m_summary, notice(), legend(), pages(), values()},
+              pages());
     disableUntilDrawn({content(), m_radius});
     nameObjects({{m_plot, "layersPlot"},
                  {m_surface, "layersSurface"},

@@ -7,17 +7,16 @@
 namespace sparkout {
 
 namespace {
-constexpr int axisHeight = 20;   ///< of the strip [px]
-constexpr double axisBelow = 13; ///< the cell [px]
 constexpr double tooth = 4;      ///< of the break line
 constexpr double besideName = 5; ///< beside the name of the axis [px]
 constexpr int breakAlpha = 150;
 constexpr int rightMargin = 14; ///< half of a number [px]
+constexpr int tickOut = 4;      ///< [px]
 } // namespace
 
 PartPlot::PartPlot(QWidget* parent)
     : ViewPlot(parent), m_cell(addCell()), m_bands(new BandLayer(m_cell, true)) {
-    m_cell->axis(QCPAxis::atBottom)->setOffset(axisHeight);
+    m_cell->axis(QCPAxis::atBottom)->setTickLength(0, tickOut); // above them the axis is named
     connect(this, &QCustomPlot::afterLayout, this, [this] {
         if (style::fitValueAxes(*m_cell, font())) {
             replot(rpQueuedReplot);
@@ -31,6 +30,7 @@ void PartPlot::fillBands() {
 
 void PartPlot::restyle() {
     ViewPlot::restyle();
+    m_cell->axis(QCPAxis::atBottom)->setOffset(stripHeight());
     m_cell->setMinimumMargins(QMargins(0, BandLayer::nameMargin(font()), rightMargin, 0));
     fillBands();
 }
@@ -43,11 +43,16 @@ void PartPlot::setTexts() {
 }
 
 QRect PartPlot::painted() const {
-    return m_cell->rect().adjusted(0, 0, 0, axisHeight);
+    return m_cell->rect().adjusted(0, 0, 0, stripHeight());
+}
+
+int PartPlot::stripHeight() const {
+    return static_cast<int>(tooth) + 1 + QFontMetrics(font()).height();
 }
 
 void PartPlot::drawPartAxis(QCPPainter& painter) const {
-    const QRectF strip(m_cell->left(), m_cell->bottom() + 1.0, m_cell->width(), axisHeight);
+    const QRectF strip(m_cell->left(), m_cell->bottom() + 1.0, m_cell->width(), stripHeight());
+    const double middle = strip.top() + (tooth + 1 + strip.height()) / 2;
     const QColor edge = style::thinned(palette().color(QPalette::Text), breakAlpha);
     painter.setPen(QPen(edge, 1));
     QPolygonF teeth;
@@ -56,8 +61,7 @@ void PartPlot::drawPartAxis(QCPPainter& painter) const {
     }
     painter.drawPolyline(teeth);
     painter.setPen(QPen(edge, 1, Qt::DashDotLine));
-    painter.drawLine(QPointF(strip.left(), strip.top() + axisBelow),
-                     QPointF(strip.right(), strip.top() + axisBelow));
+    painter.drawLine(QPointF(strip.left(), middle), QPointF(strip.right(), middle));
     const QString name = tr("axis of rotation");
     const double width = QFontMetrics(font()).horizontalAdvance(name) + 2 * besideName;
     const QRectF text(strip.right() - width, strip.top() + tooth + 1, width,

@@ -18,6 +18,7 @@ public:
 
     [[nodiscard]] QCPAxisRect* cell() const { return m_cell; }
     [[nodiscard]] QRect painted() const; ///< the cell and the strip below it
+    [[nodiscard]] int stripHeight() const;
     void drawPartAxis(QCPPainter& painter) const;
 
 protected:

@@ -37,7 +37,8 @@ QString FoundModel::text(const FoundCycle& found, int column) const {
                    ? OptimiseText::percent(gapToLimit(found.time_s, m_outcome->limit_s))
                    : QStringLiteral("–");
     case margin: return OptimiseText::percent(found.leastRelativeMargin);
-    default: return OptimiseText::found(found, m_outcome->project);
+    case cycle: return OptimiseText::found(found, m_outcome->project);
+    default: return {};
     }
 }
 

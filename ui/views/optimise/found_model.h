@@ -13,7 +13,7 @@ namespace sparkout {
 class FoundModel : public TableModel {
     Q_OBJECT
 public:
-    enum Column { stages, time, change, gap, margin, cycle, columnCount_ };
+    enum Column { time, cycle, stages, change, gap, margin, columnCount_ };
 
     using TableModel::TableModel;
 

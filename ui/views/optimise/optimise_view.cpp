@@ -5,6 +5,7 @@
 #include "core/study/search_edits.h"
 #include "ui/charts/compare_plot.h"
 #include "ui/dialogs/copy_table.h"
+#include "ui/kit/tool_row.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/run_bar.h"
 #include "ui/text/names.h"
@@ -14,7 +15,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QProgressBar>
@@ -55,7 +55,7 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings)
     m_bar->layOut({m_phases, m_refine}, {m_take});
     share(*m_splitter, {{pages(), plotShare}, {buildTable(), foundShare}});
     QVBoxLayout* const column = addColumn(
-        {m_bar, notice(), m_add, pageTools<QHBoxLayout>({m_zone}), legend(), m_splitter, values()},
+        {m_bar, notice(), m_add, pageTools<ToolRow>({m_zone}), legend(), m_splitter, values()},
         m_splitter);
     column->setAlignment(m_add, Qt::AlignLeft);
     column->addStretch(0);
@@ -78,7 +78,6 @@ CopyTable* OptimiseView::buildTable() {
     m_table->setWordWrap(false);
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setStretchLastSection(true);
     return m_table;
 }
 

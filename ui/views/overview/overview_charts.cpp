@@ -326,7 +326,7 @@ BarChart OverviewCharts::boxes(const BatchOutcome& batch) {
     }
     chart.shape = Shape::boxes;
     chart.what = tr("Zone or section");
-    chart.axis = tr("Mean diameter");
+    chart.axis = tr("From nominal");
     chart.unit = unitText("µm");
     chart.number = Names::signedMicrometres;
     chart.boxColour = barColour(Drawn::frequency);

@@ -87,6 +87,8 @@ void ProfileCell::fill(const ProfileSeries& series, const Profile& profile, cons
                                       : QCPScatterStyle());
     m_blank->setScatterStyle(marked ? QCPScatterStyle(QCPScatterStyle::ssCross, 4)
                                     : QCPScatterStyle());
+    m_grid->setLine(hidden.contains(ProfileLine::profile) ? std::vector<ProfilePoint>()
+                                                          : closedLine(profile.radii_mm, scale));
     m_field->setVisible(!hidden.contains(ProfileLine::field));
     m_target->setVisible(!hidden.contains(ProfileLine::target)
                          && scale.at(series.target_mm) <= reach);

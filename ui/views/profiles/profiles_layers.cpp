@@ -129,6 +129,10 @@ void PolarGrid::setScale(const PolarScale& scale, double reach) {
     m_reach = reach;
 }
 
+void PolarGrid::setLine(std::vector<ProfilePoint> line) {
+    m_line = std::move(line);
+}
+
 void PolarGrid::draw(QCPPainter* painter) {
     painter->setFont(mParentPlot->font());
     painter->setBrush(Qt::NoBrush);
@@ -200,21 +204,44 @@ std::vector<PolarGrid::Mark> PolarGrid::marks() const {
     return marks;
 }
 
-QRectF PolarGrid::labelBox(const Mark& mark, double angle) const {
+/// @param away 1: just outside its circle, −1: just inside
+QRectF PolarGrid::labelBox(const Mark& mark, double angle, double away) const {
     const QFontMetricsF metrics(mParentPlot->font());
     QRectF box(0, 0, metrics.horizontalAdvance(mark.text) + 4, metrics.height() - 2);
-    // Just outside its circle, where the profile does not hide it.
-    box.moveCenter(centre() + (mark.radius * scale() + box.height() / 2 + 2) * direction(angle));
+    box.moveCenter(centre()
+                   + (mark.radius * scale() + away * (box.height() / 2 + 2)) * direction(angle));
     return box;
 }
 
-/// Whether a label can stand here: in sight, within the rim, beside the names of the angles.
+bool PolarGrid::isCrossed(const QRectF& box) const {
+    QPointF before;
+    for (std::size_t i = 0; i < m_line.size(); ++i) {
+        const QPointF here = centre() + scale() * QPointF(m_line[i].x, -m_line[i].y);
+        if (i > 0) {
+            const QLineF edge(before, here);
+            const QRectF around = QRectF(before, here).normalized().adjusted(-2, -2, 2, 2);
+            const QLineF down(box.topLeft(), box.bottomRight()),
+                up(box.bottomLeft(), box.topRight());
+            if (around.intersects(box)
+                && (box.contains(here) || edge.intersects(down) == QLineF::BoundedIntersection
+                    || edge.intersects(up) == QLineF::BoundedIntersection)) {
+                return true;
+            }
+        }
+        before = here;
+    }
+    return false;
+}
+
+/// Whether a label can stand here: in sight, within the rim, beside the names of the angles and
+/// the profile.
 bool PolarGrid::hasRoom(const QRectF& box) const {
     const QPointF away = box.center() - centre();
     return QRectF(m_rect->rect()).contains(box)
            && std::hypot(away.x(), away.y()) + box.height() / 2 <= m_reach * scale()
            && std::ranges::none_of(m_names,
-                                   [&](const QRectF& name) { return name.intersects(box); });
+                                   [&](const QRectF& name) { return name.intersects(box); })
+           && !isCrossed(box);
 }
 
 /// The labels that fit along a spoke without touching each other.
@@ -222,10 +249,13 @@ std::vector<PolarGrid::Label> PolarGrid::labelsAlong(const std::vector<Mark>& ma
                                                      double angle) const {
     std::vector<Label> labels;
     for (const Mark& mark : marks) {
-        const QRectF box = labelBox(mark, angle);
-        const bool touches = !labels.empty() && labels.back().box.intersects(box);
-        if (hasRoom(box) && !touches) {
-            labels.push_back({box, mark.text});
+        for (const double away : {1.0, -1.0}) {
+            const QRectF box = labelBox(mark, angle, away);
+            const bool touches = !labels.empty() && labels.back().box.intersects(box);
+            if (hasRoom(box) && !touches) {
+                labels.push_back({box, mark.text});
+                break;
+            }
         }
     }
     return labels;
@@ -233,6 +263,7 @@ std::vector<PolarGrid::Label> PolarGrid::labelsAlong(const std::vector<Mark>& ma
 
 void PolarGrid::drawLabels(QCPPainter* painter, const std::vector<Mark>& marks) {
     m_labels.clear();
+    m_boxes.clear();
     // The values stand along the spoke on which most of them fit, a steep one if there is a choice.
     std::vector<Label> best;
     for (const double angle : {70.0, 110.0, 250.0, 290.0, 20.0, 160.0, 200.0, 340.0}) {
@@ -244,6 +275,7 @@ void PolarGrid::drawLabels(QCPPainter* painter, const std::vector<Mark>& marks) 
     for (const Label& label : best) {
         drawText(painter, label.box, label.text);
         m_labels << label.text;
+        m_boxes.push_back(label.box);
     }
 }
 

@@ -69,9 +69,11 @@ class PolarGrid : public PolarLayer {
 public:
     using PolarLayer::PolarLayer;
     void setScale(const PolarScale& scale, double reach);
+    void setLine(std::vector<ProfilePoint> line); ///< the values stand beside it; by replot()
     [[nodiscard]] const QStringList& drawnLabels() const {
         return m_labels;
     } ///< by the last replot
+    [[nodiscard]] const std::vector<QRectF>& labelBoxes() const { return m_boxes; } ///< theirs
 
 protected:
     void draw(QCPPainter* painter) override;
@@ -90,13 +92,16 @@ private:
                                                  double angle) const;
     void drawSpokes(QCPPainter* painter);
     void drawLabels(QCPPainter* painter, const std::vector<Mark>& marks);
-    [[nodiscard]] QRectF labelBox(const Mark& mark, double angle) const;
+    [[nodiscard]] QRectF labelBox(const Mark& mark, double angle, double away) const;
     [[nodiscard]] bool hasRoom(const QRectF& box) const;
+    [[nodiscard]] bool isCrossed(const QRectF& box) const; ///< by the profile
     void drawText(QCPPainter* painter, const QRectF& box, const QString& text) const;
 
     PolarScale m_scale;
     double m_reach = 1;
+    std::vector<ProfilePoint> m_line;
     QStringList m_labels;
+    std::vector<QRectF> m_boxes;
     std::vector<QRectF> m_names; ///< where the angles are named
 };
 

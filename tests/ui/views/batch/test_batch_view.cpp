@@ -391,7 +391,7 @@ private slots:
                 const QFontMetrics text(axis.labelFont());
                 QVERIFY2(text.horizontalAdvance(axis.label()) <= plot.width() / plot.cellCount(),
                          qPrintable(axis.label()));
-                QCOMPARE(axis.label().contains(u','), width == 1600); // else the unit alone
+                QVERIFY(axis.label().contains(u',') || width == 450); // else the unit alone
                 int taken = 0;
                 for (const QString& tick : axis.tickVectorLabels()) {
                     taken += text.horizontalAdvance(tick + u' ');

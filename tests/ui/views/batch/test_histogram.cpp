@@ -33,6 +33,19 @@ class TestHistogram : public QObject {
 private slots:
     void initTestCase() { QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates)); }
 
+    /// All have the same axis of counts: its numbers stand once.
+    void theNumbersOfPartsStandBesideTheFirstZone() {
+        HistogramPlot plot;
+        plot.setSummaries(diameters(60));
+        plot.resize(600, 300);
+        plot.grab();
+        for (int cell = 0; cell < 3; ++cell) {
+            const QCPAxis* counts = plot.axisRects()[cell]->axis(QCPAxis::atLeft);
+            QCOMPARE(counts->tickLabels(), cell == 0);
+            QCOMPARE(counts->range(), plot.axisRects()[0]->axis(QCPAxis::atLeft)->range());
+        }
+    }
+
     void everyPartStandsInOneBarOfItsZone() {
         const auto rows = diameters(60);
         HistogramPlot plot;

@@ -39,6 +39,35 @@ class TestConstraintsView : public QObject {
     Q_OBJECT
 
 private slots:
+    void everyLightStandsOnTheFirstLineOfItsText() {
+        const Shown shown(run(limitedProject()));
+        auto& table = shown.part<CopyTable>("margins");
+        const QImage image = table.viewport()->grab().toImage();
+        const int line = table.fontMetrics().height();
+        int seen = 0;
+        for (int row = 0; row < table.model()->rowCount(); ++row) {
+            const QRect cell = table.visualRect(table.model()->index(row, 0));
+            if (!table.viewport()->rect().contains(cell)) {
+                continue;
+            }
+            const QColor ground = image.pixelColor(cell.left() + 1, cell.top() + 1);
+            int top = cell.bottom(), bottom = cell.top();
+            for (int y = cell.top() + 1; y < cell.bottom(); ++y) {
+                for (int x = cell.left() + 2; x < cell.left() + table.iconSize().width(); ++x) {
+                    if (image.pixelColor(x, y) != ground) {
+                        top = std::min(top, y);
+                        bottom = std::max(bottom, y);
+                    }
+                }
+            }
+            const bool isOneLine = cell.height() < 2 * line;
+            const double text = isOneLine ? cell.center().y() : cell.top() + line / 2.0;
+            QVERIFY2(std::abs((top + bottom) / 2.0 - text) <= 2, qPrintable(QString::number(row)));
+            ++seen;
+        }
+        QVERIFY(seen > 2);
+    }
+
     void requirementsAreSortedByWhatTheyUse() {
         const OutcomePtr outcome = run(limitedProject());
         Shown shown(outcome);

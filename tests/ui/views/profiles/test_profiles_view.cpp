@@ -29,6 +29,7 @@ private slots:
     void theWheelZoomsAllCellsAlike();
     void draggingMovesAllCellsAndADoubleClickFits();
     void theGridNamesRoundDeviations();
+    void theNumbersOfTheGridStandBesideTheProfile();
     void pointingAtASampleTellsAngleAndDeviation();
     void keysWalkFromSampleToSample();
     void pointingAlongTheAxisTellsTheZone();
@@ -132,6 +133,28 @@ void TestProfilesView::theGridNamesRoundDeviations() {
     }
     const double step = values[1] - values[0];
     QVERIFY(std::abs(roundDown125(step) - step) < 1e-9 * step);
+}
+
+void TestProfilesView::theNumbersOfTheGridStandBesideTheProfile() {
+    ProfilesView view;
+    for (const QSize size : {QSize(700, 620), QSize(700, 480), QSize(1100, 800)}) {
+        show(view, m_of.traverse);
+        view.resize(size);
+        settle();
+        view.grab();
+        for (int cell = 0; cell < 3; ++cell) {
+            const std::vector<QRectF>& boxes = view.across()->grid(cell)->labelBoxes();
+            QVERIFY(boxes.size() >= 2);
+            const QCPCurve* profile = view.across()->curve(cell, ProfileLine::profile);
+            for (auto at = profile->data()->constBegin(); at != profile->data()->constEnd(); ++at) {
+                const QPointF here(profile->keyAxis()->coordToPixel(at->key),
+                                   profile->valueAxis()->coordToPixel(at->value));
+                for (const QRectF& box : boxes) {
+                    QVERIFY(!box.contains(here));
+                }
+            }
+        }
+    }
 }
 
 void TestProfilesView::pointingAtASampleTellsAngleAndDeviation() {
