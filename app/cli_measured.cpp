@@ -293,8 +293,7 @@ int measureOne(Project project, const std::string& name,
         return failed;
     }
     if (!parameters.empty() && caughtSignal() == 0) {
-        answer.fit = identify(
-            project, {parameters, {}, answer.rows.empty() ? false : true, RobustLoss::none});
+        answer.fit = identify(project, {parameters, {}, !answer.rows.empty(), RobustLoss::none});
         printIssues(name, answer.fit->issues);
     }
     if (options.json) {

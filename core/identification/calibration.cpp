@@ -128,6 +128,7 @@ private:
         }
         if (anyPlace) {
             std::vector<double> factors;
+            factors.reserve(places.size());
             for (const Found& place : places) {
                 factors.push_back(place.factor);
             }

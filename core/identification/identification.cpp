@@ -278,7 +278,7 @@ private:
             const bool isRelative = isFactor(kind) || kind == FittedKind::blank_runout;
             value.error = isRelative ? error : FitProblem::valueOf(kind, error);
             errors.push_back(error);
-            m_result.values.push_back(std::move(value));
+            m_result.values.push_back(value);
         }
         for (std::size_t i = 0; i < count; ++i) {
             std::vector<double> covariances, correlations;

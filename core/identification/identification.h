@@ -20,8 +20,8 @@ namespace sparkout {
 
 struct IdentificationRequest {
     std::vector<FittedParameter> parameters;
-    std::vector<int> traces; ///< by their numbers in the project; empty: all
-    bool withParts = false;  ///< the measured diameters too
+    std::vector<int> traces = {}; ///< by their numbers in the project; empty: all
+    bool withParts = false;       ///< the measured diameters too
     RobustLoss loss = RobustLoss::none;
 };
 

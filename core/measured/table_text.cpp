@@ -172,10 +172,7 @@ std::string lowerCase(std::string_view text) {
         } else if (c == 0xD0 && next >= 0xA0 && next <= 0xAF) { // Р…Я
             lower += {'\xD1', static_cast<char>(next - 0x20)};
             ++i;
-        } else if (c == 0xD0 && next == 0x81) { // Ё, which is read as е
-            lower += "\xD0\xB5";
-            ++i;
-        } else if (c == 0xD1 && next == 0x91) { // ё
+        } else if ((c == 0xD0 && next == 0x81) || (c == 0xD1 && next == 0x91)) { // Ё and ё are е
             lower += "\xD0\xB5";
             ++i;
         } else {

@@ -124,6 +124,7 @@ bool KeptRuns::restore(int index) {
     }
     Project project = *kept;
     project.runs = all();
+    project.measured = m_document.project().measured; // no part of what was run
     if (m_document.state().wear.isGiven() && m_document.surface() > 0) {
         // It was run with the wheel as the surfaces before had left it.
         project.wheel->diameter_mm = m_document.project().wheel->diameter_mm;

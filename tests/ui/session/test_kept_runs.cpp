@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Kept runs of a document: edits that can be undone and are saved; computed again aside.
 #include "core/project/cycle.h"
+#include "core/project/measured.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "ui/session/kept_runs.h"
@@ -130,6 +131,18 @@ private slots:
         desk.document.undo(); // one step
         QCOMPARE(withoutRuns(desk.document.project()), second);
         QVERIFY(desk.kept.all() == runs);
+    }
+
+    void restoringKeepsWhatWasMeasured() {
+        Desk desk;
+        QVERIFY(desk.keep());
+        Project project = desk.document.project();
+        project.measured.emplace().parts.emplace_back().part = "7";
+        desk.document.edit(std::move(project), editText);
+        desk.setStock(0.2);
+        QVERIFY(desk.kept.restore(0));
+        const Project& restored = desk.document.project();
+        QVERIFY(restored.measured && restored.measured->parts.front().part == "7");
     }
 
     void aSavedProjectOpensWithItsRunsAndTheNewestIsChosen() {
