@@ -40,11 +40,18 @@ constexpr int tableShare = 480, sheetShare = 190;
 // Of the margins, at the usual size of type.
 constexpr int leastColumn = 60, wideTable = 400;
 
-/// Indices below the line; numbers and result of a formula each begin a line of their own.
+/// Indices below the line; numbers and result of a formula each on a line of their own.
 QString sheetHtml(const QString& text) {
-    QString html = withIndices(text);
-    html.replace(QStringLiteral(" = "), QStringLiteral("<br>&nbsp;&nbsp;= "));
-    return html.replace(u'\n', QStringLiteral("<br>"));
+    const QString equals = QStringLiteral(" = ");
+    QStringList lines;
+    for (const QString& line : text.split(u'\n')) {
+        const QStringList parts = withIndices(line).split(equals);
+        lines << parts.mid(0, 2).join(equals);
+        for (const QString& part : parts.mid(2)) {
+            lines << QStringLiteral("&nbsp;&nbsp;= ") + part;
+        }
+    }
+    return lines.join(QStringLiteral("<br>"));
 }
 
 } // namespace
