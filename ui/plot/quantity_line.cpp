@@ -24,7 +24,7 @@ constexpr LineRow lines[] = {
     {Drawn::radiusBefore, {Qt::DotLine, 1.5}},
     {Drawn::radiusAfter, {Qt::DashDotLine, 1.8}},
     {Drawn::axialFeed, {Qt::DashDotDotLine, 1.8}},
-    {Drawn::force, {Qt::SolidLine, 2}},
+    {Drawn::force, {Qt::SolidLine, 2.5}},
     {Drawn::profile, {Qt::SolidLine, 1.6}},
     {Drawn::blank, {Qt::DotLine, 1.4}},
     {Drawn::target, {Qt::DashLine, 1.3}},
