@@ -6,6 +6,7 @@
 #include "ui/kit/metrics.h"
 #include "ui/part/status_text.h"
 #include "ui/session/surface_edits.h"
+#include "ui/text/names.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
@@ -17,10 +18,10 @@ namespace sparkout {
 
 namespace {
 
-constexpr int timeDigits = 4;
+constexpr int timeDigits = 3; ///< after the point: the times stand below each other
 
 QString shownMinutes(double time_s) {
-    return printedNumber(time_s / units::secondsPerMinute, timeDigits);
+    return Names::fixed(time_s / units::secondsPerMinute, timeDigits);
 }
 
 } // namespace

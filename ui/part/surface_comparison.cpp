@@ -7,7 +7,6 @@
 #include "ui/kit/metrics.h"
 #include "ui/session/surface_edits.h"
 #include "ui/text/names.h"
-#include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
 #include <QGuiApplication>
@@ -65,8 +64,8 @@ QString SurfaceComparison::text(int row, int column) const {
     }
     const SurfaceStatus& status = m_statuses[static_cast<std::size_t>(column) - 1];
     if (row == 0) {
-        constexpr int digits = 4;
-        return status.ran() ? printedNumber(status.time_s / units::secondsPerMinute, digits)
+        constexpr int decimals = 3;
+        return status.ran() ? Names::fixed(status.time_s / units::secondsPerMinute, decimals)
                             : QStringLiteral("—");
     }
     const ConstraintResult* requirement = at(row, column);
@@ -79,7 +78,7 @@ QVariant SurfaceComparison::cell(int row, int column, int role) const {
     switch (role) {
     case Qt::DisplayRole:
     case Qt::AccessibleTextRole: return text(row, column);
-    case Qt::TextAlignmentRole: return aligned(column > 0);
+    case Qt::TextAlignmentRole: return aligned(false); // beside its light
     case Qt::DecorationRole:
         if (const ConstraintResult* requirement = at(row, column)) {
             return lightPixmap(lightOf(*requirement), metrics::iconSmall,
@@ -92,7 +91,7 @@ QVariant SurfaceComparison::cell(int row, int column, int role) const {
 
 QVariant SurfaceComparison::head(int column, int role) const {
     if (role == Qt::TextAlignmentRole) {
-        return aligned(column > 0);
+        return aligned(false);
     }
     return role != Qt::DisplayRole ? QVariant()
            : column == 0           ? tr("Value / limit")

@@ -17,6 +17,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QStyle>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -61,6 +62,8 @@ TimesDialog::TimesDialog(const SetupTimes& times, const WheelWear& wear, std::si
     layout->addWidget(area, 1);
     layout->addWidget(m_result);
     layout->addWidget(m_buttons);
+    area->setMinimumWidth(page->minimumSizeHint().width()
+                          + style()->pixelMetric(QStyle::PM_ScrollBarExtent));
     resize(atFontSize(520), atFontSize(600));
     follow();
 }

@@ -9,11 +9,15 @@
 #include "ui/plot/view.h"
 #include "ui/window/view_tabs.h"
 
+#include <QAction>
+#include <QApplication>
 #include <QDir>
+#include <QPointer>
 #include <QPushButton>
 #include <QScopeGuard>
 #include <QSet>
 #include <QTest>
+#include <QTimer>
 
 #include <string_view>
 #include <vector>
@@ -177,6 +181,66 @@ private slots:
                 }
             }
         }
+    }
+
+    /// Whatever window a menu's entry opens, on request.
+    void everyDialogHasAPicture_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<int>("theme");
+        QTest::addColumn<int>("percent");
+        if (!qEnvironmentVariableIsSet("SPARKOUT_GALLERY")) {
+            QSKIP("SPARKOUT_GALLERY is not set");
+        }
+        for (const char* language : {"en", "ru"}) {
+            for (const Theme theme : {Theme::light, Theme::dark}) {
+                for (const int percent : {100, 130}) {
+                    QTest::addRow("%s-%s-%d", language, qPrintable(themeCode(theme)), percent)
+                        << QString::fromUtf8(language) << int(theme) << percent;
+                }
+            }
+        }
+    }
+    void everyDialogHasAPicture() {
+        QFETCH(QString, language);
+        QFETCH(int, theme);
+        QFETCH(int, percent);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        applyFontSize(percent);
+        Bench bench(language, Theme(theme));
+        QVERIFY(bench.open(
+            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/setups/spindle.sparkout")));
+        const QDir folder = galleryFolder();
+        QVERIFY(folder.mkpath(QStringLiteral("dialogs")));
+        int seen = 0;
+        for (const QAction* found : bench.window->findChildren<QAction*>()) {
+            const QPointer<QAction> action = const_cast<QAction*>(found);
+            const QString name = found->objectName();
+            const QSet<QString> others{QStringLiteral("about"), QStringLiteral("log"),
+                                       QStringLiteral("helpContents"),
+                                       QStringLiteral("helpShortcuts")};
+            if (name.isEmpty() || !found->isEnabled() || name.startsWith(u"print-")
+                || (!found->text().endsWith(u'…') && !others.contains(name))) {
+                continue;
+            }
+            const auto grab = [&] {
+                for (QWidget* window : QApplication::topLevelWidgets()) {
+                    if (window->isVisible() && window != bench.window.get()
+                        && !window->inherits("QMenu")) {
+                        const QString file =
+                            QStringLiteral("dialogs/%1-%2.png")
+                                .arg(name, QString::fromUtf8(QTest::currentDataTag()));
+                        seen += pictureOf(*window).save(folder.filePath(file)) ? 1 : 0;
+                        window->close();
+                    }
+                }
+            };
+            QTimer timer;
+            connect(&timer, &QTimer::timeout, this, grab);
+            timer.start(400);
+            action->trigger();
+            QTest::qWait(500);
+        }
+        QVERIFY(seen >= 15);
     }
 
     void anEmptyWidgetIsNoPicture() {

@@ -15,6 +15,7 @@
 #include "ui/text/formula_text.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
+#include "ui/text/texts.h"
 #include "ui/views/constraints/constraints_plot.h"
 
 #include <QCheckBox>
@@ -22,10 +23,10 @@
 #include <QHeaderView>
 #include <QItemSelectionModel>
 #include <QLabel>
-#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSplitter>
+#include <QTextEdit>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -39,6 +40,20 @@ constexpr int tableShare = 480, sheetShare = 190;
 // Of the margins, at the usual size of type.
 constexpr int leastColumn = 60, wideTable = 400;
 
+/// Indices below the line; numbers and result of a formula each on a line of their own.
+QString sheetHtml(const QString& text) {
+    const QString equals = QStringLiteral(" = ");
+    QStringList lines;
+    for (const QString& line : text.split(u'\n')) {
+        const QStringList parts = withIndices(line).split(equals);
+        lines << parts.mid(0, 2).join(equals);
+        for (const QString& part : parts.mid(2)) {
+            lines << QStringLiteral("&nbsp;&nbsp;= ") + part;
+        }
+    }
+    return lines.join(QStringLiteral("<br>"));
+}
+
 } // namespace
 
 ConstraintsView::ConstraintsView(QWidget* parent, Settings* settings)
@@ -49,7 +64,7 @@ ConstraintsView::ConstraintsView(QWidget* parent, Settings* settings)
     , m_places(new QCheckBox(this))
     , m_splitter(new QSplitter(Qt::Vertical, this))
     , m_model(new MarginModel(this))
-    , m_sheet(new QPlainTextEdit(this))
+    , m_sheet(new QTextEdit(this))
     , m_goTo(new QPushButton(this))
     , m_off(new QLabel(this)) {
     addPlot(*m_plot);
@@ -314,7 +329,7 @@ void ConstraintsView::showSheet() {
             text << QString() << estimates;
         }
     }
-    m_sheet->setPlainText(text.join(u'\n'));
+    m_sheet->setHtml(sheetHtml(text.join(u'\n')));
 }
 
 // --- texts --------------------------------------------------------------------------------------

@@ -12,7 +12,7 @@
 class QCheckBox;
 class QComboBox;
 class QLabel;
-class QPlainTextEdit;
+class QTextEdit;
 class QPushButton;
 class QSplitter;
 
@@ -80,7 +80,7 @@ private:
     QSplitter* m_splitter;
     CopyTable* m_table = nullptr;
     MarginModel* m_model;
-    QPlainTextEdit* m_sheet;
+    QTextEdit* m_sheet;
     QPushButton* m_goTo;
     QLabel* m_off;                            ///< the limits that are
     std::optional<GroupKey> m_group;          ///< the user chose

@@ -2,6 +2,7 @@
 #include "ui/window/dialogs/handout_dialog.h"
 
 #include "core/project/cycle.h"
+#include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
 #include "ui/session/cycle_cursor.h"
 #include "ui/session/settings.h"
@@ -75,7 +76,7 @@ HandoutDialog::HandoutDialog(const OutcomePtr& outcome, const CycleCursor& cycle
     layout->addWidget(figures);
     layout->addWidget(m_answers);
     layout->addWidget(buttons);
-    resize(handoutWidth, sizeHint().height());
+    resize(atFontSize(handoutWidth), sizeHint().height());
 }
 
 void HandoutDialog::offerSteps(const OutcomePtr& outcome, const CycleCursor& cycle) {

@@ -12,8 +12,9 @@
 #include "ui/views/constraints/constraints_plot.h"
 #include "ui/views/constraints/constraints_view.h"
 
-#include <QPlainTextEdit>
+#include <QRegularExpression>
 #include <QTest>
+#include <QTextEdit>
 
 /// The view "Constraints" on runs whose feed is limited.
 namespace constraints_bench {
@@ -51,9 +52,10 @@ inline Project unlimited(Project p) {
     return p;
 }
 
-/// A formula's text as a text editor gives it back.
-inline QString asShown(const FormulaSheet& sheet) {
-    return formulaText(sheet).replace(QChar::Nbsp, u' ');
+/// A formula's text without spaces, line breaks and what marks indices, which are typeset.
+inline QString bare(QString text) {
+    static const QRegularExpression set(QStringLiteral("[\\s_\u00a0]"));
+    return text.remove(set);
 }
 
 /// A view as it stands in the window, with a run drawn.
@@ -72,9 +74,7 @@ struct Shown {
     [[nodiscard]] T& part(const char* name) const {
         return *view.findChild<T*>(QLatin1String(name));
     }
-    [[nodiscard]] QString sheet() const {
-        return part<QPlainTextEdit>("formulaSheet").toPlainText();
-    }
+    [[nodiscard]] QString sheet() const { return part<QTextEdit>("formulaSheet").toPlainText(); }
     [[nodiscard]] int rowOf(ConstraintKind kind) const {
         for (int row = 0; row < view.margins()->rowCount(); ++row) {
             if (view.margins()->at(row).kind == kind) {
