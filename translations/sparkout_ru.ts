@@ -7480,6 +7480,22 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>D&apos;Agostino and Stephens, 1986, goodness of fit</source>
             <translation>D&apos;Agostino, Stephens, 1986, критерии согласия</translation>
         </message>
+        <message>
+            <source>Fisher, 1925, test of two variances</source>
+            <translation>Фишер, 1925, сравнение двух дисперсий</translation>
+        </message>
+        <message>
+            <source>Welch, 1947, means of unequal variances</source>
+            <translation>Уэлч, 1947, средние при неравных дисперсиях</translation>
+        </message>
+        <message>
+            <source>Huber, 1981, robust estimates</source>
+            <translation>Хьюбер, 1981, робастные оценки</translation>
+        </message>
+        <message>
+            <source>FIPS 180-4, secure hash standard</source>
+            <translation>FIPS 180-4, стандарт безопасного хеширования</translation>
+        </message>
     </context>
     <context>
         <name>Struct</name>
@@ -8543,6 +8559,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>°C, J/(kg·K)</source>
             <translation>°C, Дж/(кг·К)</translation>
+        </message>
+        <message>
+            <source>kW/A</source>
+            <translation>кВт/А</translation>
         </message>
     </context>
     <context>
@@ -15169,8 +15189,8 @@ good</source>
             <translation>Время цикла</translation>
         </message>
         <message>
-            <source>Least margin</source>
-            <translation>Наименьший запас</translation>
+            <source>Margin</source>
+            <translation>Запас</translation>
         </message>
         <message>
             <source>cycle time</source>

@@ -48,7 +48,7 @@ BarChart SurfaceBars::chartOf(const SetupState& state, const std::vector<Surface
     chart.what = tr("Surface");
     chart.axis = tr("Cycle time");
     chart.unit = unitText("min");
-    chart.secondAxis = tr("Least margin");
+    chart.secondAxis = tr("Margin");
     chart.secondUnit = QStringLiteral("%");
     chart.number = [](double value) { return Names::significant(value, timeDigits); };
     chart.secondNumber = [](double value) {

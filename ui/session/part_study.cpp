@@ -5,11 +5,45 @@
 #include "core/project/optimisation.h"
 #include "core/setup/worn_project.h"
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <cstdint>
 #include <functional>
 #include <utility>
 
 namespace sparkout {
+
+namespace {
+
+constexpr std::int64_t steps = 1000; ///< that a search is counted in
+
+/// How far one search is: by its bound against its best, which comes to it at the end.
+class SearchCount {
+public:
+    explicit SearchCount(std::atomic<std::int64_t>& done) : m_done(done) {}
+
+    void note(const SearchState& state) { // in any thread
+        const double share = state.best_s ? std::clamp(state.bound_s / *state.best_s, 0.0, 1.0) : 0;
+        reach(std::llround(share * double(steps)));
+    }
+    void end() { reach(steps); }
+
+private:
+    void reach(std::int64_t count) {
+        std::int64_t before = m_reached.load();
+        while (before < count && !m_reached.compare_exchange_weak(before, count)) {
+        }
+        if (before < count) {
+            m_done.fetch_add(count - before, std::memory_order_relaxed);
+        }
+    }
+
+    std::atomic<std::int64_t>& m_done;
+    std::atomic<std::int64_t> m_reached = 0;
+};
+
+} // namespace
 
 void PartStudy::runAll(const Setup& setup, SurfaceStudy::Kind kind, std::int64_t parts, One one) {
     run(parts, [this, setup, kind, one = std::move(one)](const Means& means) {
@@ -57,18 +91,21 @@ void PartStudy::startBatches(const Setup& setup) {
 }
 
 void PartStudy::startSearches(const Setup& setup) {
-    runAll(setup, SurfaceStudy::Kind::search, static_cast<std::int64_t>(setup.surfaces.size()),
+    runAll(setup, SurfaceStudy::Kind::search,
+           steps * static_cast<std::int64_t>(setup.surfaces.size()),
            [](SurfaceStudy& study, Setup& present, const Project& project, const Means& means) {
+               SearchCount progress(*means.done);
                study.isSetUp = project.optimisation.has_value();
                if (study.isSetUp) {
                    study.search =
-                       runWholeSearch(project, {}, means.stop, [](const SearchState&) {});
+                       runWholeSearch(project, {}, means.stop,
+                                      [&progress](const SearchState& s) { progress.note(s); });
                    if (const FoundCycle* best = study.search->best()) {
                        Project& own = present.surfaces[study.surface].project;
                        own = withFound(std::move(own), *best);
                    }
                }
-               means.done->fetch_add(1, std::memory_order_relaxed);
+               progress.end();
            });
 }
 

@@ -35,7 +35,7 @@ public:
     using CountedJob::CountedJob;
 
     void startBatches(const Setup& setup);  ///< counts parts
-    void startSearches(const Setup& setup); ///< counts surfaces
+    void startSearches(const Setup& setup); ///< counts thousandths of a surface's search
 
 signals:
     void surfaceDone(sparkout::SurfaceStudyPtr study);

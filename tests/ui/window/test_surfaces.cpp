@@ -12,6 +12,7 @@
 #include "tests/ui/support/setup_fixtures.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
+#include "ui/bars/bar_plot.h"
 #include "ui/fields/number_field.h"
 #include "ui/fields/shared_mark.h"
 #include "ui/files/recovery_store.h"
@@ -36,6 +37,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -444,6 +446,28 @@ private slots:
         QCOMPARE(desk.document().state().times.handling_s, 0.0);
     }
 
+    /// A bar of time and one of the least margin for each surface; a click leads to the surface.
+    void theSurfacesAreComparedAsBars() {
+        Desk desk;
+        desk.press("wholePart");
+        auto* whole = desk.bench.window->findChild<PartWindow*>();
+        auto& bars = *whole->findChild<BarPlot*>(QStringLiteral("surfaceBars"));
+        const std::vector<SurfaceStatus>& statuses = desk.runs().statuses();
+        QCOMPARE(bars.chart().categories.size(), qsizetype(statuses.size()));
+        for (std::size_t i = 0; i < statuses.size(); ++i) {
+            QCOMPARE(bars.chart().value(0, i), statuses[i].time_s / 60);
+            QCOMPARE(bars.chart().value(1, i) < 0, statuses[i].light == Light::fails);
+        }
+        QTRY_VERIFY(!bars.drawing().parts().empty());
+        const auto last = std::ranges::find_if(bars.drawing().parts(), [&](const BarPart& part) {
+            return part.category == statuses.size() - 1;
+        });
+        QVERIFY(last != bars.drawing().parts().end());
+        QTest::mouseClick(&bars, Qt::LeftButton, {}, last->rect.center().toPoint());
+        desk.calm();
+        QCOMPARE(desk.tabs().currentIndex(), int(statuses.size()) - 1);
+    }
+
     /// The same as the command line's: each with the wheel as the cycles found before leave it.
     void allAreOptimisedAndTheCyclesFoundAreOneStep() {
         Setup setup = searchedSetup();
@@ -451,9 +475,15 @@ private slots:
         desk.press("wholePart");
         auto* whole = desk.bench.window->findChild<PartWindow*>();
         QSignalSpy ended(&whole->study(), &PartStudy::finished);
+        const QSignalSpy told(&whole->study(), &PartStudy::progressed);
         QTest::mouseClick(whole->findChild<QPushButton*>(QStringLiteral("searchAll")),
                           Qt::LeftButton);
         QVERIFY(ended.wait(120'000));
+        for (qint64 before = 0; const QVariantList& progress : told) { // it never goes back
+            QCOMPARE(progress[1].toLongLong(), 1000 * qint64(setup.surfaces.size()));
+            QVERIFY(progress[0].toLongLong() >= before);
+            before = progress[0].toLongLong();
+        }
         auto* take = whole->findChild<QPushButton*>(QStringLiteral("takeFound"));
         QVERIFY(take->isEnabled());
         QTest::mouseClick(take, Qt::LeftButton);

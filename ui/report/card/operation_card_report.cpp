@@ -85,11 +85,11 @@ Table OperationCardReport::table(const std::vector<CardRow>& rows) {
     }
     table.texts = {true, true};
     for (const CardRow& row : rows) {
-        QStringList cells{row.symbol, row.text};
-        for (std::size_t i = form::firstValue; i < form::mainColumn; ++i) { // empty as on the form
-            cells << row.cells.value(static_cast<qsizetype>(i - form::firstValue));
+        QStringList cells{cell(row.symbol), row.text};
+        for (std::size_t i = form::firstValue; i < form::mainColumn; ++i) {
+            cells << cell(row.cells.value(static_cast<qsizetype>(i - form::firstValue)));
         }
-        table.rows.push_back(cells << row.main << row.auxiliary);
+        table.rows.push_back(cells << cell(row.main) << cell(row.auxiliary));
     }
     return table;
 }

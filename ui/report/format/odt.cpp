@@ -129,7 +129,9 @@ std::vector<double> sharesOf(const Table& table) {
 /// Writes the blocks; the styles of columns are put aside, for they stand before.
 class Body {
 public:
-    Body(Xml& xml, double width_mm) : m_xml(xml), m_width_mm(width_mm) {}
+    /// In a form to be filled in, cells without a value are empty instead of struck out.
+    Body(Xml& xml, double width_mm, bool isForm)
+        : m_xml(xml), m_width_mm(width_mm), m_isForm(isForm) {}
 
     void operator()(const Heading& heading) { m_xml.paragraph("Heading", heading.text, "text:h"); }
     void operator()(const Paragraph& paragraph) {
@@ -209,7 +211,7 @@ private:
             m_xml.paragraph(head || (names && c % 2 == 0) ? "Head"
                             : isText || c == 0            ? "Text"
                                                           : "Number",
-                            cells[c]);
+                            m_isForm && cells[c] == u"–" ? QString() : cells[c]);
             m_xml.end();
         }
         m_xml.end();
@@ -238,6 +240,7 @@ private:
 
     Xml& m_xml;
     double m_width_mm;
+    bool m_isForm;
     int m_tables = 0;
     std::vector<Picture> m_pictures;
 };
@@ -301,7 +304,7 @@ QByteArray contentOf(const Report& report, double width_mm, std::vector<Picture>
     xml.begin("office:text");
     xml.paragraph("Title", report.title);
     xml.paragraph("Body", report.subject);
-    Body body(xml, width_mm);
+    Body body(xml, width_mm, !report.sheets.empty());
     for (const Block& block : report.blocks) {
         std::visit(body, block);
     }
