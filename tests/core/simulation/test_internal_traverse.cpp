@@ -161,6 +161,24 @@ private slots:
         }
     }
 
+    // Short of the wall the wheel turns before the zone's middle, which is visited where it turns:
+    // what is fed while it travels never goes back.
+    void continuousInfeedBeforeAWallNeverGoesBack() {
+        Project p = boreByHand(false);
+        makeBlind(p, -5);
+        for (Stage& stage : p.cycle->stages) {
+            stage.continuous_feed_mm_min = 0.5;
+        }
+        QVERIFY(!hasErrors(validate(p)));
+        const Traced run(p);
+        QVERIFY(run.trajectory.visits.size() > 10);
+        double before = 0;
+        for (const Visit& visit : run.trajectory.visits) {
+            QVERIFY2(visit.programmed_mm >= before, qPrintable(QString::number(before)));
+            before = visit.programmed_mm;
+        }
+    }
+
     // What the wheel does not reach is neither ground nor counted.
     void theStripAtTheWallIsNotGround() {
         Project p = boreByHand(true);
