@@ -2,6 +2,7 @@
 #include "core/format/blanks_csv.h"
 
 #include "core/project/batch.h"
+#include "core/trimmed.h"
 
 #include <algorithm>
 #include <charconv>
@@ -13,19 +14,13 @@ namespace sparkout {
 
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view around = " \t\r\"";
-    const std::size_t first = text.find_first_not_of(around);
-    return first == std::string_view::npos
-               ? std::string_view()
-               : text.substr(first, text.find_last_not_of(around) - first + 1);
-}
+constexpr std::string_view aroundBlank = " \t\r\""; ///< what is no part of a cell
 
 std::vector<std::string_view> cellsOf(std::string_view line, char separator) {
     std::vector<std::string_view> cells;
     while (true) {
         const std::size_t end = line.find(separator);
-        cells.push_back(trimmed(line.substr(0, end)));
+        cells.push_back(trimmed(line.substr(0, end), aroundBlank));
         if (end == std::string_view::npos) {
             return cells;
         }

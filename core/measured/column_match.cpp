@@ -3,6 +3,7 @@
 
 #include "core/measured/table_text.h"
 #include "core/project/measured.h"
+#include "core/trimmed.h"
 
 #include <algorithm>
 #include <array>
@@ -142,13 +143,7 @@ struct HeadingParts {
     std::optional<int> place;
 };
 
-std::string_view withoutEnds(std::string_view text) {
-    constexpr std::string_view around = " \t,;:.";
-    const std::size_t first = text.find_first_not_of(around);
-    return first == std::string_view::npos
-               ? std::string_view()
-               : text.substr(first, text.find_last_not_of(around) - first + 1);
-}
+constexpr std::string_view aroundName = " \t,;:."; ///< what is no part of a name
 
 /// Takes "[mm]", "(mm)" or ", mm" off the end of a heading.
 std::optional<ColumnUnit> takeUnit(std::string& heading) {
@@ -162,33 +157,33 @@ std::optional<ColumnUnit> takeUnit(std::string& heading) {
     if (bracketed) {
         text.pop_back();
     }
-    const auto unit = unitNamed(withoutEnds(text));
+    const auto unit = unitNamed(trimmed(text, aroundName));
     if (!unit && !bracketed) {
         return std::nullopt; // it is no unit that stands behind the comma
     }
-    heading = withoutEnds(heading.substr(0, at));
-    return unit                        ? unit
-           : withoutEnds(text).empty() ? std::nullopt
-                                       : std::optional(ColumnUnit::unknown);
+    heading = trimmed(heading.substr(0, at), aroundName);
+    return unit                                ? unit
+           : trimmed(text, aroundName).empty() ? std::nullopt
+                                               : std::optional(ColumnUnit::unknown);
 }
 
 HeadingParts partsOf(std::string_view heading) {
     HeadingParts parts;
-    parts.name = lowerCase(withoutEnds(heading));
+    parts.name = lowerCase(trimmed(heading, aroundName));
     parts.unit = takeUnit(parts.name);
     const std::size_t space = parts.name.rfind(' ');
     if (space != std::string::npos) {
         const std::string last = parts.name.substr(space + 1);
         parts.place = last.find_first_of("0123456789") == 0 ? std::nullopt : zoneNamed(last);
         if (parts.place) {
-            parts.name = withoutEnds(parts.name.substr(0, space));
+            parts.name = trimmed(parts.name.substr(0, space), aroundName);
         }
     }
     // d1, d2, diameter 3: one of several.
     while (!parts.name.empty() && parts.name.back() >= '0' && parts.name.back() <= '9') {
         parts.name.pop_back();
     }
-    parts.name = withoutEnds(parts.name);
+    parts.name = trimmed(parts.name, aroundName);
     return parts;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/measured/column_match.h"
 #include "core/printable.h"
+#include "core/trimmed.h"
 
 #include <algorithm>
 #include <array>
@@ -14,13 +15,7 @@ namespace sparkout {
 
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view around = " \t\r";
-    const std::size_t first = text.find_first_not_of(around);
-    return first == std::string_view::npos
-               ? std::string_view()
-               : text.substr(first, text.find_last_not_of(around) - first + 1);
-}
+constexpr std::string_view aroundCell = " \t\r"; ///< what is no part of a cell
 
 bool isDigit(char c) {
     return c >= '0' && c <= '9';
@@ -40,7 +35,7 @@ Marks marksOf(std::string_view text) {
     TableLines lines(text);
     while (!lines.atEnd() && marks.lines < linesLookedAt) {
         const std::string_view line = lines.next();
-        marks.lines += trimmed(line).empty() ? 0 : 1;
+        marks.lines += trimmed(line, aroundCell).empty() ? 0 : 1;
         bool quoted = false;
         for (std::size_t i = 0; i < line.size(); ++i) {
             quoted = quoted != (line[i] == '"');
@@ -101,9 +96,9 @@ void splitCells(std::string_view line, char delimiter, std::vector<std::string_v
     std::size_t from = 0;
     bool quoted = false;
     const auto add = [&](std::size_t to) {
-        std::string_view cell = trimmed(line.substr(from, to - from));
+        std::string_view cell = trimmed(line.substr(from, to - from), aroundCell);
         if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') {
-            cell = trimmed(cell.substr(1, cell.size() - 2));
+            cell = trimmed(cell.substr(1, cell.size() - 2), aroundCell);
         }
         cells.push_back(cell);
         from = to + 1;

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace sparkout {
+
+/// The text without what of `around` stands at its ends.
+[[nodiscard]] constexpr std::string_view trimmed(std::string_view text, std::string_view around) {
+    const std::size_t first = text.find_first_not_of(around);
+    return first == std::string_view::npos
+               ? std::string_view()
+               : text.substr(first, text.find_last_not_of(around) - first + 1);
+}
+
+} // namespace sparkout
