@@ -2,6 +2,7 @@
 #include "core/measured/measured_rows.h"
 
 #include "core/measured/trace_builder.h"
+#include "core/units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,6 @@
 namespace sparkout {
 
 namespace {
-
-constexpr double umPerMm = 1000;
 
 class RowReader {
 public:
@@ -187,7 +186,7 @@ private:
         switch (quantity) {
         case ColumnQuantity::diameter: part.diameters_mm.push_back(value); break;
         case ColumnQuantity::diameter_deviation:
-            part.diameters_mm.push_back(m_context.nominalDiameter_mm + value / umPerMm);
+            part.diameters_mm.push_back(m_context.nominalDiameter_mm + value / units::umPerMm);
             break;
         case ColumnQuantity::roundness: part.roundness_um = value; break;
         case ColumnQuantity::radial_runout: part.radial_runout_um = value; break;
