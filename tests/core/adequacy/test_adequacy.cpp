@@ -6,6 +6,7 @@
 #include "core/measured/measured_table.h"
 #include "core/project/batch.h"
 #include "core/project/part.h"
+#include "core/project/validate.h"
 #include "core/statistics/philox.h"
 #include "tests/check_line.h"
 #include "tests/core/support/project_samples.h"
@@ -299,7 +300,7 @@ private slots:
             const auto row = static_cast<std::size_t>(i) % batch.statistics.rows.size();
             const double deviation_um = batch.statistics.rows[row].values[0];
             text += std::to_string(i + 1) + ',' + std::to_string(i % settings) + ",0,"
-                    + std::to_string(project.part->diameter_mm + deviation_um / 1000) + ",2.5,0."
+                    + numberText(project.part->diameter_mm + deviation_um / 1000) + ",2.5,0."
                     + std::to_string(4 + i % 3) + ",A\n";
         }
         QVERIFY(all[0].section == 0 && !all[0].requirement);
