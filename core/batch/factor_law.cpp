@@ -2,8 +2,8 @@
 #include "core/batch/factor_law.h"
 
 #include "core/process/profile.h"
+#include "core/process/scaled_compliance.h"
 #include "core/project/batch.h"
-#include "core/project/gauge.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/part.h"
@@ -26,36 +26,6 @@ FactorEnds truncation(const GivenFactor& factor) {
         ends.high = std::min(ends.high, (*factor.law.within)[1]);
     }
     return ends;
-}
-
-void scaleCompliance(double factor, Project& project) {
-    Machine& machine = *project.machine;
-    if (auto* zones = std::get_if<ZoneCompliance>(&machine.compliance_mm_per_n)) {
-        zones->rz1 *= factor;
-        zones->nz *= factor;
-        zones->rz2 *= factor;
-    } else if (auto* sections = std::get_if<std::vector<double>>(&machine.compliance_mm_per_n)) {
-        for (double& gamma : *sections) {
-            gamma *= factor;
-        }
-    }
-    if (machine.stiffness_n_um) {
-        machine.stiffness_n_um->headstock /= factor;
-        machine.stiffness_n_um->tailstock /= factor;
-        machine.stiffness_n_um->wheel_head /= factor;
-    }
-    project.part->shaft.youngs_modulus_gpa /= factor;
-    for (SteadyRest& rest : project.part->shaft.steady_rests) {
-        rest.stiffness_n_um /= factor;
-    }
-    if (machine.wheel_contact && machine.wheel_contact->n_um_at_n) {
-        for (std::vector<double>& row : *machine.wheel_contact->n_um_at_n) {
-            row[1] /= factor;
-        }
-    }
-    if (project.gauge->compliance_mm_per_n) {
-        *project.gauge->compliance_mm_per_n *= factor;
-    }
 }
 
 double triangularQuantile(const std::vector<double>& corners, double share) {
@@ -179,7 +149,7 @@ void putFactor(FactorKind kind, double value, Project& project) {
         project.wheel->diameter_mm = value;
         break;
     case FactorKind::flowStress: project.material->flow_stress_mpa = value; break;
-    case FactorKind::compliance: scaleCompliance(value, project); break;
+    case FactorKind::compliance: scaleCompliance(project, value); break;
     case FactorKind::contactWidth:
         (project.operation->travels ? project.wheel->width_mm : project.part->length_mm) = value;
         break;

@@ -2,6 +2,7 @@
 #include "core/identification/calibration.h"
 
 #include "core/identification/scaled_project.h"
+#include "core/process/scaled_compliance.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/number_input.h"
@@ -132,7 +133,7 @@ private:
             for (const Found& place : places) {
                 factors.push_back(place.factor);
             }
-            scaleCompliance(m_made, factors);
+            scalePlaceCompliances(m_made, factors);
         } else {
             scaleCompliance(m_made, places.front().factor);
         }

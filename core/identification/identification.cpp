@@ -4,6 +4,7 @@
 #include "core/identification/fit_problem.h"
 #include "core/identification/levenberg_marquardt.h"
 #include "core/project/gauge.h"
+#include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/statistics/comparison.h"
@@ -74,7 +75,10 @@ private:
                     || *list[i].place < 0 || *list[i].place >= placeCount(m_project));
             const bool measuredForm = list[i].kind == FittedKind::blank_runout
                                       && m_project.part->profile == ProfileForm::measured;
-            if (twice || noPlace || measuredForm) {
+            const bool notLinear =
+                (list[i].kind == FittedKind::alpha || list[i].kind == FittedKind::beta)
+                && m_project.machine->wheel_contact;
+            if (twice || noPlace || measuredForm || notLinear) {
                 return IdentificationStatus::notApplicable;
             }
         }

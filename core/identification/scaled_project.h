@@ -22,12 +22,11 @@ struct CycleFactors {
 /// itself.
 [[nodiscard]] bool hasPlaceCompliances(const Project& project);
 
-/// Multiplies γ everywhere: what is given, or divides the stiffnesses it is computed from.
-void scaleCompliance(Project& project, double factor);
-/// The same place by place; what is computed becomes given.
-void scaleCompliance(Project& project, const std::vector<double>& factors);
+/// Multiplies γ place by place; what is computed becomes given.
+void scalePlaceCompliances(Project& project, const std::vector<double>& factors);
 
-/// The project whose cycle has these α and β in every balance. Its forces are not those of the
+/// The project whose cycle has these α and β in every balance; with a wheel contact, whose balance
+/// is no sum of the two, α and β are to be 1. Its forces are not those of the
 /// factors: they follow from the depths of cut.
 [[nodiscard]] Project scaledProject(const Project& project, const CycleFactors& factors);
 

@@ -5,6 +5,7 @@
 #include "core/identification/fit_data.h"
 #include "core/identification/fitted_parameter.h"
 #include "core/identification/robust_weights.h"
+#include "core/process/scaled_compliance.h"
 #include "core/process/system_compliance.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
@@ -92,7 +93,7 @@ private slots:
                 QVERIFY(std::abs(after[i].gamma_mm_n / before[i].gamma_mm_n - 1.7) < 1e-9);
             }
             Project places = project;
-            scaleCompliance(places, std::vector<double>{1, 2});
+            scalePlaceCompliances(places, std::vector<double>{1, 2});
             const auto own = compliantPoints(places);
             QVERIFY(std::abs(own[0].gamma_mm_n / before[0].gamma_mm_n - 1) < 1e-12);
             QVERIFY(std::abs(own[1].gamma_mm_n / before[1].gamma_mm_n - 2) < 1e-12);

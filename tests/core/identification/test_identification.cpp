@@ -154,6 +154,36 @@ private slots:
         QVERIFY2(near(result, FittedKind::dullness, 1.1, 1e-6), said(result).constData());
     }
 
+    /// With a contact stiffness that rises with the load the balance is no sum of α and β; the
+    /// force enters where it really acts.
+    void throughAWheelContact() {
+        Project project = plunge();
+        project.machine->wheel_contact.emplace().n_um_at_n = {{0, 5}, {100, 30}, {400, 60}};
+        Project truth = project;
+        multiplyCompliance(truth, 0.8);
+        for (std::vector<double>& row : *truth.machine->wheel_contact->n_um_at_n) {
+            row[1] /= 0.8;
+        }
+        truth.material->flow_stress_mpa *= 1.2;
+        truth.wheel->dullness *= 1.1;
+        const Record cycle = record(truth);
+        project.measured.emplace().traces = {trace(TraceQuantity::gauge_size, cycle, {}),
+                                             trace(TraceQuantity::normal_force, cycle, {})};
+        const Identification result = identify(
+            project, {.parameters = {of(FittedKind::compliance), of(FittedKind::flow_stress),
+                                     of(FittedKind::dullness)}});
+        QVERIFY2(result.status == IdentificationStatus::fitted, said(result).constData());
+        QVERIFY2(near(result, FittedKind::compliance, 0.8, 1e-6), said(result).constData());
+        QVERIFY2(near(result, FittedKind::flow_stress, 1.2, 1e-6), said(result).constData());
+        QVERIFY2(near(result, FittedKind::dullness, 1.1, 1e-6), said(result).constData());
+        QCOMPARE(simulate(withCalibration(project, result, "test.csv", "2026-03-04")).time_s,
+                 simulate(truth).time_s);
+        for (const FittedKind kind : {FittedKind::alpha, FittedKind::beta}) {
+            QVERIFY(identify(project, {.parameters = {of(kind)}}).status
+                    == IdentificationStatus::notApplicable);
+        }
+    }
+
     void sectionsAndTheBlank() {
         Project project = plunge(3);
         Project truth = project;
