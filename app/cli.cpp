@@ -4,6 +4,7 @@
 #include "app/cli_measured.h"
 #include "app/cli_optimise.h"
 #include "app/cli_options.h"
+#include "app/cli_phases.h"
 #include "app/cli_remedies.h"
 #include "app/cli_report.h"
 #include "app/cli_surfaces.h"
@@ -42,6 +43,7 @@ constexpr const char* helpText =
   sparkout-cli batch FILE [--surface NAME|N|all] [option…] [--shard I/N | --json | --csv]
   sparkout-cli batch-merge SHARD… [--json | --csv] [--check]
   sparkout-cli sweep FILE [--surface NAME|N|all] [--threads N] [--json | --csv] [--progress]
+  sparkout-cli phases FILE [--surface NAME|N|all] [--from MM] [--to MM] [--json] [--check]
   sparkout-cli measured FILE [--surface NAME|N|all] [--data TABLE.csv] [--fit PARAMETER,…]
                         [--json] [--check] [--progress]
   sparkout-cli examples DIR [--force]
@@ -56,9 +58,10 @@ remedies   finds changes of one setting after which a cycle that fails holds eve
            first; where none of the values tried helps, why, with the requirements that fail
   --json     prints one JSON object
 optimize   finds the quickest cycle of the file's grid that holds every requirement
-  --robust   it must hold for stocks between the steps of the feeds, too: tried on 500 of
-             them drawn afresh, with the confidence stated; a file whose
-             optimisation says scenarios corners or batch is searched for those without it
+  --robust   it must hold for every stock within half an infeed of the stated one, which is
+             decided under gauge control; under position control it is tried on 500 of them
+             drawn afresh, with the confidence stated; a file whose optimisation says
+             scenarios corners or batch is searched for those without it
   --refine   from the grid's best on between its levels, in the machine's steps: a
              quicker cycle that holds, if one is met; it is not proved
   --method   search: proves the answer from few runs; full: runs every cycle;
@@ -97,6 +100,13 @@ batch-merge
 sweep      runs the sweep of a project file: one or two inputs varied over their ranges
   --threads N          threads, instead of one a processor; the answer is the same
   --json, --csv        prints one JSON object, or a row for every point
+phases     decides for which stocks of the blank the cycle holds every requirement, under gauge
+           control: where the last step of a stage falls changes with the stock, and the size
+           with it. Every stock of the range is decided, none is sampled
+  --from, --to         stocks per side in mm, instead of half the largest infeed of a stage below
+                       and above the stock in the file
+  --json               prints one JSON object
+  --check              exit status 4 when it fails for a stock
 measured   holds what was measured, in the file's section measured, against the predicted batch:
            for each zone or section and quantity the mean with its 95 % interval, the
            predicted range, Fisher's ratio of the variances, the share of the parts inside
@@ -115,16 +125,16 @@ examples   writes the example projects into a folder, which is made if need be;
   --force    replaces those that were edited
 
 A file may hold several surfaces of a part that are ground in one set-up. simulate, remedies,
-optimize, batch, sweep and measured take each in its order, or the one that --surface names, by its name or
-its number from 1; the wheel comes to it as the surfaces before have left it. A time
-limit holds for each surface.
+optimize, batch, sweep, phases and measured take each in its order, or the one that --surface
+names, by its name or its number from 1; the wheel comes to it as the surfaces before have
+left it. A time limit holds for each surface.
 
 Sections of a plunge and parts of a batch are counted from 0, as in the file; in the window and
 its reports from 1.
 
 Exit status: 0 done; 1 the input is refused; 2 usage; 3 the cycle cannot reach size;
-4 a requirement fails (--check); 5 no cycle of the grid is feasible; 130 or 143 a batch,
-sweep or search for remedies ended by Ctrl+C or SIGTERM.
+4 a requirement fails (--check); 5 no cycle of the grid is feasible; 130 or 143 a batch, sweep,
+decision on phases or search for remedies ended by Ctrl+C or SIGTERM.
 
 A batch on a cluster, here with Slurm: batch.sbatch in resources/help.
 )";
@@ -268,7 +278,7 @@ int run(const std::vector<std::string>& arguments) {
     const std::string& command = options.command;
     if (command != "simulate" && command != "validate" && command != "remedies"
         && command != "batch" && command != "batch-merge" && command != "sweep"
-        && command != "measured" && command != "examples") {
+        && command != "measured" && command != "phases" && command != "examples") {
         return usageError(command.empty() ? "a command is needed" : "unknown command " + command);
     }
     if (options.operand.empty()) {
@@ -288,6 +298,9 @@ int run(const std::vector<std::string>& arguments) {
     }
     if (command == "sweep") {
         return runSweepCommand(options);
+    }
+    if (command == "phases") {
+        return runPhasesCommand(options);
     }
     if (command == "measured") {
         return runMeasuredCommand(options);

@@ -214,13 +214,27 @@ int candidateOf(const GridSearchReport& report) {
     return isRefined(report) ? report.refined->candidate : report.robust->candidate;
 }
 
+/// The stocks for each of which the answer was decided to hold.
+std::optional<StockRange> decidedStocks(const GridSearchReport& report) {
+    if (!report.robust || !report.robust->decided) {
+        return std::nullopt;
+    }
+    return usualPhases(withAnswer(report));
+}
+
 std::string robustText(const GridSearchReport& report, double best_s) {
     const RobustSummary& robust = *report.robust;
     const int candidate = candidateOf(report);
-    return "robustness           " + std::to_string(robust.added.size()) + " stocks added in "
-           + std::to_string(robust.rounds) + " rounds; costs "
-           + fixed((best_s / robust.nominalTime_s - 1) * 100, 1) + " % of time\n"
-           + "confidence           held in all of " + std::to_string(robust.freshPhases)
+    const std::string cost = "robustness           " + std::to_string(robust.added.size())
+                             + " stocks added in " + std::to_string(robust.rounds)
+                             + " rounds; costs "
+                             + fixed((best_s / robust.nominalTime_s - 1) * 100, 1) + " % of time\n";
+    if (const auto decided = decidedStocks(report)) {
+        constexpr int digits = 6; // nm
+        return cost + "decided              holds for every stock per side of "
+               + fixed(decided->from_mm, digits) + "…" + fixed(decided->to_mm, digits) + " mm\n";
+    }
+    return cost + "confidence           held in all of " + std::to_string(robust.freshPhases)
            + " phases of the stock drawn afresh, as cycle no. " + std::to_string(candidate)
            + " that was tried so: with 95 % confidence at most "
            + fixed(std::ceil(mostFailing(robust.freshPhases, candidate) * 1e4) / 1e2, 2)
@@ -318,6 +332,9 @@ std::string optimiseJson(const GridSearchReport& report) {
              phases > 0 ? ordered_json(mostFailing(phases, candidate)) : ordered_json(nullptr)},
             {"confidence", 0.95},
             {"cycles_that_failed", report.robust->freshFailures}};
+        const auto decided = decidedStocks(report);
+        root["decided_stock_mm"] =
+            decided ? ordered_json{decided->from_mm, decided->to_mm} : ordered_json(nullptr);
         root["nominal_time_min"] = minutes(report.robust->nominalTime_s);
     }
     return root.dump(2) + '\n';

@@ -109,6 +109,14 @@ const ValueOption valueOptions[] = {
      [](const std::string& text, Options& options) { return put(options.data, fileName(text)); }},
     {"measured", "--fit", "parameters, as alpha,beta,size_offset",
      [](const std::string& text, Options& options) { return put(options.fit, fileName(text)); }},
+    {"phases", "--from", "a stock per side in mm above 0",
+     [](const std::string& text, Options& options) {
+         return put(options.from_mm, numberIn(text, 1e-9, 1e3));
+     }},
+    {"phases", "--to", "a stock per side in mm above 0",
+     [](const std::string& text, Options& options) {
+         return put(options.to_mm, numberIn(text, 1e-9, 1e3));
+     }},
     {"batch", "--rows", "a file name",
      [](const std::string& text, Options& options) { return put(options.rows, fileName(text)); }},
 };
@@ -121,7 +129,7 @@ const ValueOption surfaceOption{nullptr, "--surface", "a name, a number from 1 o
 
 bool takesSurface(const std::string& command) {
     return command == "simulate" || command == "batch" || command == "sweep"
-           || command == "remedies" || command == "measured";
+           || command == "remedies" || command == "measured" || command == "phases";
 }
 
 const ValueOption* valueOption(const std::string& command, const std::string& name) {
@@ -141,13 +149,14 @@ bool* switchOf(const std::string& name, Options& options) {
     const bool simulates = options.command == "simulate", runs = options.command == "batch";
     const bool batch = runs || options.command == "batch-merge";
     const bool sweeps = options.command == "sweep", mends = options.command == "remedies";
-    const bool measures = options.command == "measured";
-    return (simulates || mends || batch || sweeps || measures) && name == "--json" ? &options.json
-           : (simulates || batch || measures) && name == "--check"                 ? &options.check
-           : (batch || sweeps) && name == "--csv"                                  ? &options.csv
-           : (runs || sweeps || measures) && name == "--progress"         ? &options.progress
-           : (runs || options.command == "examples") && name == "--force" ? &options.force
-                                                                          : nullptr;
+    const bool measures = options.command == "measured", decides = options.command == "phases";
+    const bool prints = simulates || mends || batch || sweeps || measures || decides;
+    return prints && name == "--json"                                         ? &options.json
+           : (simulates || batch || measures || decides) && name == "--check" ? &options.check
+           : (batch || sweeps) && name == "--csv"                             ? &options.csv
+           : (runs || sweeps || measures) && name == "--progress"             ? &options.progress
+           : (runs || options.command == "examples") && name == "--force"     ? &options.force
+                                                                              : nullptr;
 }
 
 /// Options that contradict each other.

@@ -21,6 +21,7 @@ struct Options {
     std::optional<int> parts, seed, threads, sensitivity;
     std::optional<std::pair<int, int>> shard; ///< I of N
     std::optional<double> untilWidth_um;
+    std::optional<double> from_mm, to_mm; ///< stocks, of phases
     std::optional<Scenarios> scenarios;
 };
 

@@ -5734,6 +5734,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Between the levels nothing quicker was found.</source>
             <translation>Между уровнями сетки ничего быстрее не найдено.</translation>
         </message>
+        <message>
+            <source>It holds for every stock of %1…%2 mm per side, with the other inputs as they are: decided, not sampled.</source>
+            <translation>Цикл выдерживает требования при любом припуске на сторону от %1 до %2 мм, если прочие данные не меняются: это решено точно, а не по выборке.</translation>
+        </message>
     </context>
     <context>
         <name>PageText</name>

@@ -254,8 +254,9 @@ private:
     nlopt_opt m_nlopt = nullptr;
 };
 
-/// Of what is drawn the first in which the cycle does not hold, then of the fresh phases one;
-/// nothing: none, or it was stopped before. Counts those that come to fresh phases.
+/// Of what is drawn the first in which the cycle does not hold, then a stock for which it fails, or
+/// one of the fresh phases; nothing: none, or it was stopped before. Counts those that come to
+/// that.
 std::optional<Project> failing(const Project& project, const Cycle& cycle,
                                const RefineOptions& options, int round, int& candidates) {
     Project best = project;
@@ -273,6 +274,9 @@ std::optional<Project> failing(const Project& project, const Cycle& cycle,
         }
     }
     ++candidates;
+    if (canDecidePhases(best)) {
+        return failingStock(best, options.stop);
+    }
     constexpr std::uint32_t otherThanTheSearch = 1U << 31U;
     return failingPhase(best, otherThanTheSearch + static_cast<std::uint32_t>(round), options.stop);
 }

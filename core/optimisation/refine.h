@@ -26,7 +26,7 @@ namespace sparkout {
 struct RefineOptions {
     std::vector<Project> scenarios; ///< in which the cycle must hold, too
     FreshScenarios source;          ///< where given, it must also hold in what this draws and
-                                    ///< in fresh phases (failingPhase)
+                                    ///< for every stock, or in fresh phases
     int mostRuns = 4000;            ///< of cycles, in each of at most ten rounds with a source
     bool everyStageSteps = false;   ///< as SearchOptions has it
     int candidates = 0;             ///< cycles that a search tried on fresh phases before

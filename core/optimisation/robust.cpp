@@ -79,6 +79,13 @@ private:
     std::vector<std::size_t> m_order;
 };
 
+/// Puts the stock at a share of an infeed around what it is.
+void addPhase(Project& project, double infeed_mm, double share) {
+    constexpr double leastShare = 0.01; // of the stock: a blank has some
+    double& stock_mm = project.part->stock_mm;
+    stock_mm = std::max(stock_mm + infeed_mm * (share - 0.5), leastShare * stock_mm);
+}
+
 /// From 1, of the last of the candidates that is this cycle; the last of all if none were.
 int placeOf(const FeasibleCycle& cycle, const std::vector<FeasibleCycle>& candidates) {
     const auto last =
@@ -113,7 +120,9 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
         if (!failing && !options.search.stop.stop_requested()) {
             candidates.push_back(found);
             ++summary.candidates;
-            failing = failingPhase(best, static_cast<std::uint32_t>(draws), options.search.stop);
+            failing = canDecidePhases(best) ? failingStock(best, options.search.stop)
+                                            : failingPhase(best, static_cast<std::uint32_t>(draws),
+                                                           options.search.stop);
             summary.freshFailures += failing ? 1 : 0;
         }
         return failing;
@@ -146,7 +155,13 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
         if (!failing) { // a challenge was drawn for this cycle
             summary.candidate = placeOf(*summary.search.best, candidates);
             summary.holdsInSample = true;
-            summary.freshPhases = freshPhaseCount;
+            if (canDecidePhases(project)) {
+                Project best = variants.project(summary.search.best->variant);
+                *best.cycle = summary.search.cycle;
+                summary.decided = usualPhases(best);
+            } else {
+                summary.freshPhases = freshPhaseCount;
+            }
             return summary;
         }
         search.scenarios.push_back(*failing);
@@ -164,10 +179,31 @@ std::vector<Project> stockPhases(const Project& project, int phases, double from
     for (const double infeed_mm : infeedsOfStages(project)) {
         for (int i = 0; i < phases && infeed_mm > 0; ++i) {
             spread.push_back(project);
-            spread.back().part->stock_mm += infeed_mm * (i + from) / phases;
+            addPhase(spread.back(), infeed_mm, (i + from) / phases);
         }
     }
     return spread;
+}
+
+std::optional<Project> failingStock(const Project& best, const std::stop_token& stop) {
+    const PhaseDecision decision = decidePhases(best, usualPhases(best), stop);
+    std::optional<Project> worst;
+    double least = std::numeric_limits<double>::infinity();
+    for (const FailingStocks& failing : decision.failing) {
+        // Next to the end of a piece the control may make the steps of its neighbour.
+        for (const double share : {0.01, 0.99, 0.5}) {
+            Project part = best;
+            part.runs.clear();
+            part.part->stock_mm =
+                failing.stocks.from_mm + share * (failing.stocks.to_mm - failing.stocks.from_mm);
+            const std::optional<Trial> trial = tried(part, stop);
+            if (trial && !trial->holds && (!worst || trial->leastMargin < least)) {
+                least = trial->leastMargin;
+                worst = std::move(part);
+            }
+        }
+    }
+    return worst;
 }
 
 std::optional<Project> failingPhase(const Project& best, std::uint32_t draw,
@@ -185,7 +221,8 @@ std::optional<Project> failingPhase(const Project& best, std::uint32_t draw,
         };
         const auto stage =
             static_cast<std::size_t>(unit(0) * static_cast<double>(infeeds_mm.size()));
-        drawn.part->stock_mm = best.part->stock_mm + infeeds_mm[stage] * unit(1);
+        drawn.part->stock_mm = best.part->stock_mm;
+        addPhase(drawn, infeeds_mm[stage], unit(1));
         const std::optional<Trial> trial = tried(drawn, stop);
         if (trial && !trial->holds && (!worst || trial->leastMargin < least)) {
             worst = drawn;

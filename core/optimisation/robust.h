@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/optimisation/optimise.h"
+#include "core/phases/phase_decision.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,29 +23,31 @@ struct RobustOptions {
 };
 
 struct RobustSummary {
-    SearchSummary search;       ///< of the last round
-    std::vector<Project> added; ///< the scenarios that had to be added
-    int rounds = 0;             ///< searches made
-    long long evaluations = 0;  ///< of all rounds
-    long long visits = 0;       ///< of all rounds, without the tests
-    bool holdsInSample = false; ///< none of the last round's scenarios failed, nor of
-                                ///< the fresh phases
-    int freshPhases = 0;        ///< that the answer was tried on at last, and held in all
-    int freshFailures = 0;      ///< cycles that failed in one of theirs; it was added
-    int candidates = 0;         ///< cycles that were tried on fresh phases, each on its own
-    int candidate = 0;          ///< the answer's number among them, from 1; 0: none
-    double nominalTime_s = 0;   ///< of the first round's best; 0: none
+    SearchSummary search;              ///< of the last round
+    std::vector<Project> added;        ///< the scenarios that had to be added
+    int rounds = 0;                    ///< searches made
+    long long evaluations = 0;         ///< of all rounds
+    long long visits = 0;              ///< of all rounds, without the tests
+    bool holdsInSample = false;        ///< none of the last round's scenarios failed, nor of
+                                       ///< the fresh phases
+    std::optional<StockRange> decided; ///< stocks for each of which the answer holds
+    int freshPhases = 0;               ///< else those that it was tried on at last, and held in all
+    int freshFailures = 0;             ///< cycles that failed in one of theirs; it was added
+    int candidates = 0;                ///< cycles that were tried on fresh phases, each on its own
+    int candidate = 0;                 ///< the answer's number among them, from 1; 0: none
+    double nominalTime_s = 0;          ///< of the first round's best; 0: none
 };
 
 /// Optimises, tests the best cycle on the source's scenarios, adds one in which it fails to those
 /// it must hold in, and again, until none fails [MODEL-8]. Added is the one that fails by most;
 /// where draws correspond they are tried in the order of the last cycle that was tried on all, the
 /// worst first, and added is the first that fails. The answer is the best of the grid for the
-/// scenarios in the set. That it holds in others is not proved: it is tried on phases of the stock
-/// drawn at random, fresh for each cycle that may be the answer. One in which it fails is added and
-/// the search goes on; the answer is a cycle that failed in none of its own, so that with 95 %
-/// confidence no more than mostFailing() of the phases fail. A stop leaves a trial unchecked: it
-/// counts neither as one that failed nor as one that held.
+/// scenarios in the set. Under gauge control it is then decided for each cycle that may be the
+/// answer whether it holds for every stock of usualPhases(); a stock for which it fails is added
+/// and the search goes on. Under position control that is not proved: it is tried on phases of the
+/// stock drawn at random, fresh for each such cycle; the answer is one that failed in none of its
+/// own, so that with 95 % confidence no more than mostFailing() of the phases fail. A stop leaves a
+/// trial unchecked: it counts neither as one that failed nor as one that held.
 ///
 /// Every stage of the answer makes a step on the part itself (SearchOptions::everyStageSteps). A
 /// stage that the stage before overruns there would be in use for other stocks only; a cycle with
@@ -60,9 +63,9 @@ struct RobustSummary {
 [[nodiscard]] RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& source,
                                              const RobustOptions& options = {});
 
-/// The project with stocks spread evenly over one infeed of each stage of its cycle, `phases` a
-/// stage, from a share of a phase on: where the last step falls decides on the size, and corners
-/// alone miss it.
+/// The project with stocks spread evenly over one infeed of each stage of its cycle around its own,
+/// `phases` a stage, from a share of a phase on: where the last step falls decides on the size, and
+/// corners alone miss it.
 [[nodiscard]] std::vector<Project> stockPhases(const Project& project, int phases = 16,
                                                double from = 0);
 
@@ -81,9 +84,15 @@ inline constexpr int freshPhaseCount = 500;
     return std::min(std::log(k * (k + 1) / risk) / phases, 1.0);
 }
 
+/// A stock of usualPhases() for which the project's cycle fails, where it fails by most; nothing:
+/// it holds for each of them. Of a project whose phases can be decided. A stop ends it with
+/// nothing.
+[[nodiscard]] std::optional<Project> failingStock(const Project& best,
+                                                  const std::stop_token& stop = {});
+
 /// One of `count` phases in which the project's cycle fails, the one by most; nothing: none. The
-/// phases are independent and even over one infeed of each stage; other ones for every draw. A stop
-/// ends it with what it has: nothing then does not mean that it holds in all.
+/// phases are independent and even over one infeed of each stage around the stock; other ones for
+/// every draw. A stop ends it with what it has: nothing then does not mean that it holds in all.
 [[nodiscard]] std::optional<Project> failingPhase(const Project& best, std::uint32_t draw,
                                                   const std::stop_token& stop = {},
                                                   int count = freshPhaseCount);

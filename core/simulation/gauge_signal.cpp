@@ -5,6 +5,7 @@
 #include "core/project/machine.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace sparkout {
 
@@ -23,20 +24,18 @@ void GaugeSignal::read(double time_s, double remaining_mm) {
     }
 }
 
-bool GaugeSignal::isKnown(double least_mm, double delay_s) const {
+double GaugeSignal::knownBy(double least_mm, double delay_s) const {
     const auto oldEnough = [&](const Reading& each) {
         return each.time_s <= m_readings.back().time_s - delay_s + delaySlack_s;
     };
     const auto newest = std::find_if(m_readings.rbegin(), m_readings.rend(), oldEnough);
-    return newest != m_readings.rend() && newest->remaining_mm <= least_mm + stageSlack_mm;
+    return newest != m_readings.rend() ? least_mm + stageSlack_mm - newest->remaining_mm
+                                       : -std::numeric_limits<double>::infinity();
 }
 
-bool GaugeSignal::isOver(double later_mm, bool last) const {
-    return isKnown(later_mm, last ? m_end_s : m_change_s) || (m_endsCycle && isKnown(0, m_end_s));
-}
-
-bool GaugeSignal::isDue(double later_mm) const {
-    return isKnown(later_mm, 0);
+double GaugeSignal::overBy(double later_mm, bool last) const {
+    const double changes = knownBy(later_mm, last ? m_end_s : m_change_s);
+    return m_endsCycle ? std::max(changes, knownBy(0, m_end_s)) : changes;
 }
 
 } // namespace sparkout

@@ -32,15 +32,19 @@ public:
     /// After a step, at rising times.
     void read(double time_s, double remaining_mm);
     /// Whether a stage with so much stock behind it is over, the last of the cycle or another one.
-    [[nodiscard]] bool isOver(double later_mm, bool last) const;
-    /// Whether the last reading ends a stage, at once or when the delay is over.
-    [[nodiscard]] bool isDue(double later_mm) const;
+    [[nodiscard]] bool isOver(double later_mm, bool last) const {
+        return overBy(later_mm, last) >= 0;
+    }
+    /// How much more all readings may show [mm] for it to be over still.
+    [[nodiscard]] double overBy(double later_mm, bool last) const;
+    /// The same for the last reading to end a stage, at once or when the delay is over.
+    [[nodiscard]] double dueBy(double later_mm) const { return knownBy(later_mm, 0); }
 
 private:
     struct Reading {
         double time_s = 0, remaining_mm = 0;
     };
-    [[nodiscard]] bool isKnown(double least_mm, double delay_s) const;
+    [[nodiscard]] double knownBy(double least_mm, double delay_s) const;
 
     double m_end_s = 0;    ///< from a reading to the end of the cycle
     double m_change_s = 0; ///< and to the feed of the next stage

@@ -5,6 +5,7 @@
 #include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/simulation/coupled_plunge.h"
+#include "core/simulation/cycle_loop.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -107,8 +108,6 @@ private:
     std::optional<SectionCoupling> m_coupling; ///< with sections coupled
 };
 
-constexpr int idleRevolutions = 100;
-
 } // namespace
 
 std::unique_ptr<CycleSteps> plungeSteps(const Project& project, Trajectory* trajectory,
@@ -119,28 +118,7 @@ std::unique_ptr<CycleSteps> plungeSteps(const Project& project, Trajectory* traj
 SimulationResult simulatePlunge(const Project& project, Trajectory* trajectory,
                                 const std::stop_token& stop) {
     const std::unique_ptr<CycleSteps> steps = plungeSteps(project, trajectory, stop);
-    Run& run = steps->run();
-    StageControl control(project, infeedsOfStages(project), run.blank().totalInfeed_mm);
-    int idle = 0; // revolutions in a row that removed nothing
-    while (!control.finished() && !run.mustEnd()) {
-        const bool waits = control.waitsForSize();
-        const bool retracts = control.retracts();
-        const std::size_t stage = control.stage();
-        if (!steps->step({control.nextInfeed(run.fed_mm), stage})) {
-            break; // in the middle of a revolution, which then does not count
-        }
-        control.stepDone(steps->remaining(), run.fed_mm, run.time_s());
-        const double root = run.takeLargestRoot();
-        if (retracts && control.stage() == stage && root * root <= noProgress_mm) {
-            control.endStage();
-        }
-        idle = waits && root * root <= noProgress_mm ? idle + 1 : 0;
-        if (!control.finished() && !control.endIsDue() && idle >= idleRevolutions) {
-            run.setStatus(RunStatus::cannotReachSize);
-            break;
-        }
-    }
-    return steps->finish(control.stepsByStage());
+    return runCycle(project, *steps);
 }
 
 } // namespace sparkout

@@ -63,22 +63,27 @@ bool StageControl::retracts() const {
     return m_stages[m_stage].feeds() && m_feeds[m_stage] < 0;
 }
 
-bool StageControl::stageEnded(double fed_mm) const {
+double StageControl::overBy(double fed_mm) const {
+    constexpr double always = std::numeric_limits<double>::infinity();
     const Stage& stage = m_stages[m_stage];
     if (const auto steps = stage.sparkOutSteps()) {
-        return m_steps[m_stage] >= *steps;
+        return m_steps[m_stage] >= *steps ? always : -always;
     }
     if (m_control == Control::position && stage.feeds()) {
-        return fed_mm >= stageEndInfeed() - stageSlack_mm;
+        return fed_mm >= stageEndInfeed() - stageSlack_mm ? always : -always;
     }
-    return m_gauge.isOver(m_laterStock[m_stage], m_stage + 1 == m_stages.size());
+    return m_gauge.overBy(m_laterStock[m_stage], m_stage + 1 == m_stages.size());
+}
+
+void StageControl::read(double remainingStock_mm, double time_s) {
+    ++m_steps[m_stage];
+    m_gauge.read(time_s, remainingStock_mm);
 }
 
 void StageControl::stepDone(double remainingStock_mm, double fed_mm, double time_s) {
-    ++m_steps[m_stage];
-    m_gauge.read(time_s, remainingStock_mm);
-    while (!finished() && stageEnded(fed_mm)) {
-        ++m_stage;
+    read(remainingStock_mm, time_s);
+    while (!finished() && overBy(fed_mm) >= 0) {
+        endStage();
     }
 }
 

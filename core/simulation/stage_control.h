@@ -36,18 +36,22 @@ public:
     /// from the stored deflection. It ends as any other, or when nothing is cut any more; an option
     /// beyond the sources [MODEL-7].
     [[nodiscard]] bool retracts() const;
-    /// Ends the running stage: a retraction that has lost contact.
+    /// Ends the running stage: it is over, or a retraction that has lost contact.
     void endStage() { ++m_stage; }
     /// One step is done, which ends at this time; ends the stages that are through. Several may end
     /// at one reading.
     void stepDone(double remainingStock_mm, double fed_mm, double time_s);
-    /// Whether the running stage only waits until the control learns that it is over.
-    [[nodiscard]] bool endIsDue() const { return m_gauge.isDue(m_laterStock[m_stage]); }
+    /// The step without the ends of stages.
+    void read(double remainingStock_mm, double time_s);
+    /// How much larger the stock may be [mm] for the running stage to end at this step still: it
+    /// ends where this is not below 0. Infinite where the stock does not decide.
+    [[nodiscard]] double overBy(double fed_mm) const;
+    /// The same for it to wait but until the control learns that it is over.
+    [[nodiscard]] double dueBy() const { return m_gauge.dueBy(m_laterStock[m_stage]); }
 
     [[nodiscard]] const std::vector<int>& stepsByStage() const { return m_steps; }
 
 private:
-    [[nodiscard]] bool stageEnded(double fed_mm) const;
     [[nodiscard]] double stageEndInfeed() const;
 
     std::vector<double> m_feeds;

@@ -5,6 +5,7 @@
 #include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
+#include "core/simulation/cycle_loop.h"
 #include "core/simulation/simulate.h"
 #include "core/units.h"
 
@@ -398,23 +399,7 @@ private:
 SimulationResult simulateGauged(Zone gaugeZone, const Project& project, Trajectory* trajectory,
                                 const std::stop_token& stop) {
     const std::unique_ptr<CycleSteps> steps = traverseSteps(project, gaugeZone, trajectory, stop);
-    Run& run = steps->run();
-    StageControl control(project, infeedsOfStages(project), run.blank().totalInfeed_mm);
-    while (!control.finished() && !run.mustEnd()) {
-        const bool waits = control.waitsForSize();
-        const Stage& stage = project.cycle->stages[control.stage()];
-        if (!steps->step({control.nextInfeed(run.fed_mm), control.stage(), *stage.axial_feed_mm_min,
-                          stage.continuousFeed_mm_min(), control.mostFed()})) {
-            break; // in the middle of a double stroke, which then does not count
-        }
-        control.stepDone(steps->remaining(), run.fed_mm, run.time_s());
-        const double root = run.takeLargestRoot();
-        if (waits && !control.finished() && !control.endIsDue() && root * root <= noProgress_mm) {
-            run.setStatus(RunStatus::cannotReachSize);
-            break;
-        }
-    }
-    return steps->finish(control.stepsByStage());
+    return runCycle(project, *steps);
 }
 
 } // namespace

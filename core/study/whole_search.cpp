@@ -215,6 +215,11 @@ private:
                 numbers.push_back(each.cycle.size());
             }
         }
+        for (FoundCycle& found : m_outcome->found) {
+            if (found.candidate > 0 && canDecidePhases(m_outcome->project)) {
+                found.decided = usualPhases(withFound(m_outcome->project, found));
+            }
+        }
         const GraceStop grace(m_stop); // for both
         m_outcome->limit_s = steplessLimit_s(m_outcome->project, grace.token());
         m_outcome->bound_s = bound();

@@ -211,7 +211,7 @@ private slots:
         p.gauge->delay_s = 1.5;
         p.machine->feed_change_delay_s = 1;
         GaugeSignal signal(p, true);
-        QVERIFY(!signal.isOver(1, false) && !signal.isDue(1)); // nothing was read
+        QVERIFY(!signal.isOver(1, false) && signal.dueBy(1) < 0); // nothing was read
         const double read[] = {0.09, 0.04, 0.03, 0.01, 0, -0.01, -0.02, -0.03};
         const auto since = [&](double later_mm, bool last) {
             GaugeSignal again(p, true);

@@ -203,18 +203,28 @@ QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double>
         lines << tr("It holds in the last sample of scenarios; %n of them had to be added.",
                     nullptr, added);
         const FoundCycle& answer = outcome.refined() ? *outcome.refined() : *best;
-        const int candidate = std::max(answer.candidate, 1);
-        const double most = mostFailing(freshPhaseCount, candidate);
-        lines << tr("It held in all of %1 phases of the stock drawn afresh, as cycle no. %2 that "
-                    "was tried so: with 95 % confidence at most %3 % of the phases fail.")
-                     .arg(QLocale().toString(freshPhaseCount), QLocale().toString(candidate),
-                          Names::fixed(std::ceil(most * 1e4) / 1e2, 2));
+        lines << (answer.decided ? decided(*answer.decided) : sampled(answer.candidate));
         if (const double nominal_s = outcome.nominal_s(); nominal_s > 0) {
             lines << tr("The nominal part alone would take %1 min: robustness costs %2 % of time.")
                          .arg(minutes(nominal_s), percent(best->time_s / nominal_s - 1));
         }
     }
     return joined(lines, QStringLiteral(" "));
+}
+
+QString OptimiseText::decided(const StockRange& stocks) {
+    return tr("It holds for every stock of %1…%2 mm per side, with the other inputs as they are: "
+              "decided, not sampled.")
+        .arg(Names::significant(stocks.from_mm, 5), Names::significant(stocks.to_mm, 5));
+}
+
+QString OptimiseText::sampled(int candidate) {
+    const int tried = std::max(candidate, 1);
+    const double most = mostFailing(freshPhaseCount, tried);
+    return tr("It held in all of %1 phases of the stock drawn afresh, as cycle no. %2 that "
+              "was tried so: with 95 % confidence at most %3 % of the phases fail.")
+        .arg(QLocale().toString(freshPhaseCount), QLocale().toString(tried),
+             Names::fixed(std::ceil(most * 1e4) / 1e2, 2));
 }
 
 QString OptimiseText::bindingOf(const SearchOutcome& outcome) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/phases/phase_decision.h"
 #include "ui/session/search_runner.h"
 
 #include <QCoreApplication>
@@ -30,6 +31,8 @@ public:
 private:
     static QString names(const std::vector<ConstraintKind>& kinds);
     static QString cutsOf(const SearchOutcome& outcome);
+    static QString decided(const StockRange& stocks);
+    static QString sampled(int candidate); ///< of fresh phases
     static QString bindingOf(const SearchOutcome& outcome);
 };
 

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli_phases.h"
+
+#include "app/batch_watch.h"
+#include "app/cli_io.h"
+#include "app/cli_report.h"
+#include "app/cli_surfaces.h"
+#include "app/stop_signals.h"
+#include "core/phases/phase_decision.h"
+#include "core/printable.h"
+#include "core/project/part.h"
+#include "core/project/validate.h"
+#include "core/quality/requirement.h"
+#include "core/quality/result_names.h"
+#include "core/units.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace sparkout::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int stockDigits = 6, deviationDigits = 2, timeDigits = 4; // nm, 10 nm, 6 ms
+
+std::string placeOf(const Project& project, std::size_t place) {
+    return sectionOrPart(project.operation->hasZones ? static_cast<Zone>(place) : Zone::section,
+                         static_cast<int>(place));
+}
+
+ordered_json deviationsJson(const PieceEnd& end) {
+    ordered_json json = ordered_json::array();
+    for (const DeviationRange& each : end.deviations) {
+        json.push_back({each.least_mm * units::umPerMm, each.most_mm * units::umPerMm});
+    }
+    return json;
+}
+
+ordered_json worstJson(const std::optional<ConstraintResult>& worst) {
+    return worst ? ordered_json{{"name", requirementOf(worst->kind).key},
+                                {"where", whereText(*worst)},
+                                {"relative_margin", worst->relativeMargin}}
+                 : ordered_json(nullptr);
+}
+
+ordered_json rangeJson(const StockRange& range) {
+    return {range.from_mm, range.to_mm};
+}
+
+std::string phasesJson(const PhaseDecision& decision) {
+    ordered_json json = {{"stock_mm", rangeJson(decision.range)},
+                         {"decided", decision.isDecided},
+                         {"holds", decision.holds()},
+                         {"pieces", ordered_json::array()},
+                         {"failing", ordered_json::array()}};
+    for (const DecidedPiece& each : decision.pieces) {
+        json["pieces"].push_back(
+            {{"stock_mm", {each.piece.from_mm, each.piece.to_mm}},
+             {"status", statusKey(each.piece.status)},
+             {"steps_by_stage", each.piece.counts},
+             {"time_min", each.time_s / units::secondsPerMinute},
+             {"deviations_um_from", deviationsJson(each.low)},
+             {"deviations_um_to", deviationsJson(each.high)},
+             {"holds_mm", each.holds ? rangeJson(*each.holds) : ordered_json(nullptr)},
+             {"worst", worstJson(each.worst)}});
+    }
+    for (const FailingStocks& each : decision.failing) {
+        json["failing"].push_back({{"stock_mm", rangeJson(each.stocks)},
+                                   {"status", statusKey(each.status)},
+                                   {"worst", worstJson(each.worst)}});
+    }
+    return json.dump(2) + '\n';
+}
+
+std::string rangeText(const StockRange& range) {
+    return fixed(range.from_mm, stockDigits) + "…" + fixed(range.to_mm, stockDigits) + " mm";
+}
+
+std::string whyText(RunStatus status, const std::optional<ConstraintResult>& worst) {
+    if (status != RunStatus::completed) {
+        return "the cycle does not end by itself";
+    }
+    return worst ? std::string(requirementOf(worst->kind).key) + " in " + whereText(*worst)
+                 : std::string();
+}
+
+std::string pieceText(const Project& project, const DecidedPiece& each) {
+    std::string steps;
+    for (const int count : each.piece.counts) {
+        steps += (steps.empty() ? "" : "+") + std::to_string(count);
+    }
+    std::string text = rangeText({each.piece.from_mm, each.piece.to_mm}) + "  " + steps + "  "
+                       + fixed(each.time_s / units::secondsPerMinute, timeDigits) + " min";
+    const auto um = [](double value_mm) {
+        return fixed(value_mm * units::umPerMm, deviationDigits);
+    };
+    for (std::size_t place = 0; place < each.low.deviations.size(); ++place) {
+        const DeviationRange &low = each.low.deviations[place], &high = each.high.deviations[place];
+        text += "  " + placeOf(project, place) + ' ' + um(low.least_mm) + "…" + um(low.most_mm)
+                + " → " + um(high.least_mm) + "…" + um(high.most_mm) + " µm";
+    }
+    return text
+           + (each.holdsWhole() ? "  holds"
+              : each.holds      ? "  fails in part"
+                                : "  fails")
+           + '\n';
+}
+
+std::string phasesText(const Project& project, const PhaseDecision& decision) {
+    std::string text;
+    for (const DecidedPiece& each : decision.pieces) {
+        text += pieceText(project, each);
+    }
+    if (decision.holds()) {
+        return text + "holds for every stock of " + rangeText(decision.range) + '\n';
+    }
+    for (const FailingStocks& each : decision.failing) {
+        text += "fails for stocks of " + rangeText(each.stocks) + ": "
+                + whyText(each.status, each.worst) + '\n';
+    }
+    return text;
+}
+
+int decideOne(const Project& project, const std::string& name, const Options& options) {
+    if (!canDecidePhases(project)) {
+        print(stderr, printable(name)
+                          + ": /gauge/control: the phases of the stock are decided under gauge "
+                            "control alone\n");
+        return refused;
+    }
+    StockRange range = usualPhases(project);
+    range.from_mm = options.from_mm.value_or(range.from_mm);
+    range.to_mm = options.to_mm.value_or(range.to_mm);
+    if (range.from_mm > range.to_mm) {
+        return usageError("--from " + numberText(range.from_mm) + " lies above --to "
+                          + numberText(range.to_mm));
+    }
+    PhaseDecision decision;
+    {
+        BatchWatch watch(1, false, "phases");
+        decision = decidePhases(project, range, watch.stop());
+    }
+    if (caughtSignal() != 0) {
+        return interrupted + caughtSignal();
+    }
+    print(stdout, options.json ? phasesJson(decision) : phasesText(project, decision));
+    return options.check && !decision.holds() ? requirementFails : done;
+}
+
+} // namespace
+
+int runPhasesCommand(const Options& options) {
+    const Surfaces surfaces(options.operand, options.surface);
+    if (surfaces.status() != done) {
+        return surfaces.status();
+    }
+    return surfaces.run(
+        [&options](const Project& project, std::size_t, const std::string& name) {
+            return decideOne(project, name, options);
+        },
+        options.json);
+}
+
+} // namespace sparkout::cli

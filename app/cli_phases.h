@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli_options.h"
+
+namespace sparkout::cli {
+
+/// Decides for which stocks the cycle of each surface holds; the exit status.
+[[nodiscard]] int runPhasesCommand(const Options& options);
+
+} // namespace sparkout::cli

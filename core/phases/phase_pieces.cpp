@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/phases/phase_pieces.h"
+
+#include "core/process/profile.h"
+#include "core/project/cycle.h"
+#include "core/project/part.h"
+#include "core/simulation/cycle_loop.h"
+#include "core/simulation/plunge.h"
+#include "core/simulation/traverse.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+std::unique_ptr<CycleSteps> stepsOf(const Project& project, const std::stop_token& stop) {
+    return project.operation->hasZones ? traverseSteps(project, Zone::nz, nullptr, stop)
+                                       : plungeSteps(project, nullptr, stop);
+}
+
+/// Follows the cycles of an interval of stocks, as offsets from that of the project.
+class PhaseWalk {
+public:
+    PhaseWalk(const Project& project, double from_mm, double to_mm, const std::stop_token& stop)
+        : m_project(project), m_stop(stop) {
+        const double runout = initialRunout(*m_project.part);
+        const double share = runout / targetRadius(*m_project.part);
+        constexpr double rounding_mm = 1e-12;
+        const double stock_mm = m_project.part->stock_mm;
+        m_overlap_mm =
+            2 * share * share * std::max(stock_mm - from_mm, to_mm - stock_mm) + rounding_mm;
+        std::unique_ptr<CycleSteps> steps = stepsOf(m_project, m_stop);
+        CycleLoop loop(m_project, steps->run());
+        m_branches.push_back(
+            {std::move(steps), std::move(loop), from_mm - stock_mm, to_mm - stock_mm, {}, {}});
+    }
+
+    std::vector<PhasePiece> pieces() {
+        while (!m_branches.empty() && !m_stop.stop_requested()) {
+            Branch branch = std::move(m_branches.back());
+            m_branches.pop_back();
+            follow(branch);
+        }
+        if (m_stop.stop_requested()) {
+            return {};
+        }
+        std::ranges::sort(m_pieces, {}, [](const PhasePiece& piece) {
+            return std::pair(piece.from_mm, piece.to_mm);
+        });
+        return std::move(m_pieces);
+    }
+
+private:
+    /// Stocks that have made the same steps so far. Where the last step has split them it is to be
+    /// judged again, with the answers given already.
+    struct Branch {
+        std::unique_ptr<CycleSteps> steps;
+        CycleLoop loop;
+        double low_mm, high_mm;
+        StepReading last;
+        std::vector<bool> answers;
+    };
+
+    void follow(Branch& branch) {
+        if (!branch.answers.empty()) {
+            judge(branch);
+        }
+        Run& run = branch.steps->run();
+        while (!branch.loop.finished() && !branch.loop.isStuck() && !run.mustEnd()) {
+            if (!branch.steps->step(branch.loop.next(run))) {
+                break;
+            }
+            branch.last = takeReading(*branch.steps);
+            judge(branch);
+        }
+        if (branch.loop.isStuck()) {
+            run.setStatus(RunStatus::cannotReachSize);
+        }
+        const double stock_mm = m_project.part->stock_mm;
+        const std::vector<int>& counts = branch.loop.control().stepsByStage();
+        m_pieces.push_back({stock_mm + branch.low_mm, stock_mm + branch.high_mm, counts,
+                            branch.steps->finish(counts).status});
+    }
+
+    /// Goes on with the stocks of which what the loop asks next is true, and leaves the others for
+    /// later.
+    void judge(Branch& branch) {
+        const std::vector<bool> known = std::exchange(branch.answers, {});
+        const CycleLoop before = branch.loop;
+        std::vector<bool> given;
+        branch.loop.stepDone(branch.last, [&](double larger_mm) {
+            if (given.size() < known.size()) {
+                given.push_back(known[given.size()]);
+                return static_cast<bool>(given.back());
+            }
+            const bool some = branch.low_mm <= larger_mm + m_overlap_mm;
+            const bool others = branch.high_mm > larger_mm - m_overlap_mm;
+            if (some && others) {
+                std::vector<bool> answers = given;
+                answers.push_back(false);
+                m_branches.push_back({branch.steps->copy(), before,
+                                      std::max(branch.low_mm, larger_mm - m_overlap_mm),
+                                      branch.high_mm, branch.last, std::move(answers)});
+                branch.high_mm = std::min(branch.high_mm, larger_mm + m_overlap_mm);
+            }
+            given.push_back(some);
+            return some;
+        });
+    }
+
+    Project m_project;
+    std::stop_token m_stop;
+    double m_overlap_mm = 0;
+    std::vector<Branch> m_branches;
+    std::vector<PhasePiece> m_pieces;
+};
+
+} // namespace
+
+std::vector<PhasePiece> phasePieces(const Project& project, double from_mm, double to_mm,
+                                    const std::stop_token& stop) {
+    assert(from_mm <= to_mm);
+    return PhaseWalk(project, from_mm, to_mm, stop).pieces();
+}
+
+SimulationResult simulatePiece(const Project& project, const PhasePiece& piece, double stock_mm,
+                               const std::stop_token& stop) {
+    Project made = project;
+    made.part->stock_mm = stock_mm;
+    const std::unique_ptr<CycleSteps> steps = stepsOf(made, stop);
+    CycleLoop loop(made, steps->run());
+    bool goesOn = true;
+    for (std::size_t stage = 0; stage < piece.counts.size(); ++stage) {
+        for (int i = 0; goesOn && i < piece.counts[stage]; ++i) {
+            goesOn = !steps->run().mustEnd() && steps->step(loop.next(steps->run()));
+        }
+        loop.endStage();
+    }
+    if (goesOn && piece.status == RunStatus::cannotReachSize) {
+        steps->run().setStatus(piece.status);
+    }
+    return steps->finish(piece.counts);
+}
+
+} // namespace sparkout

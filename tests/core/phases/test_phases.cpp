@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stocks of an interval by what their cycles do: a closed form, and stocks run one by one.
+#include "core/phases/phase_decision.h"
+
+#include "core/process/profile.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/simulation/simulate.h"
+#include "core/simulation/stage_control.h"
+#include "tests/core/support/project_fixtures.h"
+#include "tests/core/support/project_samples.h"
+#include "tests/core/support/random_project.h"
+#include "tests/registry.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <stop_token>
+#include <string>
+#include <utility>
+
+namespace test_phases {
+
+using namespace sparkout;
+
+namespace {
+
+constexpr double fine_mm = 1e-9;
+
+bool contains(const PhasePiece& piece, double stock_mm) {
+    return piece.from_mm <= stock_mm && stock_mm <= piece.to_mm;
+}
+
+bool holdsAll(const SimulationResult& result) {
+    return result.status == RunStatus::completed
+           && std::ranges::all_of(evaluateConstraints(result), &ConstraintResult::holds);
+}
+
+/// What went wrong with a stock of a project; empty: nothing.
+std::string wrongAt(const Project& project, const PhaseDecision& decision, double stock_mm) {
+    Project made = project;
+    made.part->stock_mm = stock_mm;
+    const SimulationResult result = simulateUnchecked(made);
+    const bool holds = holdsAll(result);
+    bool found = false, agrees = false;
+    for (const DecidedPiece& each : decision.pieces) {
+        if (!contains(each.piece, stock_mm) || each.piece.counts != result.countsByStage) {
+            continue;
+        }
+        found = true;
+        if (each.piece.status != result.status) {
+            return "another status";
+        }
+        const bool stated =
+            each.holds && each.holds->from_mm <= stock_mm && stock_mm <= each.holds->to_mm;
+        // Where the diameters change over, the slack of a limit decides.
+        const bool isAtEnd = each.holds
+                             && (std::abs(stock_mm - each.holds->from_mm) < 2 * diameterSlack_mm
+                                 || std::abs(stock_mm - each.holds->to_mm) < 2 * diameterSlack_mm);
+        agrees = agrees || stated == holds || isAtEnd;
+        const double length_mm = each.piece.to_mm - each.piece.from_mm;
+        const double share = length_mm > 0 ? (stock_mm - each.piece.from_mm) / length_mm : 0;
+        for (std::size_t i = 0; i < result.sections.size(); ++i) {
+            const auto between = [share](double low, double high) {
+                return low + share * (high - low);
+            };
+            const DeviationRange &low = each.low.deviations[i], &high = each.high.deviations[i];
+            if (!(std::abs(between(low.least_mm, high.least_mm)
+                           - result.sections[i].diameterDeviationMin_mm)
+                  < fine_mm)
+                || !(std::abs(between(low.most_mm, high.most_mm)
+                              - result.sections[i].diameterDeviationMax_mm)
+                     < fine_mm)) {
+                return "diameters are not linear";
+            }
+        }
+    }
+    return !found ? "in no piece" : !agrees ? "holds otherwise" : std::string();
+}
+
+/// A stiff plunge on a round blank: each revolution removes what is fed.
+Project rigidPlunge() {
+    Project project = fixtures::plunge();
+    project.machine->compliance_mm_per_n = std::vector<double>{1e-15};
+    project.gauge->compliance_mm_per_n.reset();
+    project.part->initial_runout_mm = 0;
+    project.part->profile = ProfileForm::lobes;
+    return project;
+}
+
+} // namespace
+
+class TestPhases : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// Of a rigid system G_m of the deepest diameter is what has been fed to it, m·S − S/2·…: the
+    /// ends of the pieces of one stage lie one infeed apart.
+    void ofARigidSystemPiecesAreAnInfeedLong() {
+        Project project = rigidPlunge();
+        project.cycle->stages.resize(1);
+        project.cycle->stages[0].stock_mm = project.part->stock_mm;
+        const double infeed_mm = infeedsOfStages(project)[0];
+        const double from_mm = project.part->stock_mm;
+        const auto pieces = phasePieces(project, from_mm, from_mm + 5 * infeed_mm);
+        QVERIFY(pieces.size() == 5 || pieces.size() == 6);
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            QCOMPARE(pieces[i].status, RunStatus::completed);
+            QCOMPARE(pieces[i].counts[0], pieces[0].counts[0] + static_cast<int>(i));
+            if (i > 0 && i + 1 < pieces.size()) {
+                QVERIFY(std::abs(pieces[i].to_mm - pieces[i].from_mm - infeed_mm) < fine_mm);
+            }
+        }
+    }
+
+    /// They cover the interval and overlap by next to nothing.
+    void piecesCoverTheInterval() {
+        for (const char* name : {"smallest-plunge", "complete", "stiffness-traverse"}) {
+            Project project = samples::project(name);
+            project.gauge->control = Control::gauge;
+            const StockRange range = usualPhases(project);
+            const auto pieces = phasePieces(project, range.from_mm, range.to_mm);
+            QVERIFY(!pieces.empty());
+            QVERIFY(std::abs(pieces.front().from_mm - range.from_mm) < 1e-12);
+            QVERIFY(std::abs(pieces.back().to_mm - range.to_mm) < 1e-12);
+            double reached_mm = range.from_mm;
+            for (const PhasePiece& piece : pieces) {
+                QVERIFY(piece.from_mm <= reached_mm && piece.from_mm > reached_mm - 1e-6);
+                QVERIFY(piece.to_mm >= piece.from_mm);
+                reached_mm = std::max(reached_mm, piece.to_mm);
+            }
+        }
+    }
+
+    void everyStockIsAsItsPieceStates() {
+        const int projects = samples::sized(60, 10, 1000);
+        const int stocks = samples::sized(60, 20, 2000);
+        int decided = 0, held = 0, failed = 0;
+        std::mt19937_64 random(20261126);
+        for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(projects); ++seed) {
+            ReadResult read = readProject(randomProject(seed).dump());
+            if (!read.project) {
+                continue;
+            }
+            Project& project = *read.project;
+            project.gauge->control = Control::gauge;
+            project.gauge->datum_mm.reset();
+            const StockRange range = usualPhases(project);
+            const PhaseDecision decision = decidePhases(project, range);
+            if (!decision.isDecided) {
+                continue; // the control it is given now is refused
+            }
+            ++decided;
+            (decision.holds() ? held : failed) += 1;
+            std::uniform_real_distribution<double> stock(range.from_mm, range.to_mm);
+            for (int i = 0; i < stocks; ++i) {
+                const double stock_mm = stock(random);
+                const std::string wrong = wrongAt(project, decision, stock_mm);
+                QVERIFY2(wrong.empty(),
+                         (std::to_string(seed) + ": " + std::to_string(i) + ": " + wrong).c_str());
+            }
+        }
+        QVERIFY(decided > projects / 2);
+        QVERIFY(held > 0 && failed > 0);
+    }
+
+    /// The ends of what fails are where stocks run by themselves change over.
+    void failingStocksAreNamed() {
+        Project project = samples::project("smallest-plunge");
+        project.gauge->control = Control::gauge;
+        const StockRange range = usualPhases(project);
+        // A field as wide as half of what the size scatters by from stock to stock.
+        const PhaseDecision wide = decidePhases(project, range);
+        QVERIFY(wide.isDecided && !wide.pieces.empty());
+        double least = 1, most = -1;
+        for (const DecidedPiece& piece : wide.pieces) {
+            least = std::min(least, piece.low.deviations[0].least_mm);
+            most = std::max(most, piece.high.deviations[0].least_mm);
+        }
+        QVERIFY(most > least);
+        constexpr double umPerMm = 1000;
+        project.part->lower_deviation_um = (least + (most - least) / 4) * umPerMm;
+        const PhaseDecision narrow = decidePhases(project, range);
+        QVERIFY(narrow.isDecided && !narrow.failing.empty());
+        int changes = 0;
+        for (const FailingStocks& failing : narrow.failing) {
+            QVERIFY(failing.worst.has_value());
+            for (const auto& [stock_mm, beyond] :
+                 {std::pair(failing.stocks.from_mm, -1), std::pair(failing.stocks.to_mm, 1)}) {
+                Project inside = project, outside = project;
+                constexpr double step_mm = 1e-7;
+                inside.part->stock_mm = stock_mm - beyond * step_mm;
+                outside.part->stock_mm = stock_mm + beyond * step_mm;
+                if (outside.part->stock_mm < range.from_mm || outside.part->stock_mm > range.to_mm
+                    || failing.stocks.to_mm - failing.stocks.from_mm < 2 * step_mm) {
+                    continue;
+                }
+                QVERIFY(!holdsAll(simulateUnchecked(inside)));
+                changes += holdsAll(simulateUnchecked(outside)) ? 1 : 0;
+            }
+        }
+        QVERIFY(changes > 0);
+    }
+
+    void whatIsNotDecided() {
+        Project project = samples::project("smallest-plunge");
+        std::stop_source stop;
+        stop.request_stop();
+        QVERIFY(!decidePhases(project, usualPhases(project), stop.get_token()).isDecided);
+        project.gauge->control = Control::position;
+        const PhaseDecision decision = decidePhases(project, usualPhases(project));
+        QVERIFY(!decision.isDecided && !decision.holds() && decision.pieces.empty());
+    }
+};
+
+} // namespace test_phases
+
+SPARKOUT_TEST(test_phases, TestPhases)
+#include "test_phases.moc"
