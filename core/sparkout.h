@@ -2,8 +2,8 @@
 #pragma once
 
 // The public face of the core: a project read and checked, its cycle simulated, held against the
-// drawing and evaluated, what would help, its batch, its sweep, its search; what was measured,
-// read, judged and fitted; and the surfaces of a part that are ground in one set-up.
+// drawing and evaluated, for which stocks it holds, what would help, its batch, its sweep, its
+// search; what was measured, read, judged and fitted; and the surfaces of a part that are ground in one set-up.
 
 #include "core/adequacy/adequacy.h"
 #include "core/batch/batch_check.h"
@@ -14,6 +14,7 @@
 #include "core/identification/identification.h"
 #include "core/identification/wheel_calibration.h"
 #include "core/measured/measured_table.h"
+#include "core/phases/phase_decision.h"
 #include "core/project/batch.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
