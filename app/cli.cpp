@@ -46,6 +46,9 @@ constexpr const char* helpText =
   sparkout-cli phases FILE [--surface NAME|N|all] [--from MM] [--to MM] [--json] [--check]
   sparkout-cli measured FILE [--surface NAME|N|all] [--data TABLE.csv] [--fit PARAMETER,…]
                         [--json] [--check] [--progress]
+  sparkout-cli measured FILE [--surface NAME|N|all] [--json] --roundness [--profile TABLE.csv]
+                        | --trial PARAMETER,… | --stiffness-sheet
+                        | --stiffness TABLE.csv [--indicator part|system]
   sparkout-cli examples DIR [--force]
   sparkout-cli --version | --help
 
@@ -117,6 +120,18 @@ measured   holds what was measured, in the file's section measured, against the 
              compliance:N of one zone or section), flow_stress, dullness, chip_power,
              friction_power, idle_power, size_offset, time_shift, blank_runout; names what the
              data cannot tell and what to measure
+  --roundness  instead: the form of each zone or section after the cycle as a roundness machine
+             states it, about the four reference circles, not filtered and after the Gaussian
+             filter of ISO 16610-21 at 15, 50 and 150 undulations per revolution
+  --profile  the same of a recorded section beside it: a table of angle [°] and radius [mm], or
+             of deviations where the heading names µm
+  --trial    instead: which short trial of 24 tells these parameters best, by feed, spark-out and
+             what is recorded, with the 95 % intervals to expect
+  --stiffness-sheet  instead: the steps, places and load of a stiffness trial
+  --stiffness  instead: stiffness of headstock and tailstock from a table of place [mm], load [N]
+             and deflection [µm]
+  --indicator  part: it shows the part against the bed; system: against the wheel head, whose
+             stiffness three places give too, with two it is the file's
   --json     prints one JSON object
   --check    exit status 4 when the model disagrees with the parts, or the data cannot tell
              a parameter

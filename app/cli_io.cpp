@@ -6,6 +6,7 @@
 #include "core/format/project_file.h"
 #include "core/printable.h"
 #include "core/setup/setup_file.h"
+#include "words/issue_words.h"
 
 #include <cerrno>
 #include <cstring>
@@ -65,6 +66,15 @@ std::string describe(const FileError& error) {
 void printIssues(const std::string& file, const Issues& issues) {
     for (const Issue& issue : issues) {
         print(stderr, issueLine(file, issue) + '\n');
+    }
+}
+
+void printFaults(const std::string& file, const CellFaults& faults) {
+    for (const CellFault& fault : faults) {
+        std::string at = printable(file);
+        at += fault.line > 0 ? ":" + std::to_string(fault.line) : "";
+        at += fault.column > 0 ? ":" + std::to_string(fault.column) : "";
+        print(stderr, at + ": " + issueSentence(fault.issue) + '\n');
     }
 }
 

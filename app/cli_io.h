@@ -4,6 +4,7 @@
 #include "app/exit_status.h"
 #include "core/files/safe_file.h"
 #include "core/issue.h"
+#include "core/measured/cell_fault.h"
 #include "core/setup/setup.h"
 
 #include <cstdio>
@@ -39,6 +40,9 @@ int usageError(const std::string& message);
 [[nodiscard]] std::string describe(const FileError& error);
 
 void printIssues(const std::string& file, const Issues& issues);
+
+/// The faults of a table, each by its line and column.
+void printFaults(const std::string& file, const CellFaults& faults);
 
 /// The bytes of a file; nothing when it cannot be read, which is said.
 [[nodiscard]] std::optional<std::string> readOrSay(const std::string& file, std::size_t most);

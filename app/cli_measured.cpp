@@ -3,8 +3,12 @@
 
 #include "app/batch_watch.h"
 #include "app/cli_io.h"
+#include "app/cli_parameters.h"
 #include "app/cli_report.h"
+#include "app/cli_roundness.h"
+#include "app/cli_stiffness.h"
 #include "app/cli_surfaces.h"
+#include "app/cli_trial.h"
 #include "app/stop_signals.h"
 #include "core/adequacy/adequacy.h"
 #include "core/batch/batch_check.h"
@@ -15,13 +19,11 @@
 #include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/quality/result_names.h"
-#include "words/issue_words.h"
 #include "words/measured_words.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -46,42 +48,6 @@ std::string placeName(const Project& project, int place) {
                          place);
 }
 
-/// "compliance:2,alpha" as parameters; nothing where one of them is none, which is said.
-std::optional<std::vector<FittedParameter>> parametersOf(const std::string& text) {
-    std::vector<FittedParameter> found;
-    for (std::size_t from = 0; from <= text.size();) {
-        const std::size_t end = std::min(text.find(',', from), text.size());
-        std::string key = text.substr(from, end - from);
-        from = end + 1;
-        FittedParameter parameter;
-        bool isKnown = true;
-        if (const std::size_t colon = key.find(':'); colon != std::string::npos) {
-            int place = -1;
-            const char* const last = key.data() + key.size();
-            const auto [read, error] = std::from_chars(key.data() + colon + 1, last, place);
-            isKnown = error == std::errc() && read == last && place >= 0;
-            parameter.place = place;
-            key.resize(colon);
-        }
-        int kind = 0;
-        while (kind < static_cast<int>(FittedKind::count_)
-               && key != sparkout::keyOf(static_cast<FittedKind>(kind))) {
-            ++kind;
-        }
-        parameter.kind = static_cast<FittedKind>(kind);
-        if (!isKnown || parameter.kind == FittedKind::count_) {
-            return std::nullopt;
-        }
-        found.push_back(parameter);
-    }
-    return found;
-}
-
-std::string parameterName(const FittedParameter& parameter) {
-    const std::string key = sparkout::keyOf(parameter.kind);
-    return parameter.place ? key + ':' + std::to_string(*parameter.place) : key;
-}
-
 /// Reads a table of measurements into a project; its faults are said by line and column.
 bool readInto(Project& project, const std::string& file) {
     const auto text = readOrSay(file, limits::measuredBytes);
@@ -91,12 +57,7 @@ bool readInto(Project& project, const std::string& file) {
     const MeasuredContext context{std::filesystem::path(file).filename().string(),
                                   project.part->diameter_mm, 0};
     ReadMeasured read = readMeasured(*text, proposeTable(*text), context);
-    for (const CellFault& fault : read.faults) {
-        std::string at = printable(file);
-        at += fault.line > 0 ? ":" + std::to_string(fault.line) : "";
-        at += fault.column > 0 ? ":" + std::to_string(fault.column) : "";
-        print(stderr, at + ": " + issueSentence(fault.issue) + '\n');
-    }
+    printFaults(file, read.faults);
     if (!read.faults.empty()) {
         return false;
     }
@@ -318,16 +279,11 @@ int measureOne(Project project, const std::string& name,
 
 int runMeasuredCommand(const Options& options) {
     std::vector<FittedParameter> parameters;
-    if (!options.fit.empty()) {
-        const auto requested = parametersOf(options.fit);
+    const std::string& wanted = options.trial.empty() ? options.fit : options.trial;
+    if (!wanted.empty()) {
+        const auto requested = parametersOf(wanted);
         if (!requested) {
-            std::string known;
-            for (int kind = 0; kind < static_cast<int>(FittedKind::count_); ++kind) {
-                known += (known.empty() ? "" : ", ")
-                         + std::string(sparkout::keyOf(static_cast<FittedKind>(kind)));
-            }
-            return usageError("--fit needs parameters out of " + known
-                              + "; compliance:N is of one zone or section");
+            return refuseParameters(options.trial.empty() ? "--fit" : "--trial");
         }
         parameters = *requested;
     }
@@ -335,12 +291,21 @@ int runMeasuredCommand(const Options& options) {
     if (surfaces.status() != done) {
         return surfaces.status();
     }
-    if (const int failed = options.data.empty() ? done : surfaces.oneFor("--data")) {
-        return failed;
+    for (const auto& [option, file] :
+         {std::pair("--data", &options.data), std::pair("--profile", &options.profile),
+          std::pair("--stiffness", &options.stiffness)}) {
+        if (const int failed = file->empty() ? done : surfaces.oneFor(option)) {
+            return failed;
+        }
     }
     return surfaces.run(
         [&](const Project& project, std::size_t, const std::string& name) {
-            return measureOne(project, name, parameters, options);
+            return options.roundness || !options.profile.empty()
+                       ? stateRoundness(project, name, options)
+                   : options.sheet || !options.stiffness.empty()
+                       ? findStiffness(project, name, options)
+                   : !options.trial.empty() ? designTrialOf(project, name, parameters, options)
+                                            : measureOne(project, name, parameters, options);
         },
         options.json);
 }

@@ -117,6 +117,21 @@ const ValueOption valueOptions[] = {
      [](const std::string& text, Options& options) {
          return put(options.to_mm, numberIn(text, 1e-9, 1e3));
      }},
+    {"measured", "--trial", "parameters, as alpha,beta",
+     [](const std::string& text, Options& options) { return put(options.trial, fileName(text)); }},
+    {"measured", "--profile", "a file name",
+     [](const std::string& text, Options& options) {
+         return put(options.profile, fileName(text));
+     }},
+    {"measured", "--stiffness", "a file name",
+     [](const std::string& text, Options& options) {
+         return put(options.stiffness, fileName(text));
+     }},
+    {"measured", "--indicator", "part or system",
+     [](const std::string& text, Options& options) {
+         options.indicator = text;
+         return text == "part" || text == "system";
+     }},
     {"batch", "--rows", "a file name",
      [](const std::string& text, Options& options) { return put(options.rows, fileName(text)); }},
 };
@@ -155,6 +170,8 @@ bool* switchOf(const std::string& name, Options& options) {
            : (simulates || batch || measures || decides) && name == "--check" ? &options.check
            : (batch || sweeps) && name == "--csv"                             ? &options.csv
            : (runs || sweeps || measures) && name == "--progress"             ? &options.progress
+           : measures && name == "--roundness"                                ? &options.roundness
+           : measures && name == "--stiffness-sheet"                          ? &options.sheet
            : (runs || options.command == "examples") && name == "--force"     ? &options.force
                                                                               : nullptr;
 }
@@ -168,6 +185,16 @@ int checkTogether(const Options& options) {
     }
     if (options.shard && (options.untilWidth_um || options.sensitivity || options.check)) {
         return usageError("a shard knows too little for --until-width, --sensitivity or --check");
+    }
+    const int kinds = static_cast<int>(options.roundness || !options.profile.empty())
+                      + static_cast<int>(!options.trial.empty())
+                      + static_cast<int>(options.sheet || !options.stiffness.empty())
+                      + static_cast<int>(!options.fit.empty() || !options.data.empty());
+    if (kinds > 1) {
+        return usageError("only one of --roundness, --trial, --stiffness and --fit");
+    }
+    if (!options.indicator.empty() && options.stiffness.empty() && !options.sheet) {
+        return usageError("--indicator needs --stiffness or --stiffness-sheet");
     }
     if (options.command == "batch" && options.force && options.rows.empty()) {
         return usageError("--force needs --rows");

@@ -3,7 +3,8 @@
 
 // The public face of the core: a project read and checked, its cycle simulated, held against the
 // drawing and evaluated, for which stocks it holds, what would help, its batch, its sweep, its
-// search; what was measured, read, judged and fitted; and the surfaces of a part that are ground in one set-up.
+// search; what was measured, read, judged and fitted; and the surfaces of a part that are ground in
+// one set-up.
 
 #include "core/adequacy/adequacy.h"
 #include "core/batch/batch_check.h"

@@ -15435,4 +15435,75 @@ good</source>
             <translation>T_(шт.-к) = T_шт + T_пз/N = %1 + %2/%3 = %4 мин</translation>
         </message>
     </context>
+    <context>
+        <name>Trial</name>
+        <message>
+            <source>size at the gauge</source>
+            <translation>размер по прибору</translation>
+        </message>
+        <message>
+            <source>power of the wheel</source>
+            <translation>мощность круга</translation>
+        </message>
+        <message>
+            <source>size and power</source>
+            <translation>размер и мощность</translation>
+        </message>
+        <message>
+            <source>normal force</source>
+            <translation>радиальная сила</translation>
+        </message>
+        <message>
+            <source>without spark-out</source>
+            <translation>без выхаживания</translation>
+        </message>
+        <message>
+            <source>with spark-out</source>
+            <translation>с выхаживанием</translation>
+        </message>
+        <message>
+            <source>trials by what they tell</source>
+            <translation>опыты по их информативности</translation>
+        </message>
+        <message>
+            <source>the project cannot have these parameters, or one of them is given twice</source>
+            <translation>таких параметров у проекта не может быть, или один из них указан дважды</translation>
+        </message>
+        <message>
+            <source>no trial of the project can be run</source>
+            <translation>ни один опыт проекта не рассчитывается</translation>
+        </message>
+        <message>
+            <source>stopped</source>
+            <translation>остановлено</translation>
+        </message>
+        <message>
+            <source>headstock</source>
+            <translation>передняя бабка</translation>
+        </message>
+        <message>
+            <source>tailstock</source>
+            <translation>задняя бабка</translation>
+        </message>
+        <message>
+            <source>wheel head</source>
+            <translation>шлифовальная бабка</translation>
+        </message>
+        <message>
+            <source>found</source>
+            <translation>найдено</translation>
+        </message>
+        <message>
+            <source>there are fewer places than stiffnesses to find</source>
+            <translation>мест меньше, чем искомых жёсткостей</translation>
+        </message>
+        <message>
+            <source>such a trial needs an external surface, a shaft without steady rests and places on it; of the system with a chuck or at two places the wheel head&apos;s stiffness, too</source>
+            <translation>такому опыту нужны наружная поверхность, вал без люнетов и места на нём, а для системы в патроне или по двум местам — и жёсткость шлифовальной бабки</translation>
+        </message>
+        <message>
+            <source>the readings contradict the shaft: a unit would have to be stiffer than rigid</source>
+            <translation>показания противоречат валу: один из узлов должен был бы быть жёстче абсолютно жёсткого</translation>
+        </message>
+    </context>
 </TS>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/form/roundness.h"
 
+#include "core/form/centre_view.h"
 #include "core/form/value_range.h"
 
 #include <Eigen/LU>
@@ -53,37 +54,6 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// What a zone may be off by for its distances' last bits, over the radius.
 constexpr double roundings = 8 * epsilon;
-
-/// The points of a section as seen from a centre: distance and direction.
-struct CentreView {
-    explicit CentreView(std::size_t K) : d(K), nx(K), ny(K) {}
-
-    void take(std::span<const double> radii, const Directions& directions, double x, double y) {
-        const double* __restrict R = radii.data();
-        const double* __restrict c = directions.cosines().data();
-        const double* __restrict s = directions.sines().data();
-        double* __restrict distance = d.data();
-        double* __restrict nxk = nx.data();
-        double* __restrict nyk = ny.data();
-        const std::size_t K = radii.size();
-#pragma omp simd
-        for (std::size_t k = 0; k < K; ++k) {
-            const double px = R[k] * c[k] - x, py = R[k] * s[k] - y;
-            const double dk = std::sqrt(px * px + py * py);
-            const double inverse = 1 / dk;
-            distance[k] = dk;
-            nxk[k] = px * inverse;
-            nyk[k] = py * inverse;
-        }
-    }
-    void takeLimacon(std::span<const double> radii, const Directions& directions) {
-        std::copy(radii.begin(), radii.end(), d.begin());
-        std::copy(directions.cosines().begin(), directions.cosines().end(), nx.begin());
-        std::copy(directions.sines().begin(), directions.sines().end(), ny.begin());
-    }
-
-    std::vector<double> d, nx, ny;
-};
 
 /// d_k ≈ r + x·nx_k + y·ny_k ± level.
 struct Fit {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/identification.h"
 
+#include "core/identification/applicable.h"
 #include "core/identification/fit_problem.h"
 #include "core/identification/levenberg_marquardt.h"
 #include "core/project/gauge.h"
-#include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/statistics/comparison.h"
@@ -62,25 +62,8 @@ private:
     /// `fitted` where nothing speaks against it.
     IdentificationStatus refusal() {
         const std::vector<FittedParameter>& list = m_request.parameters;
-        for (std::size_t i = 0; i < list.size(); ++i) {
-            const bool isPlace = list[i].place.has_value();
-            const bool twice =
-                std::any_of(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(i),
-                            [&](const FittedParameter& other) {
-                                return other.kind == list[i].kind && other.place == list[i].place;
-                            });
-            const bool noPlace =
-                isPlace
-                && (list[i].kind != FittedKind::compliance || !hasPlaceCompliances(m_project)
-                    || *list[i].place < 0 || *list[i].place >= placeCount(m_project));
-            const bool measuredForm = list[i].kind == FittedKind::blank_runout
-                                      && m_project.part->profile == ProfileForm::measured;
-            const bool notLinear =
-                (list[i].kind == FittedKind::alpha || list[i].kind == FittedKind::beta)
-                && m_project.machine->wheel_contact;
-            if (twice || noPlace || measuredForm || notLinear) {
-                return IdentificationStatus::notApplicable;
-            }
+        if (!areApplicable(m_project, list)) {
+            return IdentificationStatus::notApplicable;
         }
         for (Issue& issue : validate(m_project)) {
             if (issue.severity == Severity::error) {

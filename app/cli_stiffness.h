@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli_options.h"
+#include "core/project/project.h"
+
+#include <string>
+
+namespace sparkout::cli {
+
+/// `measured --stiffness` and `--stiffness-sheet`; returns the exit status.
+[[nodiscard]] int findStiffness(const Project& project, const std::string& name,
+                                const Options& options);
+
+} // namespace sparkout::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/form/roundness.h"
+
+#include <optional>
+#include <span>
+
+namespace sparkout {
+
+/// Minimum circumscribed circle (MCC) of a section: the smallest circle about all its points, a
+/// ring gauge; `reference_mm` is its radius, the roundness deviation the largest distance from it
+/// inwards [ISO12181].
+///
+/// About a trial centre the distances are linear in its shift up to their curvature; that problem,
+/// the least r with r ≥ d_k − n_k·shift, is a linear programme in three unknowns, solved exactly by
+/// the simplex method on its dual: three points whose directions balance carry the circle, the
+/// point that stands out furthest takes the place of one of them. Then the distances are taken
+/// anew, until the circle grows no smaller.
+///
+/// Nothing where no three directions balance, as with a gap of half a turn: no circle is held then.
+[[nodiscard]] std::optional<RoundnessZone>
+minimumCircumscribedCircle(std::span<const double> radii_mm, const Directions& directions);
+
+/// Maximum inscribed circle (MIC): the largest within all the points, a plug gauge; the deviation
+/// is the largest distance from it outwards. As above with the greatest r with r ≤ d_k −
+/// n_k·shift.
+[[nodiscard]] std::optional<RoundnessZone> maximumInscribedCircle(std::span<const double> radii_mm,
+                                                                  const Directions& directions);
+
+} // namespace sparkout

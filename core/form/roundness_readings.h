@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/form/roundness.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+/// Roundness as measuring machines state it [ISO12181, ISO16610-21].
+namespace sparkout {
+
+/// Cut-offs of the low-pass filter in use [undulations per revolution].
+inline constexpr std::array<int, 3> roundnessCutoffs_upr{15, 50, 150};
+
+/// A closed profile after one filter, about each of the four reference circles.
+struct RoundnessReading {
+    std::optional<int> cutoff_upr;              ///< not given: not filtered
+    RoundnessZone minimumZone;                  ///< MZC
+    RoundnessZone leastSquares;                 ///< LSC
+    std::optional<RoundnessZone> inscribed;     ///< MIC
+    std::optional<RoundnessZone> circumscribed; ///< MCC; both held by no circle beside wide gaps
+};
+
+[[nodiscard]] RoundnessReading roundnessReading(std::span<const double> radii_mm,
+                                                std::optional<int> cutoff_upr);
+
+/// Not filtered, then by each of the cut-offs. K ≥ 4 radii at even angles.
+[[nodiscard]] std::vector<RoundnessReading> roundnessReadings(std::span<const double> radii_mm);
+
+/// The highest number of undulations that K radii tell: a filter whose cut-off is near it or above
+/// reads a form that was never sampled.
+[[nodiscard]] inline int resolvedUndulations(std::size_t radii) {
+    return static_cast<int>(radii / 2);
+}
+
+} // namespace sparkout

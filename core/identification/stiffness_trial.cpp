@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/stiffness_trial.h"
+
+#include "core/identification/calibration.h"
+#include "core/process/compliance.h"
+#include "core/project/machine.h"
+#include "core/project/measured.h"
+#include "core/project/part.h"
+#include "core/simulation/simulate.h"
+#include "core/statistics/comparison.h"
+#include "core/units.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+double shaftLength(const Project& project) {
+    double length = 0;
+    for (const ShaftSegment& segment : project.part->shaft.segments) {
+        length += segment.length_mm;
+    }
+    return length;
+}
+
+/// The shaft on rigid units: what bends.
+Compliance bentShaft(const Project& project) {
+    const Shaft& shaft = project.part->shaft;
+    constexpr double rigid = std::numeric_limits<double>::infinity();
+    ShaftModel model;
+    for (const ShaftSegment& segment : shaft.segments) {
+        model.segments.push_back({segment.length_mm, segment.diameter_mm});
+    }
+    model.youngsModulus_n_mm2 = shaft.youngs_modulus_gpa * units::mpaPerGpa;
+    model.mounting = shaft.mounting;
+    model.headstock_n_mm = model.tailstock_n_mm = model.wheelHead_n_mm = rigid;
+    return Compliance(std::move(model));
+}
+
+class TrialFit {
+public:
+    TrialFit(const Project& project, const StiffnessRequest& request)
+        : m_project(project), m_request(request), m_length_mm(shaftLength(project)) {
+        if (project.part->shaft.mounting == Mounting::centres) {
+            m_units = {StiffnessUnit::headstock, StiffnessUnit::tailstock};
+        } else {
+            m_units = {StiffnessUnit::headstock};
+        }
+        if (findsWheelHead()) {
+            m_units.push_back(StiffnessUnit::wheel_head);
+        }
+    }
+
+    StiffnessTrial fit() {
+        m_trial.unknowns = m_units.size();
+        m_trial.status = refusal();
+        if (m_trial.status == StiffnessTrialStatus::found) {
+            solve();
+        }
+        return std::move(m_trial);
+    }
+
+private:
+    [[nodiscard]] bool findsWheelHead() const {
+        return m_request.deflection == DeflectionOf::system && m_request.findWheelHead;
+    }
+    [[nodiscard]] bool needsWheelHead() const {
+        return m_request.deflection == DeflectionOf::system && !m_request.findWheelHead;
+    }
+
+    [[nodiscard]] StiffnessTrialStatus refusal() const {
+        const Part& part = *m_project.part;
+        const bool chuckWithWheel =
+            part.shaft.mounting == Mounting::chuck && findsWheelHead(); // act alike everywhere
+        std::vector<double> places;
+        bool onShaft = true;
+        for (const StiffnessReading& reading : m_request.readings) {
+            onShaft = onShaft && reading.position_mm >= 0 && reading.position_mm <= m_length_mm;
+            places.push_back(reading.position_mm);
+        }
+        if (part.surface == Surface::internal || part.shaft.segments.empty()
+            || !part.shaft.steady_rests.empty() || !onShaft || chuckWithWheel
+            || (needsWheelHead() && !m_project.machine->stiffness_n_um)) {
+            return StiffnessTrialStatus::notMeasurable;
+        }
+        std::ranges::sort(places);
+        const auto last = std::ranges::unique(places);
+        places.erase(last.begin(), last.end());
+        return places.size() < m_units.size() ? StiffnessTrialStatus::tooFewPlaces
+                                              : StiffnessTrialStatus::found;
+    }
+
+    /// What a unit's compliance of 1 µm/N adds to γ at a place.
+    [[nodiscard]] double shareOf(StiffnessUnit unit, double position_mm) const {
+        const double u =
+            m_project.part->shaft.mounting == Mounting::centres ? position_mm / m_length_mm : 0;
+        switch (unit) {
+        case StiffnessUnit::headstock: return (1 - u) * (1 - u);
+        case StiffnessUnit::tailstock: return u * u;
+        case StiffnessUnit::wheel_head:
+        case StiffnessUnit::count_: break;
+        }
+        return 1;
+    }
+
+    void solve() {
+        const Compliance shaft = bentShaft(m_project);
+        const auto rows = static_cast<Eigen::Index>(m_request.readings.size());
+        const auto columns = static_cast<Eigen::Index>(m_units.size());
+        Eigen::MatrixXd A(rows, columns);
+        Eigen::VectorXd right(rows);
+        for (Eigen::Index i = 0; i < rows; ++i) {
+            const StiffnessReading& reading = m_request.readings[static_cast<std::size_t>(i)];
+            double known = shaft.at(reading.position_mm) * units::umPerMm;
+            if (needsWheelHead()) {
+                known += 1 / m_project.machine->stiffness_n_um->wheel_head;
+            }
+            for (Eigen::Index k = 0; k < columns; ++k) {
+                A(i, k) = reading.load_n
+                          * shareOf(m_units[static_cast<std::size_t>(k)], reading.position_mm);
+            }
+            right[i] = reading.deflection_um - reading.load_n * known;
+        }
+        const Eigen::VectorXd c = A.colPivHouseholderQr().solve(right);
+        const Eigen::VectorXd residuals = right - A * c;
+        m_trial.residuals_um.assign(residuals.data(), residuals.data() + rows);
+        const auto freedom = static_cast<double>(rows - columns);
+        m_trial.rms_um = freedom > 0 ? residuals.norm() / std::sqrt(freedom) : 0;
+        const Eigen::MatrixXd covariance =
+            (A.transpose() * A).ldlt().solve(Eigen::MatrixXd::Identity(columns, columns));
+        for (Eigen::Index k = 0; k < columns; ++k) {
+            const StiffnessUnit unit = m_units[static_cast<std::size_t>(k)];
+            if (!(c[k] > 0)) {
+                m_trial.negative.push_back(unit);
+                m_trial.status = StiffnessTrialStatus::negative;
+                continue;
+            }
+            FoundStiffness found{unit, 1 / c[k], std::nullopt};
+            if (freedom > 0) {
+                const double half =
+                    studentQuantile(0.975, freedom) * m_trial.rms_um * std::sqrt(covariance(k, k));
+                found.interval95 = {1 / (c[k] + half),
+                                    half < c[k] ? 1 / (c[k] - half)
+                                                : std::numeric_limits<double>::infinity()};
+            }
+            m_trial.found.push_back(found);
+        }
+    }
+
+    const Project& m_project;
+    const StiffnessRequest& m_request;
+    double m_length_mm;
+    std::vector<StiffnessUnit> m_units;
+    StiffnessTrial m_trial;
+};
+
+double& valueOf(Stiffness& stiffness, StiffnessUnit unit) {
+    switch (unit) {
+    case StiffnessUnit::headstock: return stiffness.headstock;
+    case StiffnessUnit::tailstock: return stiffness.tailstock;
+    case StiffnessUnit::wheel_head:
+    case StiffnessUnit::count_: break;
+    }
+    return stiffness.wheel_head;
+}
+
+} // namespace
+
+StiffnessTrial stiffnessFromTrial(const Project& project, const StiffnessRequest& request) {
+    return TrialFit(project, request).fit();
+}
+
+Project withStiffness(const Project& project, const StiffnessTrial& trial, const std::string& data,
+                      const std::string& date, std::size_t readings) {
+    Project calibrated = project;
+    if (trial.status != StiffnessTrialStatus::found) {
+        return calibrated;
+    }
+    Machine& machine = *calibrated.machine;
+    machine.compliance_mm_per_n = std::monostate();
+    Stiffness& stiffness =
+        machine.stiffness_n_um ? *machine.stiffness_n_um : machine.stiffness_n_um.emplace();
+    for (const FoundStiffness& found : trial.found) {
+        valueOf(stiffness, found.unit) = found.n_um;
+        Calibration calibration;
+        calibration.input = std::string("/machine/stiffness_n_um/") + keyOf(found.unit);
+        calibration.value = found.n_um;
+        if (found.interval95) {
+            calibration.low = found.interval95->low;
+            if (std::isfinite(found.interval95->high)) {
+                calibration.high = found.interval95->high;
+            }
+        }
+        calibration.data = data;
+        calibration.count = static_cast<int>(readings);
+        calibration.date = date;
+        recordCalibration(calibrated, std::move(calibration));
+    }
+    return calibrated;
+}
+
+std::array<double, 3> stiffnessPlaces_mm(const Project& project) {
+    constexpr double fromEnd = 0.1, half = 0.5;
+    const double length = shaftLength(project);
+    return {fromEnd * length, half * length, (1 - fromEnd) * length};
+}
+
+double stiffnessLoad_n(const Project& project) {
+    constexpr double least_n = 50, rounded_n = 10;
+    const SimulationResult result = simulateUnchecked(project);
+    double peak = least_n;
+    for (const SectionResult& section : result.sections) {
+        peak = std::max(peak,
+                        std::isfinite(section.peakNormalForce_n) ? section.peakNormalForce_n : 0);
+    }
+    return std::ceil(peak / rounded_n) * rounded_n;
+}
+
+const char* keyOf(StiffnessUnit unit) {
+    switch (unit) {
+    case StiffnessUnit::headstock: return "headstock";
+    case StiffnessUnit::tailstock: return "tailstock";
+    case StiffnessUnit::wheel_head:
+    case StiffnessUnit::count_: break;
+    }
+    return "wheel_head";
+}
+
+} // namespace sparkout

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/measured/stiffness_table.h"
+#include "core/project/project.h"
+#include "core/statistics/intervals.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Stiffness of headstock, tailstock and wheel head from loads and deflections at a few places
+/// along the shaft [MODEL-13].
+namespace sparkout {
+
+/// What an indicator shows.
+enum class DeflectionOf {
+    part,  ///< the part against the bed: headstock, tailstock and bending
+    system ///< the part against the wheel head, too
+};
+
+enum class StiffnessUnit { headstock, tailstock, wheel_head, count_ };
+
+enum class StiffnessTrialStatus {
+    found,
+    tooFewPlaces,  ///< fewer different places than stiffnesses to find
+    notMeasurable, ///< a bore, steady rests, or a place that is not on the shaft
+    negative,      ///< a unit would be stiffer than rigid: the readings contradict the shaft
+};
+
+struct FoundStiffness {
+    StiffnessUnit unit = StiffnessUnit::headstock;
+    double n_um = 0;                    ///< [N/µm]
+    std::optional<Interval> interval95; ///< of more readings than unknowns; high may be infinite
+};
+
+struct StiffnessTrial {
+    StiffnessTrialStatus status = StiffnessTrialStatus::tooFewPlaces;
+    std::vector<FoundStiffness> found;
+    std::vector<StiffnessUnit> negative; ///< with that status
+    std::vector<double> residuals_um;    ///< of the readings in their order, measured less fitted
+    double rms_um = 0;                   ///< √(Σr²/(readings − unknowns)); 0 without freedom
+    std::size_t unknowns = 0;
+};
+
+struct StiffnessRequest {
+    std::vector<StiffnessReading> readings;
+    DeflectionOf deflection = DeflectionOf::part;
+    /// Of the system: found from three places or more, else as the project has it.
+    bool findWheelHead = false;
+};
+
+/// Least squares of δ/P = 1/j_w + (1 − u)²/j_h + u²/j_t + B(x), u = x/L_s, B the bending of the
+/// project's shaft, which is known: the model's γ(x), linear in the compliances [MODEL-6]. In a
+/// chuck 1/j_h + B(x).
+[[nodiscard]] StiffnessTrial stiffnessFromTrial(const Project& project,
+                                                const StiffnessRequest& request);
+
+/// The project with what was found, recorded as calibrated on these data; γ is then computed.
+/// The project itself where nothing was found.
+[[nodiscard]] Project withStiffness(const Project& project, const StiffnessTrial& trial,
+                                    const std::string& data, const std::string& date,
+                                    std::size_t readings);
+
+/// Places that tell headstock, middle and tailstock best: near both ends of the shaft and half way.
+[[nodiscard]] std::array<double, 3> stiffnessPlaces_mm(const Project& project);
+
+/// The load of a trial [N]: that of the deepest cut of the project's cycle, at least 50 N.
+[[nodiscard]] double stiffnessLoad_n(const Project& project);
+
+[[nodiscard]] const char* keyOf(StiffnessUnit unit);
+
+} // namespace sparkout

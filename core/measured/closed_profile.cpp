@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/measured/closed_profile.h"
+
+#include "core/measured/column_match.h"
+#include "core/measured/number_table.h"
+#include "core/units.h"
+
+#include <cmath>
+
+namespace sparkout {
+
+namespace {
+
+constexpr double wholeTurn_deg = 360;
+constexpr std::size_t leastPoints = 8;
+
+struct Point {
+    double angle_deg = 0, radius_mm = 0;
+};
+
+/// The points of a table; what cannot be is a fault of it.
+std::vector<Point> pointsOf(NumberTable<2>& table, double nominalRadius_mm) {
+    const bool isDeviation =
+        !table.headings.empty() && matchHeading(table.headings.back()).unit == ColumnUnit::um;
+    std::vector<Point> points;
+    for (const auto& row : table.rows) {
+        const auto [angle, value] = row.values;
+        const double least = points.empty() ? -wholeTurn_deg : points.back().angle_deg;
+        const double most =
+            points.empty() ? wholeTurn_deg : points.front().angle_deg + wholeTurn_deg;
+        const bool rises = points.empty() ? angle >= least : angle > least;
+        const double radius = isDeviation ? nominalRadius_mm + value / units::umPerMm : value;
+        if (!rises || angle > most) {
+            addFault(table.faults, row.line, 1, IssueCode::outOfRange, Amount{angle, "°"},
+                     Bounds{.range = {.low = least, .high = most}, .unit = "°"});
+        } else if (!(radius > 0)) {
+            addFault(table.faults, row.line, 2, IssueCode::outOfRange, Amount{radius, "mm"},
+                     Bounds{.range = {.low = 0, .lowOpen = true}, .unit = "mm"});
+        } else if (angle < most || points.empty()) { // else the first point, at the turn's end
+            points.push_back({angle, radius});
+        }
+    }
+    return points;
+}
+
+/// As many radii at even angles, from the first point's angle on.
+std::vector<double> placedEvenly(const std::vector<Point>& points) {
+    constexpr double even = 1e-3; // of a step, as rounded in the table
+    const auto count = static_cast<double>(points.size());
+    const double from = points.front().angle_deg;
+    std::vector<double> radii;
+    std::size_t next = 1;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const double at = from + wholeTurn_deg * static_cast<double>(k) / count;
+        if (std::abs(points[k].angle_deg - at) < even * wholeTurn_deg / count) {
+            radii.push_back(points[k].radius_mm);
+            continue;
+        }
+        while (next < points.size() && points[next].angle_deg < at) {
+            ++next;
+        }
+        const Point& before = points[next - 1];
+        const Point after = next < points.size()
+                                ? points[next]
+                                : Point{from + wholeTurn_deg, points.front().radius_mm};
+        const double share = (at - before.angle_deg) / (after.angle_deg - before.angle_deg);
+        radii.push_back(before.radius_mm + share * (after.radius_mm - before.radius_mm));
+    }
+    return radii;
+}
+
+} // namespace
+
+ClosedProfile readClosedProfile(std::string_view text, double nominalRadius_mm) {
+    NumberTable<2> table = readNumbers<2>(text);
+    const std::vector<Point> points = pointsOf(table, nominalRadius_mm);
+    ClosedProfile profile;
+    if (table.faults.empty()
+        && (points.size() < leastPoints || points.size() > limits::profilePoints)) {
+        addFault(table.faults, 0, 0, IssueCode::wrongCount, countOf(points.size()),
+                 countOf(leastPoints));
+    }
+    profile.rows = points.size();
+    profile.faults = table.faults;
+    if (profile.faults.empty()) {
+        profile.radii_mm = placedEvenly(points);
+    }
+    return profile;
+}
+
+} // namespace sparkout

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/measured/cell_fault.h"
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace sparkout {
+
+namespace limits {
+inline constexpr std::size_t profilePoints = 36'000;
+} // namespace limits
+
+/// A section as a roundness machine has recorded it.
+struct ClosedProfile {
+    std::vector<double> radii_mm; ///< at even angles from 0
+    std::size_t rows = 0;         ///< points of the table
+    CellFaults faults;            ///< with any there are no radii
+};
+
+/// Reads a table of two columns, angle [°] and radius, in either dialect, with or without a line of
+/// headings. A second heading in µm marks deviations from the nominal radius; else the values are
+/// radii in mm. Angles rise within one turn; between those that are not even radii lie on straight
+/// lines.
+[[nodiscard]] ClosedProfile readClosedProfile(std::string_view text, double nominalRadius_mm);
+
+} // namespace sparkout

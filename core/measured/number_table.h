@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/measured/cell_fault.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sparkout {
+
+/// A table of numbers alone, in either dialect, its first line headings or not.
+template <std::size_t columns>
+struct NumberTable {
+    struct Row {
+        std::size_t line = 0;
+        std::array<double, columns> values{};
+    };
+    std::vector<std::string> headings; ///< none, or one a column
+    std::vector<Row> rows;
+    CellFaults faults; ///< cells that are no numbers, and rows with too few
+};
+
+/// Further columns and empty lines are left out.
+template <std::size_t columns>
+[[nodiscard]] NumberTable<columns> readNumbers(std::string_view text);
+
+extern template NumberTable<2> readNumbers<2>(std::string_view text);
+extern template NumberTable<3> readNumbers<3>(std::string_view text);
+
+/// Adds a fault unless there are as many as are listed.
+void addFault(CellFaults& faults, std::size_t line, std::size_t column, IssueCode code,
+              Detail value, Detail limit);
+
+} // namespace sparkout

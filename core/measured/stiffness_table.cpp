@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/measured/stiffness_table.h"
+
+#include "core/measured/column_match.h"
+#include "core/measured/number_table.h"
+#include "core/units.h"
+
+namespace sparkout {
+
+StiffnessTable readStiffnessTable(std::string_view text) {
+    NumberTable<3> table = readNumbers<3>(text);
+    const auto isIn = [&table](std::size_t column, ColumnUnit unit) {
+        return !table.headings.empty() && matchHeading(table.headings[column]).unit == unit;
+    };
+    constexpr double nPerKn = 1000;
+    const double perLoad = isIn(1, ColumnUnit::kn) ? nPerKn : 1;
+    const double perDeflection = isIn(2, ColumnUnit::mm) ? units::umPerMm : 1;
+    StiffnessTable found;
+    for (const auto& row : table.rows) {
+        const StiffnessReading reading{row.values[0], row.values[1] * perLoad,
+                                       row.values[2] * perDeflection};
+        if (reading.position_mm < 0) {
+            addFault(table.faults, row.line, 1, IssueCode::outOfRange,
+                     Amount{reading.position_mm, "mm"}, Bounds{.range = {.low = 0}, .unit = "mm"});
+        }
+        if (!(reading.load_n > 0)) {
+            addFault(table.faults, row.line, 2, IssueCode::outOfRange, Amount{reading.load_n, "N"},
+                     Bounds{.range = {.low = 0, .lowOpen = true}, .unit = "N"});
+        }
+        found.readings.push_back(reading);
+    }
+    if (table.rows.empty() && table.faults.empty()) {
+        addFault(table.faults, 0, 0, IssueCode::wrongCount, countOf(0), countOf(2));
+    }
+    found.faults = table.faults;
+    if (!found.faults.empty()) {
+        found.readings.clear();
+    }
+    return found;
+}
+
+} // namespace sparkout

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/measured/cell_fault.h"
+
+#include <string_view>
+#include <vector>
+
+namespace sparkout {
+
+/// One reading of a stiffness trial.
+struct StiffnessReading {
+    double position_mm = 0;   ///< from the headstock end of the shaft [mm]
+    double load_n = 0;        ///< radial, > 0 [N]
+    double deflection_um = 0; ///< under this load, from none [µm]
+};
+
+struct StiffnessTable {
+    std::vector<StiffnessReading> readings;
+    CellFaults faults; ///< with any there are no readings
+};
+
+/// Reads a table of three columns, place [mm], load [N] and deflection [µm], in either dialect,
+/// with or without headings; a heading in mm or kN is heeded.
+[[nodiscard]] StiffnessTable readStiffnessTable(std::string_view text);
+
+} // namespace sparkout
