@@ -333,4 +333,34 @@
             </translation>
         </message>
     </context>
+    <context>
+        <name>FitWords</name>
+        <message numerus="yes">
+            <source>%n measured part(s)</source>
+            <translation>
+                <numerusform>%n measured part</numerusform>
+                <numerusform>%n measured parts</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::FitResult</name>
+        <message numerus="yes">
+            <source>Found from %n measured value(s).</source>
+            <translation>
+                <numerusform>Found from %n measured value.</numerusform>
+                <numerusform>Found from %n measured values.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::WheelPage</name>
+        <message numerus="yes">
+            <source>measured Ra of %n part(s)</source>
+            <translation>
+                <numerusform>measured Ra of %n part</numerusform>
+                <numerusform>measured Ra of %n parts</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

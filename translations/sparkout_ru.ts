@@ -1656,6 +1656,10 @@ med, µm</source>
             <source>Crown, µm</source>
             <translation>Бочкообразность, мкм</translation>
         </message>
+        <message>
+            <source>Calibrated inputs</source>
+            <translation>Откалиброванные исходные данные</translation>
+        </message>
     </context>
     <context>
         <name>OutcomeRemarks</name>
@@ -1959,6 +1963,10 @@ med, µm</source>
         <message>
             <source>Take over the cycles found</source>
             <translation>Найденные циклы</translation>
+        </message>
+        <message>
+            <source>Calibrate from measurements</source>
+            <translation>Калибровка по измерениям</translation>
         </message>
     </context>
     <context>
@@ -5920,6 +5928,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>–: of so few values it would be the smallest or the largest.</source>
             <translation>–: при таком числе значений это было бы наименьшее или наибольшее из них.</translation>
         </message>
+        <message>
+            <source>Calibrated inputs</source>
+            <translation>Откалиброванные исходные данные</translation>
+        </message>
     </context>
     <context>
         <name>WorkedStep</name>
@@ -9055,6 +9067,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>&amp;Standard times and wheel wear…</source>
             <translation>&amp;Нормы времени и износ круга…</translation>
         </message>
+        <message>
+            <source>&amp;Study</source>
+            <translation>&amp;Анализ</translation>
+        </message>
+        <message>
+            <source>&amp;Calibrate from measurements…</source>
+            <translation>&amp;Калибровка по измерениям…</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::BatchFigures</name>
@@ -10670,6 +10690,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Feeds</source>
             <comment>the view&apos;s tab</comment>
             <translation>Подачи</translation>
+        </message>
+        <message>
+            <source>measured traces</source>
+            <translation>записи измерений</translation>
+        </message>
+        <message>
+            <source>Measured traces beside the simulated curves</source>
+            <translation>Записи измерений рядом с расчётными кривыми</translation>
         </message>
     </context>
     <context>
@@ -15504,6 +15532,499 @@ good</source>
         <message>
             <source>the readings contradict the shaft: a unit would have to be stiffer than rigid</source>
             <translation>показания противоречат валу: один из узлов должен был бы быть жёстче абсолютно жёсткого</translation>
+        </message>
+    </context>
+    <context>
+        <name>CalibrationText</name>
+        <message>
+            <source>calibrated on %1 (n = %2)</source>
+            <translation>калибровано по данным: %1 (n = %2)</translation>
+        </message>
+        <message>
+            <source>no longer the value calibrated on %1 (n = %2)</source>
+            <translation>уже не то значение, что калибровано по данным: %1 (n = %2)</translation>
+        </message>
+        <message>
+            <source>Value found: %1</source>
+            <translation>Найденное значение: %1</translation>
+        </message>
+        <message>
+            <source>95 % interval: %1</source>
+            <translation>Интервал 95 %: %1</translation>
+        </message>
+        <message>
+            <source>Date: %1</source>
+            <translation>Дата: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>CalibratedTable</name>
+        <message>
+            <source>Input</source>
+            <translation>Исходная величина</translation>
+        </message>
+        <message>
+            <source>Value found</source>
+            <translation>Найдено</translation>
+        </message>
+        <message>
+            <source>95 % interval</source>
+            <translation>Интервал 95 %</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Ед.</translation>
+        </message>
+        <message>
+            <source>Data</source>
+            <translation>Данные</translation>
+        </message>
+        <message>
+            <source>n</source>
+            <translation>n</translation>
+        </message>
+        <message>
+            <source>Date</source>
+            <translation>Дата</translation>
+        </message>
+        <message>
+            <source>In use</source>
+            <translation>Действует</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <translation>да</translation>
+        </message>
+        <message>
+            <source>no, changed since</source>
+            <translation>нет, изменено позже</translation>
+        </message>
+    </context>
+    <context>
+        <name>FitWords</name>
+        <message>
+            <source>%1, %2</source>
+            <comment>parameter, zone</comment>
+            <translation>%1, %2</translation>
+        </message>
+        <message>
+            <source>current of the spindle</source>
+            <translation>ток шпинделя</translation>
+        </message>
+        <message>
+            <source>%1 (n = %2)</source>
+            <translation>%1 (n = %2)</translation>
+        </message>
+        <message>
+            <source>%1, %2 (n = %3)</source>
+            <translation>%1, %2 (n = %3)</translation>
+        </message>
+        <message>
+            <source>Not told apart by the data: %1. What would help: %2.</source>
+            <translation>По этим данным не различаются: %1. Что поможет: %2.</translation>
+        </message>
+        <message>
+            <source>Not told by the data: %1. What would help: %2.</source>
+            <translation>По этим данным не определяется: %1. Что поможет: %2.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n measured part(s)</source>
+            <translation>
+                <numerusform>%n измеренная деталь</numerusform>
+                <numerusform>%n измеренные детали</numerusform>
+                <numerusform>%n измеренных деталей</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::DataChoice</name>
+        <message>
+            <source>Measurements</source>
+            <translation>Измерения</translation>
+        </message>
+        <message>
+            <source>A current takes part once its factor in kW per A is given.</source>
+            <translation>Ток участвует, когда указан его коэффициент в кВт на А.</translation>
+        </message>
+        <message>
+            <source>diameters of parts (n = %1)</source>
+            <translation>диаметры деталей (n = %1)</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ParameterChoice</name>
+        <message>
+            <source>Parameters</source>
+            <translation>Параметры</translation>
+        </message>
+        <message>
+            <source>known before: mean ± s</source>
+            <translation>известно: среднее ± s</translation>
+        </message>
+        <message>
+            <source>A value known from elsewhere, with its standard deviation, takes part like one more measurement. Factors are of the present inputs: 1 ± 0.1 means known within some 20 %. Left empty: nothing is known.</source>
+            <translation>Значение, известное заранее, со стандартным отклонением участвует как ещё одно измерение. Множители относятся к нынешним исходным данным: 1 ± 0,1 значит, что величина известна в пределах примерно 20 %. Пусто: ничего не известно.</translation>
+        </message>
+        <message>
+            <source>%1: mean known before</source>
+            <translation>%1: среднее, известное заранее</translation>
+        </message>
+        <message>
+            <source>%1: its standard deviation</source>
+            <translation>%1: его стандартное отклонение</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1: a mean known before needs its standard deviation, and the other way round.</source>
+            <translation>%1: среднему, известному заранее, нужно стандартное отклонение, и наоборот.</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::FitResult</name>
+        <message>
+            <source>Values found</source>
+            <translation>Найденные значения</translation>
+        </message>
+        <message>
+            <source>Correlations of the values</source>
+            <translation>Корреляции значений</translation>
+        </message>
+        <message>
+            <source>Residuals by measurement</source>
+            <translation>Остатки по измерениям</translation>
+        </message>
+        <message>
+            <source>Residuals drawn</source>
+            <translation>Остатки на графике</translation>
+        </message>
+        <message>
+            <source>Measured less predicted</source>
+            <translation>Измерено минус расчёт</translation>
+        </message>
+        <message>
+            <source>No fit yet. Choose measurements and parameters, then Fit.</source>
+            <translation>Подбора ещё не было. Выберите измерения и параметры, затем «Подобрать».</translation>
+        </message>
+        <message numerus="yes">
+            <source>Found from %n measured value(s).</source>
+            <translation>
+                <numerusform>Найдено по %n измеренному значению.</numerusform>
+                <numerusform>Найдено по %n измеренным значениям.</numerusform>
+                <numerusform>Найдено по %n измеренным значениям.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Offsets of the traces are no inputs of the project: there is nothing to take.</source>
+            <translation>Сдвиги записей не входят в исходные данные проекта: принимать нечего.</translation>
+        </message>
+        <message>
+            <source>No values: %1.</source>
+            <translation>Значений нет: %1.</translation>
+        </message>
+        <message>
+            <source>A current without its factor in kW per A was left out.</source>
+            <translation>Ток без коэффициента в кВт на А не учтён.</translation>
+        </message>
+        <message>
+            <source>The residuals are hardly normal (probability %1): something else than noise may be left in them, and the intervals are too narrow.</source>
+            <translation>Остатки вряд ли распределены нормально (вероятность %1): в них может оставаться не только шум, и тогда интервалы слишком узки.</translation>
+        </message>
+        <message>
+            <source>Nothing speaks against normal residuals (probability %1).</source>
+            <translation>Остатки не противоречат нормальному распределению (вероятность %1).</translation>
+        </message>
+        <message>
+            <source>×</source>
+            <comment>unit of a factor</comment>
+            <translation>×</translation>
+        </message>
+        <message>
+            <source>Parameter</source>
+            <translation>Параметр</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Значение</translation>
+        </message>
+        <message>
+            <source>95 % interval</source>
+            <translation>Интервал 95 %</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Ед.</translation>
+        </message>
+        <message>
+            <source>Hardly told apart: %1 and %2.</source>
+            <translation>Почти не различаются: %1 и %2.</translation>
+        </message>
+        <message>
+            <source>Measurement</source>
+            <translation>Измерение</translation>
+        </message>
+        <message>
+            <source>RMS</source>
+            <translation>СКО</translation>
+        </message>
+        <message>
+            <source>Time of the trace, s</source>
+            <translation>Время записи, с</translation>
+        </message>
+        <message>
+            <source>Number of the value</source>
+            <translation>Номер значения</translation>
+        </message>
+        <message>
+            <source>Difference, %1</source>
+            <translation>Разность, %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::CycleFitPage</name>
+        <message>
+            <source>&amp;Fit</source>
+            <translation>По&amp;добрать</translation>
+        </message>
+        <message>
+            <source>&amp;Stop</source>
+            <translation>&amp;Стоп</translation>
+        </message>
+        <message>
+            <source>&amp;Leave these out</source>
+            <translation>&amp;Исключить их</translation>
+        </message>
+        <message>
+            <source>&amp;Take over</source>
+            <translation>&amp;Принять</translation>
+        </message>
+        <message>
+            <source>all values alike</source>
+            <translation>все значения равноправны</translation>
+        </message>
+        <message>
+            <source>outliers weigh less (Huber)</source>
+            <translation>выбросы весят меньше (Хьюбер)</translation>
+        </message>
+        <message>
+            <source>outliers hardly count (Tukey)</source>
+            <translation>выбросы почти не в счёт (Тьюки)</translation>
+        </message>
+        <message>
+            <source>&amp;Outliers:</source>
+            <translation>&amp;Выбросы:</translation>
+        </message>
+        <message>
+            <source>Unchecks what the data cannot tell</source>
+            <translation>Снимает отметки с того, что по данным не определить</translation>
+        </message>
+        <message>
+            <source>Gives the inputs the values found, as one edit that can be undone, and marks them as calibrated</source>
+            <translation>Заносит найденные значения в исходные данные одной правкой, которую можно отменить, и отмечает их как откалиброванные</translation>
+        </message>
+        <message>
+            <source>Progress</source>
+            <translation>Ход расчёта</translation>
+        </message>
+        <message>
+            <source>No measurement is chosen.</source>
+            <translation>Не выбрано ни одно измерение.</translation>
+        </message>
+        <message>
+            <source>No parameter is chosen.</source>
+            <translation>Не выбран ни один параметр.</translation>
+        </message>
+        <message>
+            <source>Cycles are being run and compared …</source>
+            <translation>Циклы рассчитываются и сравниваются …</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::WheelPage</name>
+        <message>
+            <source>Take over the s&amp;trengths</source>
+            <translation>Принять про&amp;чность</translation>
+        </message>
+        <message>
+            <source>Roughness Ra</source>
+            <translation>Шероховатость Ra</translation>
+        </message>
+        <message>
+            <source>Take over the &amp;Ra factor</source>
+            <translation>Принять &amp;поправку Ra</translation>
+        </message>
+        <message>
+            <source>No Ra is measured, or the cycle does not end at size. Measured Ra comes into the project with the parts: Import measurements…</source>
+            <translation>Ra не измерено, или цикл не доходит до размера. Измеренное Ra попадает в проект вместе с деталями: «Импорт измерений…»</translation>
+        </message>
+        <message>
+            <source>Factor of Ra: %1, now %2 (n = %3).</source>
+            <translation>Поправка Ra: %1, сейчас %2 (n = %3).</translation>
+        </message>
+        <message>
+            <source>95 % interval: %1.</source>
+            <translation>Интервал 95 %: %1.</translation>
+        </message>
+        <message>
+            <source>It holds for this wheel and its dressing: %1</source>
+            <translation>Она действует для этого круга и его правки: %1</translation>
+        </message>
+        <message>
+            <source>It holds for this wheel and its dressing.</source>
+            <translation>Она действует для этого круга и его правки.</translation>
+        </message>
+        <message numerus="yes">
+            <source>measured Ra of %n part(s)</source>
+            <translation>
+                <numerusform>измеренное Ra %n детали</numerusform>
+                <numerusform>измеренное Ra %n деталей</numerusform>
+                <numerusform>измеренное Ra %n деталей</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Strengths of the wheel</source>
+            <translation>Прочность круга</translation>
+        </message>
+        <message>
+            <source>One reading at which the wheel just began to shed its grains gives a common factor of the four strengths of grain and bond.</source>
+            <translation>Одно показание, при котором круг только начал осыпаться, даёт общий множитель четырёх показателей прочности зерна и связки.</translation>
+        </message>
+        <message>
+            <source>normal force</source>
+            <translation>нормальная сила</translation>
+        </message>
+        <message>
+            <source>power of the wheel, without idle power</source>
+            <translation>мощность круга без холостого хода</translation>
+        </message>
+        <message>
+            <source>Readin&amp;g:</source>
+            <translation>По&amp;казание:</translation>
+        </message>
+        <message>
+            <source>&amp;Value at the limit:</source>
+            <translation>Знач&amp;ение на пределе:</translation>
+        </message>
+        <message>
+            <source>Value at the limit</source>
+            <translation>Значение на пределе</translation>
+        </message>
+        <message>
+            <source>&amp;Width of cut:</source>
+            <translation>&amp;Ширина резания:</translation>
+        </message>
+        <message>
+            <source>Width of cut, mm</source>
+            <translation>Ширина резания, мм</translation>
+        </message>
+        <message>
+            <source>one reading at the limit, %1 %2</source>
+            <translation>одно показание на пределе, %1 %2</translation>
+        </message>
+        <message>
+            <source>Factor of the strengths: %1; depth of that cut: %2 µm.</source>
+            <translation>Множитель прочности: %1; глубина того реза: %2 мкм.</translation>
+        </message>
+        <message>
+            <source>The strengths of grain and bond are not given: the page Wheel of the inputs has them.</source>
+            <translation>Прочность зерна и связки не задана: она стоит на странице «Круг» исходных данных.</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::CalibrationDialog</name>
+        <message>
+            <source>Calibrate from measurements</source>
+            <translation>Калибровка по измерениям</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Цикл</translation>
+        </message>
+        <message>
+            <source>Ra and strengths</source>
+            <translation>Ra и прочность</translation>
+        </message>
+        <message>
+            <source>&amp;Close</source>
+            <translation>&amp;Закрыть</translation>
+        </message>
+        <message>
+            <source>This project has no measurements yet that the cycle could be compared with.
+
+Import measurements… reads them from tables: the size at the gauge, the power of the wheel, the current of its spindle or the normal force over the time of one cycle, or the diameters of finished parts by zone or section.
+
+The size alone gives α and β, that is the compliance with the force together; the power adds its two shares; with the normal force compliance, flow stress and dullness are told apart.</source>
+            <translation>В проекте пока нет измерений, с которыми можно сравнить цикл.
+
+Команда «Импорт измерений…» читает их из таблиц: размер на приборе активного контроля, мощность круга, ток его шпинделя или нормальную силу за время одного цикла либо диаметры готовых деталей по зонам или сечениям.
+
+Один размер даёт α и β, то есть податливость вместе с силой; мощность добавляет две свои составляющие; вместе с нормальной силой различаются податливость, интенсивность напряжений и степень затупления.</translation>
+        </message>
+        <message>
+            <source>Calibrated: %1. Undo takes it back.</source>
+            <translation>Откалибровано: %1. Отменить можно командой «Отменить».</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::TracesPlot</name>
+        <message>
+            <source>%1, %2</source>
+            <comment>quantity, zone</comment>
+            <translation>%1, %2</translation>
+        </message>
+        <message>
+            <source>%1, %2</source>
+            <comment>quantity, unit</comment>
+            <translation>%1, %2</translation>
+        </message>
+        <message>
+            <source>%1: RMS %2 %3</source>
+            <comment>measured quantity</comment>
+            <translation>%1: СКО %2 %3</translation>
+        </message>
+        <message>
+            <source>Δ, %1</source>
+            <translation>Δ, %1</translation>
+        </message>
+        <message>
+            <source>measured</source>
+            <translation>измерено</translation>
+        </message>
+        <message>
+            <source>simulated</source>
+            <translation>расчёт</translation>
+        </message>
+        <message>
+            <source>measured less simulated</source>
+            <translation>измерено минус расчёт</translation>
+        </message>
+        <message>
+            <source>difference</source>
+            <translation>разность</translation>
+        </message>
+        <message>
+            <source>measured quantity</source>
+            <translation>измеренная величина</translation>
+        </message>
+        <message>
+            <source>unit</source>
+            <translation>единица</translation>
+        </message>
+        <message>
+            <source>unit of the difference</source>
+            <translation>единица разности</translation>
+        </message>
+        <message>
+            <source>%1: nothing measured at %2 = %3</source>
+            <comment>quantity, axis, place</comment>
+            <translation>%1: при %2 = %3 ничего не измерено</translation>
+        </message>
+        <message>
+            <source>%1 at %2 = %3: measured %4 %7, simulated %5 %7, difference %6 %8</source>
+            <comment>quantity, axis, place, values, units</comment>
+            <translation>%1 при %2 = %3: измерено %4 %7, расчёт %5 %7, разность %6 %8</translation>
         </message>
     </context>
 </TS>

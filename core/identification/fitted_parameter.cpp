@@ -14,6 +14,11 @@ bool isFactor(FittedKind kind) {
     }
 }
 
+bool isInput(FittedKind kind) {
+    return kind != FittedKind::size_offset && kind != FittedKind::time_shift
+           && kind != FittedKind::idle_power;
+}
+
 bool changesCycle(FittedKind kind) {
     switch (kind) {
     case FittedKind::alpha:

@@ -39,6 +39,8 @@ struct FittedParameter {
 /// Whether it multiplies an input: then it is fitted as its logarithm, stays positive and begins
 /// at 1.
 [[nodiscard]] bool isFactor(FittedKind kind);
+/// Whether it is an input of the project; the others belong to the traces.
+[[nodiscard]] bool isInput(FittedKind kind);
 /// Whether the cycle has to be run again for another value of it.
 [[nodiscard]] bool changesCycle(FittedKind kind);
 /// How far the parameter may lie from its value before it counts as not known: of a factor and of

@@ -198,7 +198,8 @@ QVariant VerdictModel::requirementData(const Row& row, int column, int role) con
         }
         const char* const by = requirementOf(kind).measuredBy;
         QStringList lines{stated, Names::isRange(kind) ? rangeText(*row.constraint) : QString(),
-                          by ? requirementText(by) : QString(), EstimateNames::behind(kind),
+                          by ? requirementText(by) : QString(),
+                          EstimateNames::behind(m_outcome->result.project, kind),
                           guessed ? tr("Without a calibration of the wheel Ra comes out too small.")
                                   : QString()};
         return joined(lines, QStringLiteral("\n"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/estimate_names.h"
 
+#include "core/quality/calibrated_inputs.h"
 #include "core/quality/estimates.h"
 #include "ui/text/texts.h"
 
@@ -8,16 +9,18 @@
 
 namespace sparkout {
 
-QString EstimateNames::inputs(ConstraintKind kind) {
+QString EstimateNames::inputs(const Project& project, ConstraintKind kind) {
     QStringList names;
     for (const Field* field : estimatesBehind(kind)) {
-        names += inputText(field->label).toLower();
+        if (!isCalibrated(project, *field)) {
+            names += inputText(field->label).toLower();
+        }
     }
     return names.join(u", ");
 }
 
-QString EstimateNames::behind(ConstraintKind kind) {
-    const QString names = inputs(kind);
+QString EstimateNames::behind(const Project& project, ConstraintKind kind) {
+    const QString names = inputs(project, kind);
     return names.isEmpty() ? QString() : tr("Rests on estimates, to be calibrated: %1.").arg(names);
 }
 

@@ -12,10 +12,11 @@ namespace sparkout {
 class EstimateNames {
     Q_DECLARE_TR_FUNCTIONS(EstimateNames)
 public:
-    /// "flow stress, dullness, compliance"; empty for a setting.
-    static QString inputs(ConstraintKind kind);
-    /// "Rests on estimates, to be calibrated: …"; empty for a setting.
-    static QString behind(ConstraintKind kind);
+    /// "flow stress, dullness, compliance", as far as the project's are not calibrated; empty for a
+    /// setting.
+    static QString inputs(const Project& project, ConstraintKind kind);
+    /// "Rests on estimates, to be calibrated: …"; empty where it rests on none.
+    static QString behind(const Project& project, ConstraintKind kind);
 };
 
 } // namespace sparkout

@@ -44,6 +44,7 @@ Actions::Actions(QMainWindow& window)
     , nextSurface(make("nextSurface", u"", Qt::CTRL | Qt::Key_PageDown))
     , wholePart(make("wholePart", u"part", Qt::CTRL | Qt::SHIFT | Qt::Key_W))
     , standardTimes(make("standardTimes", u""))
+    , calibrate(make("calibrate", u"gauge"))
     , english(make("english", u""))
     , russian(make("russian", u""))
     , stockOnDiameter(make("stockOnDiameter", u""))
@@ -146,6 +147,7 @@ void Actions::buildMenus(QMenuBar& bar) {
     m_edit->addSeparator();
     m_edit->addAction(keepRun);
     buildPartMenu(bar);
+    buildStudyMenu(bar);
     buildViewMenu(bar);
     m_help = bar.addMenu(QString());
     m_help->addActions({help, helpContents, helpShortcuts, tour, log});
@@ -160,6 +162,11 @@ void Actions::buildPartMenu(QMenuBar& bar) {
     m_part->addActions({previousSurface, nextSurface});
     m_part->addSeparator();
     m_part->addActions({wholePart, standardTimes});
+}
+
+void Actions::buildStudyMenu(QMenuBar& bar) {
+    m_study = bar.addMenu(QString());
+    m_study->addAction(calibrate);
 }
 
 QList<QAction*> Actions::surfaceActions() const {
@@ -257,6 +264,7 @@ void Actions::retranslate() {
     m_file->setTitle(tr("&File"));
     m_edit->setTitle(tr("&Edit"));
     m_part->setTitle(tr("&Part"));
+    m_study->setTitle(tr("&Study"));
     addSurface->setText(tr("&Add a surface…"));
     duplicateSurface->setText(tr("&Duplicate the surface"));
     renameSurface->setText(tr("&Rename the surface…"));
@@ -267,6 +275,7 @@ void Actions::retranslate() {
     nextSurface->setText(tr("&Next surface"));
     wholePart->setText(tr("&Whole part…"));
     standardTimes->setText(tr("&Standard times and wheel wear…"));
+    calibrate->setText(tr("&Calibrate from measurements…"));
     m_view->setTitle(tr("&View"));
     m_help->setTitle(tr("&Help"));
     m_new->setTitle(tr("&New"));

@@ -75,6 +75,7 @@ public:
     QAction* nextSurface;
     QAction* wholePart;
     QAction* standardTimes;
+    QAction* calibrate; ///< from measurements
     QAction* english;
     QAction* russian;
     std::array<QAction*, allThemes.size()> themes; ///< in the order of allThemes
@@ -96,6 +97,7 @@ private:
     [[nodiscard]] ReportActions makeReport(report::Kind kind);
     void buildMenus(QMenuBar& bar);
     void buildPartMenu(QMenuBar& bar);
+    void buildStudyMenu(QMenuBar& bar);
     void buildViewMenu(QMenuBar& bar);
     void buildToolBar(QToolBar& bar);
 
@@ -103,6 +105,7 @@ private:
     QMenu* m_file;
     QMenu* m_edit;
     QMenu* m_part;
+    QMenu* m_study;
     QMenu* m_view;
     QMenu* m_language;
     QMenu* m_theme;

@@ -4,6 +4,7 @@
 #include "core/project/gauge.h"
 #include "ui/charts/verdict_why.h"
 #include "ui/dialogs/notice_bar.h"
+#include "ui/identification/calibration_dialog.h"
 #include "ui/inputs/forms/stock_fit.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
@@ -239,6 +240,13 @@ void MainWindow::connectActions() {
     });
     on(m_actions->redo, [this] { m_document.redo(); });
     on(m_actions->keepRun, [this] { m_keeper->keep(); });
+    on(m_actions->calibrate, [this] {
+        m_inputs->endTyping(); // first
+        const QString done = CalibrationDialog::calibrate(m_document, this);
+        if (!done.isEmpty()) {
+            m_status->showForAWhile(done);
+        }
+    });
     on(m_actions->english, [this] { setLanguage(QStringLiteral("en")); });
     on(m_actions->russian, [this] { setLanguage(QStringLiteral("ru")); });
     for (std::size_t i = 0; i < allThemes.size(); ++i) {

@@ -2,7 +2,9 @@
 #include "ui/inputs/forms/compliance_box.h"
 
 #include "core/project/machine.h"
+#include "core/quality/calibrated_inputs.h"
 #include "core/study/operation.h"
+#include "ui/fields/calibrated_mark.h"
 #include "ui/fields/reason_label.h"
 #include "ui/fields/value_slider.h"
 #include "ui/inputs/editors/form_metrics.h"
@@ -11,12 +13,14 @@
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
 #include "ui/session/document.h"
+#include "ui/text/calibration_text.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 
 #include <algorithm>
@@ -58,12 +62,19 @@ ComplianceBox::ComplianceBox(std::string path, const Field& field, Document& doc
     , m_computed(new QCheckBox(this))
     , m_reason(new ReasonLabel(this))
     , m_body(new QWidget(this))
-    , m_gammas(new QLabel(this)) {
+    , m_gammas(new QLabel(this))
+    , m_calibration(new QLabel(this)) {
     rows().setContentsMargins(inset(1), metrics::row, inset(1), metrics::tight);
     rows().addWidget(m_computed);
     rows().addWidget(m_body);
     rows().addWidget(m_gammas);
+    rows().addWidget(m_calibration);
     rows().addWidget(m_reason);
+    m_calibration->setObjectName(QStringLiteral("complianceCalibration"));
+    m_calibration->setTextFormat(Qt::PlainText);
+    m_calibration->setWordWrap(true);
+    m_calibration->setForegroundRole(QPalette::PlaceholderText);
+    m_calibration->setVisible(false);
     m_gammas->setObjectName(QStringLiteral("computedCompliance"));
     m_gammas->setTextFormat(Qt::PlainText);
     m_gammas->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -96,6 +107,7 @@ void ComplianceBox::addLine(const std::string& key) {
     spec.optional = false;
     const Line line{key,
                     new QLabel(m_body),
+                    new CalibratedMark(m_body),
                     new NumberField(spec, m_body),
                     new ValueSlider(m_body),
                     new QLabel(m_body),
@@ -117,7 +129,11 @@ void ComplianceBox::addLine(const std::string& key) {
 
 void ComplianceBox::place(const Line& line) {
     const int row = m_grid->rowCount();
-    m_grid->addWidget(line.label, row, 0);
+    auto* const head = new QHBoxLayout;
+    head->setSpacing(metrics::hair);
+    head->addWidget(line.label);
+    head->addWidget(line.calibrated);
+    m_grid->addLayout(head, row, 0);
     m_grid->addWidget(line.slider, row, 1);
     m_grid->addWidget(line.field, row, 2);
     m_grid->addWidget(line.unit, row, 3);
@@ -172,7 +188,24 @@ void ComplianceBox::showProject(bool replaced) {
     m_computed->setChecked(computed);
     m_body->setVisible(!computed);
     showComputed();
+    showCalibration(project);
     setIssues(m_issues);
+}
+
+/// One line for all that rest on the same data; what has another value by now is named first.
+void ComplianceBox::showCalibration(const Project& project) {
+    const Calibration *first = nullptr, *changed = nullptr;
+    for (const Line& line : m_lines) {
+        const Calibration* const record = calibrationOf(project, pathOf(line));
+        const bool holds = record && hasCalibratedValue(project, *record);
+        line.calibrated->showCalibration(holds, record ? CalibrationText::details(project, *record)
+                                                       : QString());
+        first = first ? first : record;
+        changed = changed || holds ? changed : record;
+    }
+    const Calibration* const named = changed ? changed : first;
+    m_calibration->setText(named ? CalibrationText::state(project, *named) : QString());
+    m_calibration->setVisible(named && !m_computed->isChecked());
 }
 
 void ComplianceBox::setOutcome(const OutcomePtr& outcome) {
@@ -250,6 +283,7 @@ void ComplianceBox::retranslate() {
     }
     m_gammas->setAccessibleName(tr("Computed compliance"));
     showComputed();
+    showCalibration(m_document.project());
     setIssues(m_issues);
 }
 

@@ -13,6 +13,7 @@ class QLabel;
 
 namespace sparkout {
 
+class CalibratedMark;
 class Document;
 class ReasonLabel;
 class ValueSlider;
@@ -41,6 +42,7 @@ private:
     struct Line {
         std::string key; ///< last part of the path
         QLabel* label;
+        CalibratedMark* calibrated;
         NumberField* field;
         ValueSlider* slider;
         QLabel* unit;
@@ -57,6 +59,7 @@ private:
     void showReason(const Line& line);
     void retranslate(const Line& line);
     void showComputed();
+    void showCalibration(const Project& project);
 
     std::string m_path;
     const Field& m_field;
@@ -64,7 +67,8 @@ private:
     QCheckBox* m_computed;
     ReasonLabel* m_reason;
     QWidget* m_body;
-    QLabel* m_gammas; ///< computed, greyed
+    QLabel* m_gammas;      ///< computed, greyed
+    QLabel* m_calibration; ///< what the values were found from
     QGridLayout* m_grid = nullptr;
     std::vector<Line> m_lines;
     Issues m_issues;

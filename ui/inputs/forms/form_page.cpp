@@ -318,7 +318,7 @@ void FormPage::retranslate() {
         helper->retranslate();
     }
     for (FormRow* row : m_rows) {
-        row->retranslate();
+        row->retranslate(m_document.project());
     }
     for (const Box& box : m_boxes) {
         box.box->setAccessibleName(inputText(box.field->label));

@@ -2,6 +2,8 @@
 #include "ui/inputs/forms/form_row.h"
 
 #include "core/project/member.h"
+#include "core/quality/calibrated_inputs.h"
+#include "ui/fields/calibrated_mark.h"
 #include "ui/fields/number_field.h"
 #include "ui/fields/reset_mark.h"
 #include "ui/fields/shared_mark.h"
@@ -10,6 +12,7 @@
 #include "ui/inputs/forms/section_box.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
+#include "ui/text/calibration_text.h"
 #include "ui/text/defaults.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/stock_reading.h"
@@ -39,7 +42,8 @@ FormRow::FormRow(std::unique_ptr<FieldEditor> editor, QGridLayout& grid, QWidget
     , m_label(new QLabel(m_head))
     , m_unit(new QLabel(parent))
     , m_reason(new QLabel(parent))
-    , m_shared(new SharedMark(m_head)) {
+    , m_shared(new SharedMark(m_head))
+    , m_calibrated(new CalibratedMark(m_head)) {
     m_label->setTextFormat(Qt::RichText);
     m_label->setWordWrap(true);
     m_label->setBuddy(m_editor->widget());
@@ -67,6 +71,7 @@ void FormRow::addTo(QGridLayout& grid) {
     head->setSpacing(metrics::hair);
     head->addWidget(m_label, 1);
     head->addWidget(m_shared);
+    head->addWidget(m_calibrated);
     if (m_mark) {
         head->addWidget(m_mark);
     }
@@ -115,7 +120,15 @@ void FormRow::show(const Project& project, bool replaced) {
     if (m_mark) {
         m_mark->showChanged(m_editor->changedFromDefault());
     }
+    showCalibration(project);
     showRemark();
+}
+
+void FormRow::showCalibration(const Project& project) {
+    const Calibration* const record = calibrationOf(project, m_editor->path());
+    m_calibration = record ? CalibrationText::state(project, *record) : QString();
+    m_calibrated->showCalibration(record && hasCalibratedValue(project, *record),
+                                  record ? CalibrationText::details(project, *record) : QString());
 }
 
 void FormRow::setShared(bool shared) {
@@ -136,18 +149,16 @@ bool FormRow::meaningIsLong() const {
            > atFontSize(metrics::field) - 12;
 }
 
-QString FormRow::emptyCaption() const {
+QString FormRow::caption() const {
     const auto* line = qobject_cast<QLineEdit*>(m_editor->widget());
-    if (!line || !m_editor->empty()) {
-        return {};
-    }
-    return meaningIsLong() ? tr("empty: %1").arg(inputText(m_editor->field().nullMeaning))
-                           : QString();
+    return line && m_editor->empty() && meaningIsLong()
+               ? tr("empty: %1").arg(inputText(m_editor->field().nullMeaning))
+               : m_calibration;
 }
 
 void FormRow::showRemark() {
     const Remark remark = m_editor->remark();
-    const QString text = remark.mark == Mark::none ? emptyCaption() : remark.reason;
+    const QString text = remark.mark == Mark::none ? caption() : remark.reason;
     QPalette colors = m_label->palette();
     colors.setColor(QPalette::WindowText, remark.mark == Mark::none
                                               ? colors.color(QPalette::PlaceholderText)
@@ -178,13 +189,14 @@ void FormRow::fitWide() {
     m_editor->widget()->setFixedWidth(width);
 }
 
-void FormRow::retranslate() {
+void FormRow::retranslate(const Project& project) {
     const Field& field = m_editor->field();
     m_editor->retranslate();
     fitWide();
     m_label->setText(labelMarkup(field));
     m_unit->setText(unitText(field.unit));
     m_shared->retranslate();
+    showCalibration(project);
     showHint();
     if (m_mark) {
         m_mark->showDefault(inputText(field.label), defaultText(field));

@@ -11,6 +11,7 @@ class QMenu;
 
 namespace sparkout {
 
+class CalibratedMark;
 class ReasonLabel;
 class ResetMark;
 class SharedMark;
@@ -28,7 +29,7 @@ public:
     void show(const Project& project, bool replaced);
     void setShared(bool shared); ///< with the other surfaces of the set-up
     void setIssues(const Issues& issues);
-    void retranslate();
+    void retranslate(const Project& project);
     /// Adds what one can do with the input to a context menu.
     void fillMenu(QMenu& menu);
 
@@ -39,9 +40,10 @@ private:
     void addTo(QGridLayout& grid);
     void fitWide();
     void showRemark();
+    void showCalibration(const Project& project);
     void showHint();
     [[nodiscard]] bool meaningIsLong() const; ///< of an empty field, for the field itself
-    [[nodiscard]] QString emptyCaption() const;
+    [[nodiscard]] QString caption() const;    ///< below the field while nothing is remarked
 
     std::unique_ptr<FieldEditor> m_editor;
     QWidget* m_head; ///< label and mark
@@ -50,6 +52,8 @@ private:
     QLabel* m_reason;
     ResetMark* m_mark = nullptr; ///< null where there is no default to go back to
     SharedMark* m_shared;
+    CalibratedMark* m_calibrated;
+    QString m_calibration; ///< in brief; empty: not calibrated
     bool m_isShared = false;
     bool m_relevant = true;
 };

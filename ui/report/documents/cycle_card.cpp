@@ -7,6 +7,7 @@
 #include "ui/charts/verdict_why.h"
 #include "ui/report/documents/outcome_remarks.h"
 #include "ui/report/parts/begun_report.h"
+#include "ui/report/parts/calibrated_table.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/report/parts/feeds_figure.h"
 #include "ui/report/parts/operation_setup.h"
@@ -159,6 +160,10 @@ Report CycleCard::write(const OutcomePtr& outcome, const QString& file, const QD
             }
         }
     };
+    if (Table calibrated = CalibratedTable::of(project); !calibrated.rows.empty()) {
+        heading(tr("Calibrated inputs"));
+        blocks.push_back(std::move(calibrated));
+    }
     texts(tr("What rests on estimates"), OutcomeRemarks::estimates(*outcome));
     texts(tr("Remarks"), OutcomeRemarks::remarks(*outcome));
     const QString notes = manyLines(exampleNotes(project.notes)).trimmed();

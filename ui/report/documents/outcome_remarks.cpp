@@ -13,7 +13,7 @@ namespace sparkout::report {
 QStringList OutcomeRemarks::estimates(const Outcome& outcome) {
     std::vector<std::pair<QString, QStringList>> groups; // requirements by what is behind them
     for (const ConstraintResult& c : outcome.constraints) {
-        const QString inputs = EstimateNames::inputs(c.kind);
+        const QString inputs = EstimateNames::inputs(outcome.result.project, c.kind);
         const auto same = [&inputs](const auto& group) { return group.first == inputs; };
         auto group = std::ranges::find_if(groups, same);
         if (inputs.isEmpty()) {

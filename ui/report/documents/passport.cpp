@@ -9,6 +9,7 @@
 #include "ui/report/documents/passport_prediction.h"
 #include "ui/report/documents/passport_verdict.h"
 #include "ui/report/parts/begun_report.h"
+#include "ui/report/parts/calibrated_table.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/report/parts/operation_setup.h"
 #include "ui/report/parts/part_sketch.h"
@@ -58,6 +59,7 @@ public:
         if (!m_outcome.constraints.empty()) {
             addBars(OverviewChart::requirements, OverviewCharts::requirements(m_outcome));
         }
+        rows(tr("Calibrated inputs"), CalibratedTable::of(m_project));
         addTexts();
         section(tr("Recomputing"), PassportInputs::recomputing(m_subject));
         heading(tr("Appendix: all inputs"));

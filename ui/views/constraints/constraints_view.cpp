@@ -325,7 +325,8 @@ void ConstraintsView::showSheet() {
         if (const auto sheet = constraintSheet(good()->result, good()->accuracy, *about)) {
             text << QString() << formulaText(*sheet);
         }
-        if (const QString estimates = EstimateNames::behind(about->kind); !estimates.isEmpty()) {
+        if (const QString estimates = EstimateNames::behind(good()->result.project, about->kind);
+            !estimates.isEmpty()) {
             text << QString() << estimates;
         }
     }

@@ -28,8 +28,8 @@ namespace sparkout {
 
 namespace {
 
-constexpr QSize pictureSize(130, 50);
-constexpr int timeDigits = 3;
+constexpr QSize thumbnailSize(130, 50);
+constexpr int exampleDigits = 3;
 
 } // namespace
 
@@ -52,7 +52,7 @@ ExamplesDialog::ExamplesDialog(QWidget* parent)
     setHelpTopic(*this, QStringLiteral("start#examples"));
     setWindowTitle(tr("Example gallery"));
     m_list->setAccessibleName(tr("Examples"));
-    m_list->setIconSize(pictureSize);
+    m_list->setIconSize(thumbnailSize);
     m_list->setSpacing(metrics::hair);
     m_list->setWordWrap(true);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -104,8 +104,8 @@ QString ExamplesDialog::resultOf(const Entry& entry) {
         return tr("Not every cycle ends at size.");
     }
     const QString time = tr("Main time %1 min, piece time %2 min.")
-                             .arg(printedNumber(run.time.main_min, timeDigits),
-                                  printedNumber(run.time.piece_min, timeDigits));
+                             .arg(printedNumber(run.time.main_min, exampleDigits),
+                                  printedNumber(run.time.piece_min, exampleDigits));
     return time + u' '
            + (run.holds(entry.setup) ? tr("Every requirement on every surface holds.")
                                      : tr("A requirement fails."));
@@ -113,7 +113,7 @@ QString ExamplesDialog::resultOf(const Entry& entry) {
 
 void ExamplesDialog::fill() {
     PartDrawing drawing;
-    drawing.resize(pictureSize);
+    drawing.resize(thumbnailSize);
     for (const QString& path : paths()) {
         Document document;
         if (hasErrors(document.openCopy(textOf(path)))) {

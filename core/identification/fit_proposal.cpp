@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/fit_proposal.h"
+
+#include <algorithm>
+
+namespace sparkout {
+
+std::vector<FittedKind> proposedParameters(const FitData& data) {
+    const bool size = data.has(FitSource::size), power = data.has(FitSource::power);
+    const bool force = data.has(FitSource::force), parts = data.has(FitSource::parts);
+    std::vector<FittedKind> kinds;
+    if (force && (size || parts)) {
+        kinds = {FittedKind::compliance, FittedKind::flow_stress, FittedKind::dullness};
+    } else if (force) {
+        kinds = {FittedKind::flow_stress, FittedKind::dullness};
+    } else if (size) {
+        kinds = {FittedKind::alpha, FittedKind::beta};
+    } else if (parts) {
+        kinds = {FittedKind::compliance};
+    }
+    if (power) {
+        kinds.insert(kinds.end(), {FittedKind::chip_power, FittedKind::friction_power});
+        const bool isStated = std::ranges::any_of(
+            data.groups, [](const FitGroup& group) { return group.idle_kw.has_value(); });
+        if (!isStated) {
+            kinds.push_back(FittedKind::idle_power);
+        }
+    }
+    if (size) {
+        kinds.push_back(FittedKind::size_offset);
+    }
+    if (size || power || force) {
+        kinds.push_back(FittedKind::time_shift);
+    }
+    return kinds;
+}
+
+} // namespace sparkout

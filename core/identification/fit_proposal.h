@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/fit_data.h"
+#include "core/identification/fitted_parameter.h"
+
+#include <vector>
+
+namespace sparkout {
+
+/// The parameters that data of these kinds can tell [MODEL-13]: size alone gives α and β, never γ
+/// and k_s apart; with the force it gives γ, σ_i and η. Power gives its two products, and the idle
+/// power where that is not stated. Offsets of the traces go with them.
+[[nodiscard]] std::vector<FittedKind> proposedParameters(const FitData& data);
+
+} // namespace sparkout

@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Calibrate from measurements: fitted by clicks, taken as one edit, marked in the forms.
+#include "core/project/machine.h"
+#include "core/project/measured.h"
+#include "core/quality/calibrated_inputs.h"
+#include "tests/registry.h"
+#include "tests/ui/support/text_checks.h"
+#include "tests/ui/support/traced_project.h"
+#include "tests/ui/support/window_bench.h"
+#include "ui/fields/calibrated_mark.h"
+#include "ui/fields/number_field.h"
+#include "ui/identification/calibration_dialog.h"
+#include "ui/inputs/inputs_panel.h"
+#include "ui/kit/font_size.h"
+#include "ui/report/documents/cycle_card.h"
+#include "ui/report/documents/outcome_remarks.h"
+#include "ui/report/documents/passport.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScopeGuard>
+#include <QStatusBar>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QTableView>
+#include <QTest>
+#include <QTimer>
+
+#include <algorithm>
+#include <functional>
+
+namespace test_calibration_dialog {
+
+using namespace sparkout;
+
+namespace {
+
+template <typename Widget>
+Widget* part(const QWidget& in, const char* name) {
+    return in.findChild<Widget*>(QLatin1String(name));
+}
+
+/// Opens the dialog by its command and works in it; whatever happens, it is closed in the end.
+void inDialog(const Bench& bench, const std::function<void(QDialog&)>& work) {
+    bool seen = false;
+    QTimer::singleShot(0, bench.window.get(), [&] {
+        auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        if (dialog) {
+            seen = true;
+            work(*dialog);
+            if (dialog->isVisible()) {
+                dialog->reject();
+            }
+        }
+    });
+    bench.action("calibrate")->trigger();
+    QVERIFY(seen);
+}
+
+void click(const QWidget& dialog, const char* name) {
+    auto* button = part<QAbstractButton>(dialog, name);
+    QVERIFY2(button, name);
+    QVERIFY2(button->isVisible() && button->isEnabled(), name);
+    if (auto* box = qobject_cast<QCheckBox*>(button)) {
+        QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+    } else {
+        QTest::mouseClick(button, Qt::LeftButton);
+    }
+}
+
+/// Fits by a click and waits for the end.
+void fit(const QDialog& dialog) {
+    click(dialog, "fit");
+    const auto* fit = part<QPushButton>(dialog, "fit");
+    QTRY_VERIFY_WITH_TIMEOUT(fit->isEnabled(), 60'000);
+}
+
+QString cellOf(const QDialog& dialog, const char* table, int row, int column) {
+    return part<QTableView>(dialog, table)->model()->index(row, column).data().toString();
+}
+
+const Calibration* recordOf(const Bench& bench, const char* path) {
+    return calibrationOf(bench.window->document().project(), path);
+}
+
+/// Fits what is proposed and takes it.
+void calibrate(const Bench& bench) {
+    inDialog(bench, [](QDialog& dialog) {
+        fit(dialog);
+        click(dialog, "fitTake");
+    });
+}
+
+} // namespace
+
+class TestCalibrationDialog : public QObject {
+    Q_OBJECT
+
+private slots:
+    void withoutMeasurementsTheDialogSaysWhatToImport() {
+        Bench bench(QStringLiteral("en"));
+        bench.window->document().startUntitled(traced::plunge());
+        bench.settle();
+        inDialog(bench, [](QDialog& dialog) {
+            QVERIFY(!part<QPushButton>(dialog, "fit"));
+            const auto* words = part<QLabel>(dialog, "calibrationEmpty");
+            QVERIFY(words && words->text().contains(QStringLiteral("Import measurements…")));
+            QTest::keyClick(&dialog, Qt::Key_Escape);
+            QVERIFY(!dialog.isVisible());
+        });
+        QVERIFY(!bench.window->document().canUndo());
+    }
+
+    void whatTheSizeTellsIsFoundTakenAndUndone() {
+        Bench bench(QStringLiteral("en"));
+        Document& document = bench.window->document();
+        document.startUntitled(traced::project());
+        QTRY_VERIFY(!bench.window->runs().running());
+        inDialog(bench, [](QDialog& dialog) {
+            for (const char* checked : {"trace0", "alpha", "beta", "size_offset", "time_shift"}) {
+                QVERIFY2(part<QCheckBox>(dialog, checked)->isChecked(), checked);
+            }
+            for (const char* unchecked : {"compliance", "flow_stress", "chip_power"}) {
+                QVERIFY2(!part<QCheckBox>(dialog, unchecked)->isChecked(), unchecked);
+            }
+            QVERIFY(!part<QPushButton>(dialog, "fitTake")->isEnabled());
+            fit(dialog);
+            QVERIFY(part<QTableView>(dialog, "fitValues")->isVisible());
+            QCOMPARE(part<QTableView>(dialog, "fitValues")->model()->rowCount(), 4);
+            const double alpha = QLocale().toDouble(cellOf(dialog, "fitValues", 0, 1));
+            QVERIFY2(std::abs(alpha - traced::yields) < 0.05, qPrintable(QString::number(alpha)));
+            QVERIFY(cellOf(dialog, "fitValues", 0, 2).contains(u'…'));
+            QCOMPARE(part<QTableView>(dialog, "fitCorrelations")->model()->rowCount(), 4);
+            QCOMPARE(part<QTableView>(dialog, "fitResiduals")->model()->rowCount(), 1);
+            QVERIFY(cellOf(dialog, "fitResiduals", 0, 0).contains(QStringLiteral("cycle-17.csv")));
+            QVERIFY(part<QLabel>(dialog, "fitNormality")->isVisible());
+            QVERIFY(part<QWidget>(dialog, "fitPlot")->isVisible());
+            click(dialog, "fitTake");
+            QVERIFY(!dialog.isVisible());
+        });
+        const Calibration* const first = recordOf(bench, "/machine/compliance_mm_per_n/0");
+        QVERIFY(first && recordOf(bench, "/machine/compliance_mm_per_n/1"));
+        QVERIFY(recordOf(bench, "/wheel/dullness"));
+        QVERIFY2(std::abs(first->value / traced::gamma - traced::yields) < 0.05,
+                 qPrintable(QString::number(first->value)));
+        QCOMPARE(QString::fromStdString(first->data), QStringLiteral("cycle-17.csv"));
+        QVERIFY(first->low && *first->low<first->value&& * first->high> first->value);
+        QVERIFY(hasCalibratedValue(document.project(), *first));
+        QStringList said;
+        for (const QLabel* label : bench.window->statusBar()->findChildren<QLabel*>()) {
+            said << label->text();
+        }
+        said << bench.window->statusBar()->currentMessage();
+        QVERIFY2(said.join(u'|').contains(QStringLiteral("Undo takes it back")),
+                 qPrintable(said.join(u'|')));
+        QVERIFY(document.undoText().contains(QStringLiteral("Calibrate from measurements")));
+        bench.action("undo")->trigger();
+        QVERIFY(!recordOf(bench, "/machine/compliance_mm_per_n/0"));
+        const auto& given =
+            std::get<std::vector<double>>(document.project().machine->compliance_mm_per_n);
+        QCOMPARE(given.front(), traced::gamma);
+        QVERIFY(!document.canUndo()); // it was one edit
+    }
+
+    void whatTheDataCannotTellIsNamedAndLeftOut() {
+        Bench bench(QStringLiteral("en"));
+        bench.window->document().startUntitled(traced::project());
+        QTRY_VERIFY(!bench.window->runs().running());
+        inDialog(bench, [](QDialog& dialog) {
+            for (const char* name : {"alpha", "beta", "compliance", "flow_stress"}) {
+                click(dialog, name); // the first two off, the others on
+            }
+            fit(dialog);
+            const QString words = part<QLabel>(dialog, "fitWords")->text();
+            QVERIFY2(words.contains(QStringLiteral("compliance"))
+                         && words.contains(QStringLiteral("flow stress"))
+                         && words.contains(QStringLiteral("power")),
+                     qPrintable(words));
+            QVERIFY(!part<QPushButton>(dialog, "fitTake")->isEnabled());
+            QVERIFY(!part<QTableView>(dialog, "fitValues")->isVisible());
+            click(dialog, "fitLeaveOut");
+            const bool compliance = part<QCheckBox>(dialog, "compliance")->isChecked();
+            const bool flow = part<QCheckBox>(dialog, "flow_stress")->isChecked();
+            QVERIFY(compliance != flow);
+            fit(dialog);
+            QVERIFY(part<QTableView>(dialog, "fitValues")->isVisible());
+        });
+    }
+
+    void aValueKnownBeforeIsTypedAndTakesPart() {
+        Bench bench(QStringLiteral("en"));
+        bench.window->document().startUntitled(traced::project());
+        QTRY_VERIFY(!bench.window->runs().running());
+        inDialog(bench, [](QDialog& dialog) {
+            auto* mean = part<NumberField>(dialog, "alphaMean");
+            auto* deviation = part<NumberField>(dialog, "alphaDeviation");
+            mean->setFocus();
+            QTest::keyClicks(mean, QStringLiteral("1.1"));
+            QTest::keyClick(mean, Qt::Key_Tab);
+            QTRY_VERIFY(!part<QPushButton>(dialog, "fit")->isEnabled()); // without its deviation
+            QVERIFY(part<QLabel>(dialog, "fitFault")
+                        ->text()
+                        .contains(QStringLiteral("standard deviation")));
+            deviation->setFocus();
+            QTest::keyClicks(deviation, QStringLiteral("0.0001"));
+            QTest::keyClick(deviation, Qt::Key_Tab);
+            QTRY_VERIFY(part<QPushButton>(dialog, "fit")->isEnabled());
+            fit(dialog);
+            const double alpha = QLocale().toDouble(cellOf(dialog, "fitValues", 0, 1));
+            QVERIFY2(std::abs(alpha - 1.1) < 0.01, qPrintable(QString::number(alpha)));
+        });
+    }
+
+    void theMarkTellsTheCalibratedValueFromAnother() {
+        Bench bench(QStringLiteral("en"));
+        Document& document = bench.window->document();
+        document.startUntitled(traced::project());
+        QTRY_VERIFY(!bench.window->runs().running());
+        calibrate(bench);
+        bench.window->inputs().focusPath("/wheel/dullness");
+        bench.settle();
+        auto* field =
+            bench.window->inputs().findChild<NumberField*>(QStringLiteral("/wheel/dullness"));
+        QVERIFY(field && field->isVisible());
+        const auto mark = [&]() -> const CalibratedMark* {
+            for (const auto* one : bench.window->inputs().findChildren<CalibratedMark*>()) {
+                if (one->isVisible()) {
+                    return one;
+                }
+            }
+            return nullptr;
+        };
+        QVERIFY(mark() && mark()->holds());
+        const QString tip = mark()->toolTip();
+        QVERIFY2(tip.contains(QStringLiteral("calibrated on cycle-17.csv (n = "))
+                     && tip.contains(QStringLiteral("95 % interval: ")),
+                 qPrintable(tip));
+        QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClicks(field, QStringLiteral("0.5"));
+        QTest::keyClick(field, Qt::Key_Return);
+        QTRY_COMPARE(document.project().wheel->dullness, 0.5);
+        bench.settle();
+        QVERIFY(mark() && !mark()->holds());
+        QVERIFY(mark()->toolTip().startsWith(QStringLiteral("no longer the value calibrated on")));
+        bench.action("undo")->trigger();
+        bench.settle();
+        QVERIFY(mark() && mark()->holds());
+    }
+
+    void cardAndPassportListWhatIsCalibrated() {
+        Bench bench(QStringLiteral("en"));
+        bench.window->document().startUntitled(traced::project());
+        QTRY_VERIFY(!bench.window->runs().running());
+        const auto tableIn = [](const report::Report& report) {
+            bool next = false;
+            for (const report::Block& block : report.blocks) {
+                if (const auto* heading = std::get_if<report::Heading>(&block)) {
+                    next = heading->text == QStringLiteral("Calibrated inputs");
+                } else if (const auto* table = std::get_if<report::Table>(&block); table && next) {
+                    return *table;
+                }
+            }
+            return report::Table();
+        };
+        const OutcomePtr before = bench.window->outcome();
+        QVERIFY(tableIn(report::CycleCard::write(before, {}, QDate(2026, 11, 26))).rows.empty());
+        QVERIFY(report::OutcomeRemarks::estimates(*before).join(u'\n').contains(
+            QStringLiteral("dullness")));
+        calibrate(bench);
+        QTRY_VERIFY(bench.window->outcome() != before && !bench.window->runs().running());
+        const OutcomePtr after = bench.window->outcome();
+        const report::Table card =
+            tableIn(report::CycleCard::write(after, {}, QDate(2026, 11, 26)));
+        QCOMPARE(card.rows.size(), std::size_t{3}); // two sections' compliance, dullness
+        QVERIFY(card.rows.front().contains(QStringLiteral("cycle-17.csv")));
+        report::Subject subject;
+        subject.outcome = after;
+        subject.date = QDate(2026, 11, 26);
+        QCOMPARE(tableIn(report::passport(subject)).rows, card.rows);
+        const QString estimates = report::OutcomeRemarks::estimates(*after).join(u'\n');
+        QVERIFY2(!estimates.contains(QStringLiteral("dullness"))
+                     && !estimates.contains(QStringLiteral("compliance"))
+                     && estimates.contains(QStringLiteral("flow stress")),
+                 qPrintable(estimates));
+    }
+
+    void raAndStrengthsAreTakenFromTheSecondTab() {
+        Bench bench(QStringLiteral("en"));
+        Project project = traced::plunge();
+        project.wheel->grain_surface_energy_j_m2 = 20;
+        project.wheel->grain_modulus_gpa = 400;
+        project.wheel->bond_surface_energy_j_m2 = 10;
+        project.wheel->bond_modulus_gpa = 60;
+        project.measured.emplace().parts.resize(2);
+        for (MeasuredPart& one : project.measured->parts) {
+            one.part = "1";
+            one.roughness_ra_um = 0.8;
+        }
+        Document& document = bench.window->document();
+        document.startUntitled(project);
+        QTRY_VERIFY(!bench.window->runs().running());
+        const auto toWheel = [](const QDialog& dialog) {
+            QTabBar* bar = part<QTabWidget>(dialog, "calibrationTabs")->tabBar();
+            QTest::mouseClick(bar, Qt::LeftButton, {}, bar->tabRect(1).center());
+        };
+        inDialog(bench, [&](QDialog& dialog) {
+            toWheel(dialog);
+            click(dialog, "roughnessTake");
+        });
+        QVERIFY(recordOf(bench, "/wheel/roughness_factor"));
+        QVERIFY(document.project().wheel->roughness_factor != project.wheel->roughness_factor);
+        inDialog(bench, [&](QDialog& dialog) {
+            toWheel(dialog);
+            QVERIFY(!part<QPushButton>(dialog, "strengthsTake")->isEnabled());
+            auto* value = part<NumberField>(dialog, "limitValue");
+            value->setFocus();
+            QTest::keyClicks(value, QStringLiteral("150"));
+            QTest::keyClick(value, Qt::Key_Tab);
+            QTRY_VERIFY(part<QPushButton>(dialog, "strengthsTake")->isEnabled());
+            click(dialog, "strengthsTake");
+        });
+        QVERIFY(recordOf(bench, "/wheel/bond_modulus_gpa"));
+        QVERIFY(*document.project().wheel->bond_modulus_gpa != 60);
+    }
+
+    void allTextsHaveRoomAndAreTranslated_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<int>("percent");
+        for (const char* language : {"en", "ru"}) {
+            for (const int percent : {100, 130}) {
+                QTest::addRow("%s %d", language, percent) << QString::fromUtf8(language) << percent;
+            }
+        }
+    }
+
+    void allTextsHaveRoomAndAreTranslated() {
+        QFETCH(QString, language);
+        QFETCH(int, percent);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        applyFontSize(percent);
+        Bench bench(language);
+        bench.window->document().startUntitled(traced::project(true));
+        QTRY_VERIFY(!bench.window->runs().running());
+        inDialog(bench, [&](QDialog& dialog) {
+            QVERIFY(dialog.width() <= 1366 && dialog.height() <= 768);
+            const auto look = [&](const char* name) {
+                bench.settle();
+                const QStringList narrow = textsWithoutRoom(dialog);
+                QVERIFY2(narrow.isEmpty(), qPrintable(narrow.join(u'\n')));
+                if (language == u"ru") {
+                    for (const ShownText& shown : textsOf(dialog)) {
+                        QString text = shown.text;
+                        text.remove(QStringLiteral("cycle-17.csv"));
+                        QVERIFY2(englishIn(text).isEmpty(), qPrintable(shown.text));
+                    }
+                }
+                if (const QString to = qEnvironmentVariable("SPARKOUT_PICTURES"); !to.isEmpty()) {
+                    dialog.grab().save(QStringLiteral("%1/calibration-%2-%3-%4.png")
+                                           .arg(to, language)
+                                           .arg(percent)
+                                           .arg(QLatin1String(name)));
+                }
+            };
+            look("before");
+            fit(dialog);
+            look("fitted");
+            QTabBar* bar = part<QTabWidget>(dialog, "calibrationTabs")->tabBar();
+            QTest::mouseClick(bar, Qt::LeftButton, {}, bar->tabRect(1).center());
+            look("wheel");
+        });
+    }
+};
+
+} // namespace test_calibration_dialog
+
+SPARKOUT_TEST(test_calibration_dialog, TestCalibrationDialog)
+#include "test_calibration_dialog.moc"

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/cycle.h"
+#include "core/project/material.h"
+#include "core/project/wheel.h"
+#include "tests/core/identification/measured_cycles.h"
+#include "tests/core/support/project_samples.h"
+
+/// A plunge whose cycle was recorded at a machine that yields more and whose wheel is sharper.
+namespace traced {
+
+using namespace sparkout;
+
+inline constexpr double yields = 1.25, sharper = 0.7; ///< of the truth
+inline constexpr double gamma = 5e-4;                 ///< of the project [mm/N]
+
+/// Two feeds, so that the deflection shows.
+inline Project plunge() {
+    Project project = samples::project("smallest-plunge");
+    project.sections = 2;
+    project.machine->compliance_mm_per_n = std::vector<double>{gamma, gamma};
+    project.part->stock_mm = 0.3;
+    project.part->radii_per_section = 12;
+    project.wheel->dullness = 0.01;
+    project.gauge->rule = GaugeRule::mean;
+    Stage rough = project.cycle->stages.front(), fine = rough;
+    rough.radial_feed_mm_min = 2.0;
+    rough.stock_mm = 0.22;
+    fine.radial_feed_mm_min = 0.4;
+    fine.stock_mm = 0.08;
+    project.cycle->stages = {rough, fine};
+    return project;
+}
+
+inline Project truth() {
+    Project project = plunge();
+    project.machine->compliance_mm_per_n = std::vector<double>{yields * gamma, yields * gamma};
+    project.wheel->dullness *= sharper;
+    return project;
+}
+
+/// With the size and, if wanted, the power of the true cycle, which begins `shift_s` after the
+/// recording.
+inline Project project(bool withPower = false, double shift_s = 0) {
+    Project project = plunge();
+    const measured_cycles::Record cycle = measured_cycles::record(truth(), 1);
+    Measured& measured = project.measured.emplace();
+    measured.traces.push_back(
+        measured_cycles::trace(TraceQuantity::gauge_size, cycle,
+                               {.noise = 0.0005, .offset = 0.02, .shift_s = shift_s, .seed = 7}));
+    if (withPower) {
+        measured.traces.push_back(
+            measured_cycles::trace(TraceQuantity::wheel_power, cycle,
+                                   {.noise = 0.01, .offset = 0.8, .shift_s = shift_s, .seed = 8}));
+        measured.traces.back().idle = 0.8;
+    }
+    for (MeasuredTrace& trace : measured.traces) {
+        trace.source = "cycle-17.csv";
+    }
+    return project;
+}
+
+} // namespace traced

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/identification/cycle_fit_page.h"
+
+#include "core/identification/calibration.h"
+#include "core/project/measured.h"
+#include "ui/identification/data_choice.h"
+#include "ui/identification/fit_result.h"
+#include "ui/identification/fit_words.h"
+#include "ui/identification/parameter_choice.h"
+#include "ui/kit/metrics.h"
+
+#include <QComboBox>
+#include <QDate>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStyle>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace sparkout {
+
+namespace {
+
+/// The number of no trace: an empty list would be all of them.
+constexpr int noTrace = -1;
+
+QScrollArea* scrolledPart(QWidget* content, QWidget* parent) {
+    auto* area = new QScrollArea(parent);
+    area->setWidget(content);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->viewport()->setAutoFillBackground(false); // the page's own shows through
+    content->setAutoFillBackground(false);
+    return area;
+}
+
+} // namespace
+
+CycleFitPage::CycleFitPage(const Project& project, QWidget* parent)
+    : QWidget(parent)
+    , m_project(project)
+    , m_data(new DataChoice(project))
+    , m_parameters(new ParameterChoice(project))
+    , m_loss(new QComboBox)
+    , m_fault(new QLabel)
+    , m_shown(new FitResult(project))
+    , m_progress(new QProgressBar)
+    , m_fit(new QPushButton(tr("&Fit")))
+    , m_stop(new QPushButton(tr("&Stop")))
+    , m_leaveOut(new QPushButton(tr("&Leave these out")))
+    , m_take(new QPushButton(tr("&Take over"))) {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(metrics::wide);
+    QWidget* const choices = buildChoices();
+    QScrollArea* const left = scrolledPart(choices, this);
+    left->setMinimumWidth(choices->minimumSizeHint().width()
+                          + style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+    left->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    row->addWidget(left);
+    row->addWidget(scrolledPart(m_shown, this), 1);
+    auto* column = new QVBoxLayout(this);
+    column->addLayout(row, 1);
+    column->addWidget(buildButtons());
+    connect(m_data, &DataChoice::changed, this, &CycleFitPage::propose);
+    connect(m_parameters, &ParameterChoice::changed, this, &CycleFitPage::follow);
+    connect(m_fit, &QPushButton::clicked, this, &CycleFitPage::start);
+    connect(m_stop, &QPushButton::clicked, &m_runner, &CountedJob::stop);
+    connect(m_leaveOut, &QPushButton::clicked, this, &CycleFitPage::leaveOut);
+    connect(m_take, &QPushButton::clicked, this, &CycleFitPage::take);
+    connect(&m_runner, &IdentificationRunner::finished, this, &CycleFitPage::showResult);
+    propose();
+}
+
+QWidget* CycleFitPage::buildChoices() {
+    auto* page = new QWidget(this);
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, metrics::gap, 0);
+    column->addWidget(m_data);
+    column->addWidget(m_parameters);
+    m_loss->setObjectName(QStringLiteral("loss"));
+    m_loss->addItem(tr("all values alike"), static_cast<int>(RobustLoss::none));
+    m_loss->addItem(tr("outliers weigh less (Huber)"), static_cast<int>(RobustLoss::huber));
+    m_loss->addItem(tr("outliers hardly count (Tukey)"), static_cast<int>(RobustLoss::tukey));
+    auto* label = new QLabel(tr("&Outliers:"), page);
+    label->setBuddy(m_loss);
+    auto* line = new QHBoxLayout;
+    line->addWidget(label);
+    line->addWidget(m_loss, 1);
+    column->addLayout(line);
+    column->addStretch(1);
+    return page;
+}
+
+QWidget* CycleFitPage::buildButtons() {
+    auto* bar = new QWidget(this);
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    m_fit->setObjectName(QStringLiteral("fit"));
+    m_stop->setObjectName(QStringLiteral("fitStop"));
+    m_leaveOut->setObjectName(QStringLiteral("fitLeaveOut"));
+    m_leaveOut->setToolTip(tr("Unchecks what the data cannot tell"));
+    m_take->setObjectName(QStringLiteral("fitTake"));
+    m_take->setToolTip(tr("Gives the inputs the values found, as one edit that can be undone, and "
+                          "marks them as calibrated"));
+    m_fault->setObjectName(QStringLiteral("fitFault"));
+    m_fault->setTextFormat(Qt::PlainText);
+    m_fault->setWordWrap(true);
+    m_progress->setRange(0, 0); // how many cycles it takes is not known
+    m_progress->setAccessibleName(tr("Progress"));
+    m_fit->setDefault(true);
+    row->addWidget(m_fit);
+    row->addWidget(m_stop);
+    row->addWidget(m_progress);
+    row->addWidget(m_fault, 1);
+    row->addWidget(m_leaveOut);
+    row->addWidget(m_take);
+    return bar;
+}
+
+IdentificationRequest CycleFitPage::request() const {
+    IdentificationRequest request;
+    request.parameters = m_parameters->parameters();
+    request.traces = m_data->traces();
+    if (request.traces.empty()) {
+        request.traces = {noTrace};
+    }
+    request.withParts = m_data->withParts();
+    request.loss = static_cast<RobustLoss>(m_loss->currentData().toInt());
+    return request;
+}
+
+void CycleFitPage::propose() {
+    const IdentificationRequest now = request();
+    m_parameters->propose(fitDataOf(m_project, now.traces, now.withParts));
+    follow();
+}
+
+void CycleFitPage::follow() {
+    const bool runs = m_runner.running();
+    QString fault = m_parameters->fault();
+    if (fault.isEmpty() && m_data->traces().empty() && !m_data->withParts()) {
+        fault = tr("No measurement is chosen.");
+    } else if (fault.isEmpty() && m_parameters->parameters().empty()) {
+        fault = tr("No parameter is chosen.");
+    }
+    m_fault->setText(runs ? tr("Cycles are being run and compared …") : fault);
+    m_fit->setEnabled(!runs && fault.isEmpty());
+    m_stop->setEnabled(runs);
+    m_progress->setVisible(runs);
+    m_data->setEnabled(!runs);
+    m_parameters->setEnabled(!runs);
+    m_loss->setEnabled(!runs);
+    m_leaveOut->setVisible(m_result && !m_result->unidentified.empty() && !runs);
+    m_take->setEnabled(!runs && m_result && m_result->status == IdentificationStatus::fitted
+                       && std::ranges::any_of(m_result->values, [](const FittedValue& value) {
+                              return isInput(value.parameter.kind);
+                          }));
+}
+
+void CycleFitPage::start() {
+    m_requested = request();
+    m_result.reset();
+    m_shown->clear();
+    m_runner.start(m_project, m_requested);
+    follow();
+}
+
+void CycleFitPage::showResult(const IdentificationPtr& result) {
+    m_result = result;
+    m_shown->show(m_requested, *result);
+    follow();
+}
+
+/// Of parameters that are not told apart, the others may be told without the last one.
+void CycleFitPage::leaveOut() {
+    for (const Unidentified& one : m_result->unidentified) {
+        m_parameters->uncheck(m_requested.parameters.at(one.parameters.back()));
+    }
+}
+
+void CycleFitPage::take() {
+    emit taken(withCalibration(m_project, *m_result,
+                               FitWords::data(m_project, m_requested.traces, m_requested.withParts),
+                               QDate::currentDate().toString(Qt::ISODate).toStdString()));
+}
+
+} // namespace sparkout

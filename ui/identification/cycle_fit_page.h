@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+#include "ui/identification/identification_runner.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace sparkout {
+
+class DataChoice;
+class FitResult;
+class ParameterChoice;
+
+/// Fits parameters of the process to measured cycles and parts, aside, and offers the result.
+class CycleFitPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit CycleFitPage(const Project& project, QWidget* parent = nullptr);
+
+signals:
+    /// The project with the values found.
+    void taken(const sparkout::Project& project);
+
+private:
+    QWidget* buildChoices();
+    QWidget* buildButtons();
+    void propose();
+    void follow();
+    void start();
+    void showResult(const IdentificationPtr& result);
+    void leaveOut();
+    void take();
+    [[nodiscard]] IdentificationRequest request() const;
+
+    const Project& m_project;
+    DataChoice* m_data;
+    ParameterChoice* m_parameters;
+    QComboBox* m_loss;
+    QLabel* m_fault;
+    FitResult* m_shown;
+    QProgressBar* m_progress;
+    QPushButton* m_fit;
+    QPushButton* m_stop;
+    QPushButton* m_leaveOut;
+    QPushButton* m_take;
+    IdentificationRequest m_requested;
+    IdentificationPtr m_result;
+    IdentificationRunner m_runner; ///< last: ended before what it reports to is gone
+};
+
+} // namespace sparkout

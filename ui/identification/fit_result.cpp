@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/identification/fit_result.h"
+
+#include "core/identification/fit_data.h"
+#include "ui/identification/fit_table.h"
+#include "ui/identification/fit_words.h"
+#include "ui/identification/residual_plot.h"
+#include "ui/kit/metrics.h"
+#include "ui/text/names.h"
+#include "ui/text/texts.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <numeric>
+
+namespace sparkout {
+
+namespace {
+
+/// Below it residuals are hardly normal.
+constexpr double doubtfulNormality = 0.05;
+/// Beyond it two parameters are hardly told apart.
+constexpr double closeCorrelation = 0.95;
+
+QLabel* resultLabel(QWidget* parent) {
+    auto* label = new QLabel(parent);
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
+}
+
+} // namespace
+
+FitResult::FitResult(const Project& project, QWidget* parent)
+    : QWidget(parent)
+    , m_project(project)
+    , m_words(resultLabel(this))
+    , m_values(new FitTable(tr("Values found"), this))
+    , m_correlationsName(resultLabel(this))
+    , m_correlations(new FitTable(tr("Correlations of the values"), this))
+    , m_residualsName(resultLabel(this))
+    , m_residuals(new FitTable(tr("Residuals by measurement"), this))
+    , m_normality(resultLabel(this))
+    , m_group(new QComboBox(this))
+    , m_plot(new ResidualPlot(this)) {
+    m_words->setObjectName(QStringLiteral("fitWords"));
+    m_values->setObjectName(QStringLiteral("fitValues"));
+    m_correlations->setObjectName(QStringLiteral("fitCorrelations"));
+    m_residuals->setObjectName(QStringLiteral("fitResiduals"));
+    m_normality->setObjectName(QStringLiteral("fitNormality"));
+    m_group->setObjectName(QStringLiteral("fitGroup"));
+    m_group->setAccessibleName(tr("Residuals drawn"));
+    m_plot->setObjectName(QStringLiteral("fitPlot"));
+    m_plot->setAccessibleName(tr("Measured less predicted"));
+    m_correlationsName->setText(tr("Correlations of the values"));
+    m_residualsName->setText(tr("Measured less predicted"));
+    m_group->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, metrics::gap, 0);
+    column->setSpacing(metrics::gap);
+    for (QWidget* part : std::initializer_list<QWidget*>{
+             m_words, m_values, m_correlationsName, m_correlations, m_residualsName, m_residuals,
+             m_group, m_plot, m_normality}) {
+        column->addWidget(part);
+    }
+    column->addStretch(1);
+    connect(m_group, &QComboBox::currentIndexChanged, this, &FitResult::drawResiduals);
+    clear();
+}
+
+void FitResult::clear() {
+    m_words->setText(tr("No fit yet. Choose measurements and parameters, then Fit."));
+    m_result = {};
+    for (QWidget* part : std::initializer_list<QWidget*>{
+             m_values, m_correlationsName, m_correlations, m_residualsName, m_residuals, m_group,
+             m_plot, m_normality}) {
+        part->hide();
+    }
+}
+
+void FitResult::show(const IdentificationRequest& request, const Identification& result) {
+    clear();
+    m_request = request;
+    m_result = result;
+    m_words->setText(words());
+    if (result.status != IdentificationStatus::fitted) {
+        return;
+    }
+    showValues();
+    showCorrelations();
+    showResiduals();
+    m_normality->setText(normality());
+    m_normality->setVisible(result.normality.has_value());
+}
+
+QString FitResult::words() const {
+    QStringList lines;
+    if (m_result.status == IdentificationStatus::fitted) {
+        lines << tr("Found from %n measured value(s).", nullptr, static_cast<int>(m_result.count));
+        if (std::ranges::none_of(m_request.parameters, [](const FittedParameter& parameter) {
+                return isInput(parameter.kind);
+            })) {
+            lines << tr("Offsets of the traces are no inputs of the project: there is nothing to "
+                        "take.");
+        }
+    } else {
+        lines << tr("No values: %1.").arg(FitWords::status(m_result.status));
+    }
+    for (const Unidentified& one : m_result.unidentified) {
+        lines << FitWords::unidentified(m_project, m_request.parameters, one);
+    }
+    if (!m_result.withoutFactor.empty()) {
+        lines << tr("A current without its factor in kW per A was left out.");
+    }
+    for (const Issue& issue : m_result.issues) {
+        lines << Names::issue(issue);
+    }
+    return lines.join(u'\n');
+}
+
+QString FitResult::normality() const {
+    if (!m_result.normality) {
+        return {};
+    }
+    const double probability = m_result.normality->probability;
+    const QString share = Names::significant(probability, 2);
+    return probability < doubtfulNormality
+               ? tr("The residuals are hardly normal (probability %1): something else than noise "
+                    "may be left in them, and the intervals are too narrow.")
+                     .arg(share)
+               : tr("Nothing speaks against normal residuals (probability %1).").arg(share);
+}
+
+void FitResult::showValues() {
+    std::vector<QStringList> rows;
+    for (const FittedValue& value : m_result.values) {
+        const QString unit = FitWords::unit(value.parameter.kind);
+        rows.push_back({FitWords::parameter(m_project, value.parameter),
+                        FitWords::number(value.value), FitWords::interval(value.interval95),
+                        unit.isEmpty() ? tr("×", "unit of a factor") : unit});
+    }
+    m_values->setCells({tr("Parameter"), tr("Value"), tr("95 % interval"), tr("Unit")}, rows);
+    m_values->show();
+}
+
+void FitResult::showCorrelations() {
+    const std::size_t count = m_result.values.size();
+    if (count < 2 || m_result.correlation.size() != count) {
+        return;
+    }
+    QStringList head{tr("Parameter")};
+    std::vector<QStringList> rows;
+    QString worst;
+    double most = closeCorrelation;
+    for (std::size_t i = 0; i < count; ++i) {
+        head << QString::number(i + 1);
+        const QString name = FitWords::parameter(m_project, m_result.values[i].parameter);
+        QStringList row{QStringLiteral("%1. %2").arg(i + 1).arg(name)};
+        for (std::size_t k = 0; k < count; ++k) {
+            const double value = m_result.correlation[i][k];
+            row << Names::fixed(value, 2);
+            if (k < i && std::abs(value) > most) {
+                most = std::abs(value);
+                worst =
+                    tr("Hardly told apart: %1 and %2.")
+                        .arg(FitWords::parameter(m_project, m_result.values[k].parameter), name);
+            }
+        }
+        rows.push_back(row);
+    }
+    m_correlations->setCells(head, rows);
+    m_correlationsName->setText(worst.isEmpty() ? tr("Correlations of the values")
+                                                : tr("Correlations of the values")
+                                                      + QStringLiteral(". ") + worst);
+    m_correlationsName->show();
+    m_correlations->show();
+}
+
+void FitResult::showResiduals() {
+    std::vector<QStringList> rows;
+    m_group->clear();
+    for (const FitResiduals& group : m_result.residuals) {
+        const QString name = FitWords::group(m_project, group);
+        rows.push_back({name, FitWords::number(group.rms), FitWords::unit(group.source)});
+        m_group->addItem(name);
+    }
+    m_residuals->setCells({tr("Measurement"), tr("RMS"), tr("Unit")}, rows);
+    m_residualsName->show();
+    m_residuals->show();
+    m_group->setVisible(m_group->count() > 1);
+    m_plot->setVisible(m_group->count() > 0);
+    drawResiduals(m_group->currentIndex());
+}
+
+void FitResult::drawResiduals(int group) {
+    const auto index = static_cast<std::size_t>(group);
+    if (group < 0 || index >= m_result.residuals.size()) {
+        return;
+    }
+    const FitResiduals& residuals = m_result.residuals[index];
+    const FitData data = fitDataOf(m_project, m_request.traces, m_request.withParts);
+    const auto of = std::ranges::find_if(data.groups, [&](const FitGroup& one) {
+        return one.source == residuals.source && one.trace == residuals.trace;
+    });
+    std::vector<double> at(residuals.values.size());
+    std::iota(at.begin(), at.end(), 1.0);
+    const bool isTrace = of != data.groups.end() && of->time_s.size() == at.size();
+    m_plot->setResiduals(isTrace ? of->time_s : at, residuals.values,
+                         isTrace ? tr("Time of the trace, s") : tr("Number of the value"),
+                         tr("Difference, %1").arg(FitWords::unit(residuals.source)));
+}
+
+} // namespace sparkout

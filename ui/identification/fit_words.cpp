@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/identification/fit_words.h"
+
+#include "ui/text/names.h"
+#include "ui/text/number_text.h"
+#include "ui/text/texts.h"
+#include "words/measured_words.h"
+
+#include <QStringList>
+
+namespace sparkout {
+
+namespace {
+
+QString worded(const MeasuredWords& words) {
+    return QCoreApplication::translate("Measured", words.text);
+}
+
+FitSource sourceOf(TraceQuantity quantity) {
+    switch (quantity) {
+    case TraceQuantity::wheel_power:
+    case TraceQuantity::spindle_current: return FitSource::power;
+    case TraceQuantity::normal_force: return FitSource::force;
+    case TraceQuantity::gauge_size: break;
+    }
+    return FitSource::size;
+}
+
+QString fileOf(const MeasuredTrace& trace) {
+    return printableText(QString::fromStdString(trace.source));
+}
+
+} // namespace
+
+QString FitWords::place(const Project& project, int place) {
+    return project.operation->hasZones ? Names::zone(static_cast<Zone>(place))
+                                       : Names::zone(Zone::section, place);
+}
+
+QString FitWords::parameter(const Project& project, const FittedParameter& parameter) {
+    const QString name = worded(wordsOf(parameter.kind));
+    return parameter.place
+               ? tr("%1, %2", "parameter, zone").arg(name, place(project, *parameter.place))
+               : name;
+}
+
+QString FitWords::unit(FittedKind kind) {
+    return unitText(unitOf(kind));
+}
+
+QString FitWords::source(FitSource source) {
+    return worded(wordsOf(source));
+}
+
+QString FitWords::unit(FitSource source) {
+    return unitText(unitOf(source));
+}
+
+QString FitWords::trace(const MeasuredTrace& trace) {
+    const QString what = trace.quantity == TraceQuantity::spindle_current
+                             ? tr("current of the spindle")
+                             : source(sourceOf(trace.quantity));
+    const QString file = fileOf(trace);
+    return file.isEmpty() ? tr("%1 (n = %2)").arg(what).arg(trace.values.size())
+                          : tr("%1, %2 (n = %3)").arg(what, file).arg(trace.values.size());
+}
+
+QString FitWords::group(const Project& project, const FitResiduals& residuals) {
+    const bool isTrace =
+        project.measured && residuals.trace >= 0
+        && static_cast<std::size_t>(residuals.trace) < project.measured->traces.size();
+    return isTrace ? trace(project.measured->traces[static_cast<std::size_t>(residuals.trace)])
+                   : tr("%1 (n = %2)").arg(source(residuals.source)).arg(residuals.values.size());
+}
+
+QString FitWords::status(IdentificationStatus status) {
+    return worded(wordsOf(status));
+}
+
+QString FitWords::advice(Advice advice) {
+    return worded(wordsOf(advice));
+}
+
+QString FitWords::unidentified(const Project& project, const std::vector<FittedParameter>& list,
+                               const Unidentified& one) {
+    QStringList names;
+    for (const std::size_t i : one.parameters) {
+        names << parameter(project, list.at(i));
+    }
+    const QString all = names.join(QStringLiteral("; "));
+    return names.size() > 1
+               ? tr("Not told apart by the data: %1. What would help: %2.")
+                     .arg(all, advice(one.advice))
+               : tr("Not told by the data: %1. What would help: %2.").arg(all, advice(one.advice));
+}
+
+QString FitWords::number(double value) {
+    constexpr int digits = 4;
+    return printedNumber(value, digits);
+}
+
+QString FitWords::interval(const Interval& interval) {
+    return number(interval.low) + u'…' + number(interval.high);
+}
+
+std::string FitWords::data(const Project& project, const std::vector<int>& traces, bool withParts) {
+    QStringList names;
+    if (project.measured) {
+        for (const int i : traces) {
+            const auto at = static_cast<std::size_t>(i);
+            if (i < 0 || at >= project.measured->traces.size()) {
+                continue;
+            }
+            const MeasuredTrace& one = project.measured->traces[at];
+            const QString name = one.source.empty() ? source(sourceOf(one.quantity))
+                                                    : QString::fromStdString(one.source);
+            if (!names.contains(name)) {
+                names << name;
+            }
+        }
+        if (withParts) {
+            names << tr("%n measured part(s)", nullptr,
+                        static_cast<int>(project.measured->parts.size()));
+        }
+    }
+    constexpr qsizetype most = 120;
+    const QString all = names.join(QStringLiteral(", "));
+    return (all.size() > most ? all.left(most) + u'…' : all).toStdString();
+}
+
+} // namespace sparkout

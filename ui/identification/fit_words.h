@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/identification.h"
+#include "core/project/measured.h"
+#include "core/project/project.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <vector>
+
+namespace sparkout {
+
+/// A fit and its data in the present language.
+class FitWords {
+    Q_DECLARE_TR_FUNCTIONS(FitWords)
+public:
+    static QString parameter(const Project& project, const FittedParameter& parameter);
+    static QString unit(FittedKind kind); ///< empty of a factor
+    static QString source(FitSource source);
+    static QString unit(FitSource source);
+    static QString trace(const MeasuredTrace& trace); ///< "size at the gauge, trace.csv (n = 261)"
+    static QString group(const Project& project, const FitResiduals& residuals);
+    static QString status(IdentificationStatus status);
+    static QString advice(Advice advice);
+    /// "factor of α, factor of β: record …", what the data do not tell.
+    static QString unidentified(const Project& project, const std::vector<FittedParameter>& list,
+                                const Unidentified& one);
+    static QString place(const Project& project, int place); ///< "RZ1", "Section 2"
+    static QString number(double value);
+    static QString interval(const Interval& interval);
+    /// What a calibration names as its data: "trace.csv, 12 parts".
+    static std::string data(const Project& project, const std::vector<int>& traces, bool withParts);
+};
+
+} // namespace sparkout

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/fit_data.h"
+#include "core/identification/fitted_parameter.h"
+#include "core/project/project.h"
+
+#include <QGroupBox>
+
+#include <vector>
+
+class QCheckBox;
+class QGridLayout;
+
+namespace sparkout {
+
+class NumberField;
+
+/// Which parameters are fitted, each with what is known of it before, if anything.
+class ParameterChoice : public QGroupBox {
+    Q_OBJECT
+
+public:
+    explicit ParameterChoice(const Project& project, QWidget* parent = nullptr);
+
+    void propose(const FitData& data); ///< checks what such data can tell, unchecks the others
+    void uncheck(const FittedParameter& parameter);
+    [[nodiscard]] std::vector<FittedParameter> parameters() const; ///< the checked ones
+    /// Why the values known before cannot be taken; empty: they can.
+    [[nodiscard]] QString fault() const;
+
+signals:
+    void changed();
+
+private:
+    struct Row {
+        FittedParameter parameter;
+        QCheckBox* box;
+        NumberField* mean;
+        NumberField* deviation;
+    };
+    void addHead(QGridLayout& grid);
+    void addRow(QGridLayout& grid, const Project& project, const FittedParameter& parameter);
+
+    std::vector<Row> m_rows;
+};
+
+} // namespace sparkout

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/identification/wheel_page.h"
+
+#include "core/project/part.h"
+#include "core/project/wheel.h"
+#include "core/units.h"
+#include "ui/fields/number_field.h"
+#include "ui/identification/fit_words.h"
+#include "ui/kit/metrics.h"
+#include "ui/text/texts.h"
+
+#include <QComboBox>
+#include <QDate>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace sparkout {
+
+namespace {
+
+std::string dateOfToday() {
+    return QDate::currentDate().toString(Qt::ISODate).toStdString();
+}
+
+QLabel* wheelLabel(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
+}
+
+NumberField* positiveField(const char* unit, const char* name, QWidget* parent) {
+    NumberSpec spec;
+    spec.hard.low = 0;
+    spec.hard.lowOpen = true;
+    spec.unit = unit;
+    spec.optional = true;
+    auto* field = new NumberField(spec, parent);
+    field->setObjectName(QLatin1String(name));
+    field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    return field;
+}
+
+} // namespace
+
+WheelPage::WheelPage(const Project& project, QWidget* parent)
+    : QWidget(parent)
+    , m_project(project)
+    , m_roughness(roughnessFromParts(project))
+    , m_reading(new QComboBox(this))
+    , m_value(positiveField("N", "limitValue", this))
+    , m_unit(new QLabel(this))
+    , m_width(positiveField("mm", "limitWidth", this))
+    , m_found(wheelLabel({}, this))
+    , m_take(new QPushButton(tr("Take over the s&trengths"), this)) {
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(buildRoughness());
+    column->addWidget(buildStrengths());
+    column->addStretch(1);
+    showStrengths();
+}
+
+QWidget* WheelPage::buildRoughness() {
+    auto* box = new QGroupBox(tr("Roughness Ra"), this);
+    auto* column = new QVBoxLayout(box);
+    auto* words = wheelLabel({}, box);
+    words->setObjectName(QStringLiteral("roughnessFound"));
+    auto* take = new QPushButton(tr("Take over the &Ra factor"), box);
+    take->setObjectName(QStringLiteral("roughnessTake"));
+    take->setEnabled(m_roughness.has_value());
+    if (!m_roughness) {
+        words->setText(tr("No Ra is measured, or the cycle does not end at size. Measured Ra comes "
+                          "into the project with the parts: Import measurements…"));
+    } else {
+        QStringList lines{tr("Factor of Ra: %1, now %2 (n = %3).")
+                              .arg(FitWords::number(m_roughness->factor),
+                                   FitWords::number(m_project.wheel->roughness_factor))
+                              .arg(m_roughness->count)};
+        if (m_roughness->interval95) {
+            lines << tr("95 % interval: %1.").arg(FitWords::interval(*m_roughness->interval95));
+        }
+        const QString wheel = printableText(QString::fromStdString(m_roughness->wheel));
+        const QString dressing = printableText(QString::fromStdString(m_roughness->dressing));
+        if (!wheel.isEmpty() || !dressing.isEmpty()) {
+            lines << tr("It holds for this wheel and its dressing: %1")
+                         .arg(QStringList{wheel, dressing}.join(QStringLiteral("; ")));
+        } else {
+            lines << tr("It holds for this wheel and its dressing.");
+        }
+        words->setText(lines.join(u'\n'));
+    }
+    column->addWidget(words);
+    column->addWidget(take, 0, Qt::AlignLeft);
+    connect(take, &QPushButton::clicked, this, [this] {
+        const auto count = static_cast<int>(m_roughness->count);
+        emit taken(withRoughness(m_project, *m_roughness,
+                                 tr("measured Ra of %n part(s)", nullptr, count).toStdString(),
+                                 dateOfToday()));
+    });
+    return box;
+}
+
+QWidget* WheelPage::buildStrengths() {
+    auto* box = new QGroupBox(tr("Strengths of the wheel"), this);
+    auto* column = new QVBoxLayout(box);
+    column->addWidget(wheelLabel(
+        tr("One reading at which the wheel just began to shed its grains gives a common factor of "
+           "the four strengths of grain and bond."),
+        box));
+    m_reading->setObjectName(QStringLiteral("limitReading"));
+    m_reading->addItem(tr("normal force"), static_cast<int>(LimitReading::normal_force));
+    m_reading->addItem(tr("power of the wheel, without idle power"),
+                       static_cast<int>(LimitReading::wheel_power));
+    m_width->setValue(std::min(m_project.wheel->width_mm, m_project.part->length_mm));
+    m_found->setObjectName(QStringLiteral("strengthsFound"));
+    m_take->setObjectName(QStringLiteral("strengthsTake"));
+    const auto line = [box](QWidget* field, QWidget* unit) {
+        auto* row = new QHBoxLayout;
+        row->addWidget(field);
+        row->addWidget(unit);
+        row->addStretch(1);
+        (void)box;
+        return row;
+    };
+    auto* form = new QFormLayout;
+    form->addRow(tr("Readin&g:"), m_reading);
+    auto* valueLabel = new QLabel(tr("&Value at the limit:"), box);
+    valueLabel->setBuddy(m_value);
+    m_value->setAccessibleName(tr("Value at the limit"));
+    form->addRow(valueLabel, line(m_value, m_unit));
+    auto* widthLabel = new QLabel(tr("&Width of cut:"), box);
+    widthLabel->setBuddy(m_width);
+    m_width->setAccessibleName(tr("Width of cut, mm"));
+    form->addRow(widthLabel, line(m_width, new QLabel(unitText("mm"), box)));
+    column->addLayout(form);
+    column->addWidget(m_found);
+    column->addWidget(m_take, 0, Qt::AlignLeft);
+    connect(m_reading, &QComboBox::currentIndexChanged, this, &WheelPage::showStrengths);
+    for (const NumberField* field : {m_value, m_width}) {
+        connect(field, &NumberField::valueEdited, this, &WheelPage::showStrengths);
+        connect(field, &NumberField::remarkChanged, this, &WheelPage::showStrengths);
+    }
+    connect(m_take, &QPushButton::clicked, this, [this] {
+        emit taken(withStrengths(m_project, *m_strengths,
+                                 tr("one reading at the limit, %1 %2")
+                                     .arg(FitWords::number(*m_value->value()), m_unit->text())
+                                     .toStdString(),
+                                 dateOfToday()));
+    });
+    return box;
+}
+
+void WheelPage::showStrengths() {
+    const auto reading = static_cast<LimitReading>(m_reading->currentData().toInt());
+    m_unit->setText(unitText(reading == LimitReading::normal_force ? "N" : "kW"));
+    const bool isTyped =
+        m_value->value() && m_width->value() && !m_value->refused() && !m_width->refused();
+    m_strengths = isTyped
+                      ? strengthsFromLimit(m_project, reading, *m_value->value(), *m_width->value())
+                      : std::nullopt;
+    m_take->setEnabled(m_strengths.has_value());
+    if (m_strengths) {
+        m_found->setText(tr("Factor of the strengths: %1; depth of that cut: %2 µm.")
+                             .arg(FitWords::number(m_strengths->factor),
+                                  FitWords::number(m_strengths->depth_mm * units::umPerMm)));
+    } else {
+        m_found->setText(isTyped ? tr("The strengths of grain and bond are not given: the page "
+                                      "Wheel of the inputs has them.")
+                                 : QString());
+    }
+}
+
+} // namespace sparkout
