@@ -124,8 +124,9 @@ std::string rowText(const Project& project, const AdequacyRow& row) {
                 + " µm";
     }
     if (row.scatter) {
-        text += "; F = " + fixed(row.scatter->ratio, 2) + " (" + fixed(row.scatter->low, 2) + "…"
-                + fixed(row.scatter->high, 2) + ")";
+        constexpr double most = 1e4; // where next to nothing is predicted to scatter
+        text += "; F = " + (row.scatter->ratio > most ? "over 10000" : fixed(row.scatter->ratio, 2))
+                + " (" + fixed(row.scatter->low, 2) + "…" + fixed(row.scatter->high, 2) + ")";
     }
     if (row.share) {
         constexpr double perCent = 100;

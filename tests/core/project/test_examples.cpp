@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The shipped example projects: well formed, in the writer's own form, and what their notes say.
+#include "core/adequacy/adequacy.h"
 #include "core/batch/batch_summary.h"
 #include "core/format/project_file.h"
 #include "core/project/batch.h"
@@ -133,9 +134,10 @@ private slots:
     }
 
     void theExamplesArePresent() {
-        for (const char* name : {"internal-plunge", "plunge-shaft-two-stage", "shaft-30h6-factory",
-                                 "shaft-30h6-optimal", "shaft-38-74h6", "slender-shaft",
-                                 "spark-out-until-size", "wheel-dull", "wheel-sharp"}) {
+        for (const char* name :
+             {"internal-plunge", "plunge-shaft-two-stage", "shaft-30h6-factory",
+              "shaft-30h6-measured", "shaft-30h6-optimal", "shaft-38-74h6", "slender-shaft",
+              "spark-out-until-size", "wheel-dull", "wheel-sharp"}) {
             QVERIFY2(m_results.contains(name), name);
         }
     }
@@ -254,6 +256,23 @@ private slots:
         const QString text = QStringLiteral("here it is %1 %").arg(gain * 100, 0, 'f', 1);
         QVERIFY2(QString::fromStdString(result("shaft-30h6-optimal").project.notes).contains(text),
                  qPrintable(text));
+    }
+
+    /// What table 2 of the thesis states as measured is judged as it stands: three quantities in
+    /// three zones, the mean of РЗ1 alone within the range that the example predicts.
+    void theMeasuredExampleIsJudged() {
+        const Project project = TestExamples::project("shaft-30h6-measured");
+        const std::vector<AdequacyRow> rows =
+            judgeAdequacy(project, runBatch(predictingProject(project)));
+        QCOMPARE(rows.size(), std::size_t{9});
+        for (const AdequacyRow& row : rows) {
+            QVERIFY(row.measured.isSummary && row.measured.count == 50 && row.predicted);
+            const bool isInside = row.measured.quantity == MeasuredQuantity::diameter_deviation
+                                  && row.measured.place == 0;
+            QCOMPARE(row.meanPlace == MeanPlace::inside, isInside);
+            QVERIFY(!row.share);
+        }
+        QVERIFY(!speaksForModel(rows));
     }
 
     /// Table 2 of the thesis is of a batch of 50; so the notes state what this engine makes of one.
