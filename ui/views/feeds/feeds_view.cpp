@@ -541,6 +541,7 @@ void FeedsView::nameParts() {
                tr("Values under the pointer"));
     m_plot->setAccessibleName(tr("Curves of the feeds by stage"));
     m_traces->setAccessibleName(tr("Measured traces beside the simulated curves"));
+    m_traces->cursors()->retranslate();
     m_span->setPlaceholderText(tr("Free choice"));
     m_strokeLabel->setText(tr("No.", "number of the double stroke or revolution"));
     tell(*m_span, tr("Visible part of the cycle"));

@@ -108,6 +108,7 @@ void TracesPlot::build() {
     clearGraphs();
     m_cells.clear();
     plotLayout()->clear();
+    plotLayout()->setRowSpacing(0);
     for (std::size_t i = 0; m_traces && i < m_traces->size(); ++i) {
         addCell((*m_traces)[i]);
     }
