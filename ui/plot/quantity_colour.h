@@ -23,6 +23,9 @@ enum class Drawn {
     force,
     oddStage,  ///< bands behind the curves
     evenStage, ///< likewise
+    measuredValue,
+    simulatedValue,     ///< beside a measured one
+    measuredDifference, ///< measured less simulated
     // The part.
     profile, ///< and its spread over the radii
     blank,

@@ -6,6 +6,7 @@
 #include "tests/ui/support/window_bench.h"
 #include "ui/inputs/forms/stage_table.h"
 #include "ui/inputs/inputs_panel.h"
+#include "ui/inputs/messages_panel.h"
 #include "ui/kit/font_size.h"
 #include "ui/plot/svg_device.h"
 #include "ui/views/feeds/feeds_plot.h"

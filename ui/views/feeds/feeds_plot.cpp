@@ -8,6 +8,7 @@
 #include "ui/text/names.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace sparkout {
 
@@ -321,6 +322,9 @@ ReadCurves FeedsPlot::readCurves() const {
         if (c.edge == Edge::mean && shows(FeedsChart::keyOf(c.quantity))) {
             curves.push_back(m_chart.readCurve(c.column, c.quantity));
         }
+    }
+    if (m_beside) {
+        std::ranges::move(m_beside(), std::back_inserter(curves));
     }
     return curves;
 }

@@ -7,7 +7,9 @@
 #include "ui/views/feeds/feeds_grid.h"
 
 #include <array>
+#include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace sparkout {
@@ -56,6 +58,8 @@ public:
     [[nodiscard]] CsvTable table() const override { return m_chart.table(choice()); }
     [[nodiscard]] ReadCurves readCurves() const override; ///< without their spread
     [[nodiscard]] CursorSubject cursorSubject() override;
+    /// Curves over the same times that another plot draws: the cursors read them, too.
+    void readBeside(std::function<ReadCurves()> curves) { m_beside = std::move(curves); }
     [[nodiscard]] BandLayer* bands(int column, int row) const {
         return m_grid.column(column).bands.at(static_cast<std::size_t>(row));
     }
@@ -111,6 +115,7 @@ private:
     HairLine* m_momentLine;
     HairLine* m_hairLine;
     std::optional<double> m_moment_s;
+    std::function<ReadCurves()> m_beside;
     std::vector<Curve> m_curves;
     bool m_linking = false;
     std::array<RowValues, FeedsGrid::rowCount> m_values{};

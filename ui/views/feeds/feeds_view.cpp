@@ -3,6 +3,7 @@
 
 #include "core/process/system_compliance.h"
 #include "core/project/machine.h"
+#include "core/project/measured.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme_icon.h"
@@ -14,6 +15,8 @@
 #include "ui/views/feeds/feeds_note.h"
 #include "ui/views/feeds/feeds_overview.h"
 #include "ui/views/feeds/feeds_plot.h"
+#include "ui/views/feeds/trace_comparer.h"
+#include "ui/views/feeds/traces_plot.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -26,24 +29,35 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace sparkout {
 
 namespace {
-constexpr int strokeGesture = 2001, overviewGesture = 2002; ///< for PlotNavigation::gestureOf()
-constexpr int wideView = 900, narrowView = 430;             ///< at the usual size of type
+constexpr int strokeGesture = 2001, overviewGesture = 2002,
+              traceGesture = 2003;              ///< for PlotNavigation::gestureOf()
+constexpr int wideView = 900, narrowView = 430; ///< at the usual size of type
 } // namespace
 
 FeedsView::FeedsView(QWidget* parent, Settings* settings)
     : PlotView(QStringLiteral("feeds"), parent, settings)
     , m_plot(new FeedsPlot(this))
+    , m_traces(new TracesPlot(this))
+    , m_comparer(new TraceComparer(this))
     , m_overview(new FeedsOverview(*m_plot, this)) {
     PlotSubject subject;
     subject.navigation.fit = [this] { fitAll(); };
     addPlot(*m_plot, std::move(subject));
     addCursors(*m_plot);
+    buildTraces();
     QWidget* bar = buildTools();
-    QScrollArea* area = scrolled(*m_plot);
+    auto* rows = new QWidget(this);
+    auto* both = new QVBoxLayout(rows);
+    both->setContentsMargins(0, 0, 0, 0);
+    both->setSpacing(0);
+    both->addWidget(m_plot, 3);
+    both->addWidget(m_traces, 1);
+    QScrollArea* area = scrolled(*rows);
     area->setObjectName(QStringLiteral("feedsArea"));
     hideUntilDrawn({area, m_overview});
     disableUntilDrawn({m_span, m_stroke, m_axis, m_section});
@@ -82,6 +96,9 @@ QWidget* FeedsView::buildTools() {
     row->addStretch();
     addBoxes(*row, {m_section, m_axis});
     addButtons(*row, {cursors()->toggle, tools()->back, tools()->forward, tools()->fit});
+    m_traceExport = m_traces->tools()->exportButton(bar);
+    m_traceExport->setVisible(false);
+    row->addWidget(m_traceExport);
     row->addWidget(m_note);
     nameObjects({{m_span, "span"},
                  {m_stroke, "stroke"},
@@ -126,6 +143,100 @@ void FeedsView::connectPlot() {
     connect(m_overview, &FeedsOverview::fitAsked, &navigation, &PlotNavigation::fit);
 }
 
+// --- the traces ---------------------------------------------------------------------------------
+
+void FeedsView::buildTraces() {
+    PlotSubject subject;
+    subject.name = [] { return tr("measured traces"); };
+    subject.icon = u"export_length";
+    addPlot(*m_traces, std::move(subject));
+    m_traces->hide();
+    linkCursors();
+    m_plot->readBeside([this] { return m_traces->readCurves(); });
+    connect(m_comparer, &TraceComparer::compared, this,
+            [this](const TraceComparisonsPtr& traces, const OutcomePtr& of) {
+                m_traces->setEnd(m_plot->series().end_s);
+                m_traces->setTraces(traces, of->result.project);
+                showTraceTimes();
+                showState();
+                showLegend();
+                replotAll();
+                emit updated();
+            });
+    connect(m_plot, &FeedsPlot::timesChanged, this, &FeedsView::showTraceTimes);
+    connect(m_traces, &TracesPlot::timesWanted, this, [this](double from_s, double to_s) {
+        m_plot->showTimes(from_s, to_s);
+        m_plot->replot(QCustomPlot::rpQueuedReplot);
+        readSpan();
+        PlotNavigation& navigation = tools()->navigation();
+        navigation.noteView(navigation.gestureOf(traceGesture));
+    });
+    connect(m_traces, &TracesPlot::fitWanted, this, [this] { tools()->navigation().fit(); });
+    connect(m_traces, &TracesPlot::timeClicked, this,
+            [this](double time_s) { cycle().toTime(time_s); });
+}
+
+/// Both plots show the two cursors, which are those of the strip.
+void FeedsView::linkCursors() {
+    PlotCursors& own = m_traces->addCursors();
+    PlotCursors& shared = *m_plot->cursors();
+    connect(shared.toggle, &QAction::toggled, own.toggle, &QAction::setChecked);
+    connect(own.toggle, &QAction::toggled, shared.toggle, &QAction::setChecked);
+    const auto follow = [](const PlotCursors& from, PlotCursors& to) {
+        for (std::size_t i = 0; i < PlotCursors::count; ++i) {
+            if (from.at(i) && from.at(i) != to.at(i)) {
+                to.moveTo(i, *from.at(i));
+            }
+        }
+    };
+    connect(&shared, &PlotCursors::moved, this, [=, &own, &shared] { follow(shared, own); });
+    connect(&own, &PlotCursors::moved, this, [=, &own, &shared] { follow(own, shared); });
+}
+
+void FeedsView::compareTraces() {
+    const auto& measured = good()->result.project.measured;
+    if (measured && !measured->traces.empty()) {
+        m_comparer->compare(good());
+    } else {
+        m_comparer->drop();
+        if (!m_traces->isEmpty()) {
+            m_traces->setTraces(nullptr, good()->result.project);
+        }
+    }
+}
+
+bool FeedsView::busy() const {
+    return m_comparer->running();
+}
+
+/// In sight are the times of the feeds, below them too.
+void FeedsView::showTraceTimes() {
+    if (!m_traces->isEmpty()) {
+        m_traces->setEnd(m_plot->series().end_s);
+        m_traces->showTimes(m_plot->scale(), m_plot->visibleFrom_s(), m_plot->visibleTo_s(),
+                            m_plot->timeLabel());
+        m_traces->replot(QCustomPlot::rpQueuedReplot);
+    }
+}
+
+void FeedsView::showLegend() {
+    LegendEntries entries = m_plot->legendEntries();
+    std::ranges::move(m_traces->legendEntries(), std::back_inserter(entries));
+    legend()->setEntries(std::move(entries));
+}
+
+void FeedsView::toggleCurve(int key) {
+    ViewPlot* const plot =
+        key >= TracesPlot::measuredKey ? static_cast<ViewPlot*>(m_traces) : m_plot;
+    plot->toggleCurve(key);
+}
+
+void FeedsView::showOnly(int key) {
+    ViewPlot* const plot =
+        key >= TracesPlot::measuredKey ? static_cast<ViewPlot*>(m_traces) : m_plot;
+    plot->showOnly(key);
+}
+
 // --- the run ------------------------------------------------------------------------------------
 
 bool FeedsView::draws(const Outcome& outcome) const {
@@ -160,6 +271,7 @@ void FeedsView::takeOutcome(const OutcomePtr& before) {
         fillAxes();
     }
     m_plot->setRun(good(), shownColumns());
+    compareTraces();
     fillSections();
     fillSpans();
     applySpan();
@@ -191,6 +303,8 @@ void FeedsView::showState() {
     PlotView::showState();
     values()->setVisible(drawn() && !cursors()->toggle->isChecked()); // their table tells them
     m_section->setVisible(m_section->count() > 0);
+    m_traces->setVisible(drawn() && !m_traces->isEmpty());
+    m_traceExport->setVisible(!m_traces->isEmpty());
     showSpan();
 }
 
@@ -259,7 +373,9 @@ void FeedsView::applySpan() {
 /// None while all of the cycle is done.
 void FeedsView::showMoment() {
     const CycleCursor* const at = cycleIn(good());
-    m_plot->setMoment(at && !at->atEnd() ? std::optional(at->time_s()) : std::nullopt);
+    const auto moment_s = at && !at->atEnd() ? std::optional(at->time_s()) : std::nullopt;
+    m_plot->setMoment(moment_s);
+    m_traces->setMoment(moment_s);
     m_overview->update();
 }
 
@@ -424,6 +540,8 @@ void FeedsView::nameParts() {
     nameAround(tr("Legend of the curves"), tr("State of the curves"),
                tr("Values under the pointer"));
     m_plot->setAccessibleName(tr("Curves of the feeds by stage"));
+    m_traces->setAccessibleName(tr("Measured traces beside the simulated curves"));
+    m_traces->cursors()->retranslate();
     m_span->setPlaceholderText(tr("Free choice"));
     m_strokeLabel->setText(tr("No.", "number of the double stroke or revolution"));
     tell(*m_span, tr("Visible part of the cycle"));

@@ -16,6 +16,8 @@ namespace sparkout {
 class FeedsNote;
 class FeedsOverview;
 class FeedsPlot;
+class TraceComparer;
+class TracesPlot;
 
 /// The view "Feeds by stage": programmed and actual feed, accumulated feeds with the radii before
 /// and after, axial feed and force; over the whole cycle, one stage or one double stroke.
@@ -25,10 +27,12 @@ public:
     explicit FeedsView(QWidget* parent = nullptr, Settings* settings = nullptr);
 
     [[nodiscard]] FeedsPlot* plot() const { return m_plot; }
+    [[nodiscard]] TracesPlot* traces() const { return m_traces; }
     [[nodiscard]] FeedsOverview* overview() const { return m_overview; }
 
     [[nodiscard]] QString title() const override;
     [[nodiscard]] bool showsMoment() const override { return true; }
+    [[nodiscard]] bool busy() const override; ///< with the traces
     [[nodiscard]] QString brief() const override;
     void showPlace(const Place& place); ///< the double stroke or revolution, and its section
     void showStage(int stage);          ///< from 1; nothing of one that never began
@@ -39,6 +43,9 @@ protected:
     void takeOutcome(const OutcomePtr& before) override;
     void followCycle() override;
     void showState() override;
+    void showLegend() override;
+    void toggleCurve(int key) override;
+    void showOnly(int key) override;
     void nameParts() override;
     [[nodiscard]] QString noticeText() const override;
     [[nodiscard]] QString remark() const override;
@@ -52,6 +59,10 @@ private:
     QWidget* buildTools();
     void connectTools();
     void connectPlot();
+    void buildTraces();
+    void linkCursors();
+    void compareTraces();
+    void showTraceTimes();
     void fillSpans();
     void fillAxes();
     void fillSections();
@@ -71,6 +82,9 @@ private:
     [[nodiscard]] std::vector<int> shownColumns() const;
 
     FeedsPlot* m_plot;
+    TracesPlot* m_traces;
+    TraceComparer* m_comparer;
+    QToolButton* m_traceExport = nullptr;
     FeedsOverview* m_overview;
     FeedsNote* m_noteDialog = nullptr;
     QComboBox* m_span = nullptr;

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/trace_comparison.h"
+#include "core/study/outcome.h"
+#include "ui/session/newest_job.h"
+
+#include <QObject>
+
+#include <memory>
+#include <vector>
+
+namespace sparkout {
+
+using TraceComparisonsPtr = std::shared_ptr<const std::vector<TraceComparison>>;
+
+/// Compares the traces of a project with its run off the window's thread; a newer run replaces the
+/// older one.
+class TraceComparer : public QObject {
+    Q_OBJECT
+
+public:
+    explicit TraceComparer(QObject* parent = nullptr);
+
+    void compare(const OutcomePtr& outcome);
+    void drop(); ///< what runs, without an answer
+    [[nodiscard]] bool running() const { return m_running; }
+
+signals:
+    void compared(sparkout::TraceComparisonsPtr traces, sparkout::OutcomePtr of);
+
+private:
+    bool m_running = false;
+    NewestJob m_job; ///< last: stopped before what it reports to is gone
+};
+
+} // namespace sparkout
