@@ -22,7 +22,7 @@ namespace sparkout {
 namespace {
 
 constexpr double noNumber = std::numeric_limits<double>::quiet_NaN();
-constexpr int timeDigits = 3;
+constexpr int barTimeDigits = 3;
 
 } // namespace
 
@@ -50,7 +50,7 @@ BarChart SurfaceBars::chartOf(const SetupState& state, const std::vector<Surface
     chart.unit = unitText("min");
     chart.secondAxis = tr("Margin");
     chart.secondUnit = QStringLiteral("%");
-    chart.number = [](double value) { return Names::significant(value, timeDigits); };
+    chart.number = [](double value) { return Names::significant(value, barTimeDigits); };
     chart.secondNumber = [](double value) {
         return Names::fixed(value, std::abs(value) < 10 ? 1 : 0);
     };

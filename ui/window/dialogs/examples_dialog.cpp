@@ -28,7 +28,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr QSize pictureSize(130, 50);
+constexpr QSize thumbnailSize(130, 50);
 constexpr int timeDigits = 3;
 
 } // namespace
@@ -52,7 +52,7 @@ ExamplesDialog::ExamplesDialog(QWidget* parent)
     setHelpTopic(*this, QStringLiteral("start#examples"));
     setWindowTitle(tr("Example gallery"));
     m_list->setAccessibleName(tr("Examples"));
-    m_list->setIconSize(pictureSize);
+    m_list->setIconSize(thumbnailSize);
     m_list->setSpacing(metrics::hair);
     m_list->setWordWrap(true);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -113,7 +113,7 @@ QString ExamplesDialog::resultOf(const Entry& entry) {
 
 void ExamplesDialog::fill() {
     PartDrawing drawing;
-    drawing.resize(pictureSize);
+    drawing.resize(thumbnailSize);
     for (const QString& path : paths()) {
         Document document;
         if (hasErrors(document.openCopy(textOf(path)))) {
