@@ -16257,7 +16257,7 @@ good</source>
         <message>
             <source>Measured</source>
             <comment>the view&apos;s tab</comment>
-            <translation>Замеры</translation>
+            <translation>Измерения</translation>
         </message>
     </context>
 </TS>

@@ -185,7 +185,7 @@ QWidget* ImportDialog::buildEnd() {
     column->addWidget(m_state);
     column->addWidget(m_progress);
     column->addWidget(m_faults);
-    column->addWidget(m_without);
+    column->addWidget(m_without, 0, Qt::AlignLeft);
     return end;
 }
 

@@ -27,7 +27,9 @@ QString capitalised(QString text) {
 }
 
 QString fromTo(double low, double high, MeasuredQuantity quantity) {
-    return MeasuredText::value(low, quantity) + u'…' + MeasuredText::value(high, quantity);
+    const QString from = MeasuredText::value(low, quantity);
+    const QString to = MeasuredText::value(high, quantity);
+    return from == to ? from : from + u'…' + to;
 }
 
 } // namespace
@@ -140,21 +142,19 @@ QString MeasuredText::mean(const AdequacyRow& row) {
 }
 
 QString MeasuredText::predicted(const AdequacyRow& row) {
-    if (!row.predicted) {
-        return noneStated;
-    }
-    const MeasuredQuantity of = row.measured.quantity;
-    return row.predicted->low == row.predicted->high
-               ? value(row.predicted->low, of)
-               : fromTo(row.predicted->low, row.predicted->high, of);
+    return row.predicted ? fromTo(row.predicted->low, row.predicted->high, row.measured.quantity)
+                         : noneStated;
 }
 
 QString MeasuredText::scatter(const AdequacyRow& row) {
-    return row.scatter ? QStringLiteral("%1 (%2…%3)")
-                             .arg(Names::significant(row.scatter->ratio),
-                                  Names::significant(row.scatter->low, 2),
-                                  Names::significant(row.scatter->high, 2))
-                       : noneStated;
+    if (!row.scatter) {
+        return noneStated;
+    }
+    constexpr double most = 999; // a prediction that hardly scatters
+    return QStringLiteral("%1 (%2…%3)")
+        .arg(row.scatter->ratio > most ? QStringLiteral(">999")
+                                       : Names::significant(row.scatter->ratio),
+             Names::significant(row.scatter->low, 2), Names::significant(row.scatter->high, 2));
 }
 
 QString MeasuredText::share(const AdequacyRow& row) {

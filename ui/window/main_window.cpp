@@ -52,6 +52,7 @@
 #include <QCloseEvent>
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMimeData>
 #include <QStatusBar>
@@ -610,6 +611,15 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
     m_layout->save();
     event->accept();
+}
+
+/// A table is pasted into the view of measurements, also while the focus is on its tab.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+    if (event->matches(QKeySequence::Paste) && m_tabs->currentWidget() == m_measured) {
+        emit m_measured->pasteAsked();
+    } else {
+        QMainWindow::keyPressEvent(event);
+    }
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -7,10 +7,10 @@
 #include "ui/session/document.h"
 #include "ui/views/measured/data_delegate.h"
 
-#include <QAction>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QItemSelectionModel>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
@@ -62,11 +62,6 @@ DataSheet::DataSheet(DataModel::List list, Document& document, Settings* setting
     column->addLayout(row);
     column->addWidget(m_table, 1);
     m_add->setVisible(list != DataModel::List::traces);
-    auto* removal = new QAction(this);
-    removal->setShortcut(Qt::CTRL | Qt::Key_Delete);
-    removal->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    addAction(removal);
-    connect(removal, &QAction::triggered, this, &DataSheet::removeRows);
     connect(m_add, &QPushButton::clicked, this, &DataSheet::addRow);
     connect(m_remove, &QPushButton::clicked, this, &DataSheet::removeRows);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
@@ -91,6 +86,14 @@ void DataSheet::removeRows() {
         }
     }
     m_model->removeRows(std::move(rows));
+}
+
+void DataSheet::keyPressEvent(QKeyEvent* event) {
+    if (event->keyCombination() == QKeyCombination(Qt::ControlModifier, Qt::Key_Delete)) {
+        removeRows();
+    } else {
+        QWidget::keyPressEvent(event);
+    }
 }
 
 void DataSheet::showButtons() {

@@ -22,6 +22,9 @@ public:
     [[nodiscard]] CopyTable* table() const { return m_table; }
     void retranslate();
 
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
 private:
     void addRow();
     void removeRows();

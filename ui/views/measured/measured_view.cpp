@@ -15,9 +15,9 @@
 #include "ui/text/names.h"
 #include "ui/views/measured/data_sheet.h"
 
-#include <QAction>
 #include <QComboBox>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QProgressBar>
@@ -143,11 +143,6 @@ void MeasuredView::connectParts() {
             static_cast<int>(rows().at(static_cast<std::size_t>(row)).measured.quantity));
         m_quantity->setCurrentIndex(at);
     });
-    auto* pasting = new QAction(this);
-    pasting->setShortcut(QKeySequence::Paste);
-    pasting->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    addAction(pasting);
-    connect(pasting, &QAction::triggered, this, &MeasuredView::pasteAsked);
 }
 
 const std::vector<AdequacyRow>& MeasuredView::rows() const {
@@ -157,6 +152,15 @@ const std::vector<AdequacyRow>& MeasuredView::rows() const {
 BatchOutcomePtr MeasuredView::prediction() const {
     return stale() || !m_batch || m_batch->result.status != BatchStatus::completed ? nullptr
                                                                                    : m_batch;
+}
+
+/// What its fields and tables do not take themselves.
+void MeasuredView::keyPressEvent(QKeyEvent* event) {
+    if (event->matches(QKeySequence::Paste)) {
+        emit pasteAsked();
+    } else {
+        PlotView::keyPressEvent(event);
+    }
 }
 
 // --- choices ------------------------------------------------------------------------------------

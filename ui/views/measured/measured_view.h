@@ -61,6 +61,7 @@ protected:
     [[nodiscard]] QString keptText() const override;
     [[nodiscard]] QString remark() const override;
     [[nodiscard]] QStringList subheading() const override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     QWidget* buildTools();
