@@ -136,12 +136,12 @@ QWidget* ImportDialog::buildDialect() {
         return label;
     };
     m_layout->addItems({tr("Headings above columns"), tr("Lines time|key|value")});
-    m_delimiter->addItem(tr("comma"), u',');
-    m_delimiter->addItem(tr("semicolon"), u';');
-    m_delimiter->addItem(tr("tab"), u'\t');
-    m_delimiter->addItem(tr("vertical bar"), u'|');
-    m_decimal->addItem(tr("point"), u'.');
-    m_decimal->addItem(tr("comma"), u',');
+    m_delimiter->addItem(tr("comma"), QChar(u','));
+    m_delimiter->addItem(tr("semicolon"), QChar(u';'));
+    m_delimiter->addItem(tr("tab"), QChar(u'\t'));
+    m_delimiter->addItem(tr("vertical bar"), QChar(u'|'));
+    m_decimal->addItem(tr("point"), QChar(u'.'));
+    m_decimal->addItem(tr("comma"), QChar(u','));
     m_first->addItems({tr("from 0"), tr("from 1")});
     add(tr("La&yout:"), m_layout, "importLayout");
     add(tr("&Delimiter:"), m_delimiter, "importDelimiter");

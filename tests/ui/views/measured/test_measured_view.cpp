@@ -223,6 +223,9 @@ private slots:
         answers.seen = [&isFirst](QDialog& dialog) {
             QVERIFY(isRead(dialog));
             if (std::exchange(isFirst, false)) {
+                const auto* delimiter =
+                    dialog.findChild<QComboBox*>(QStringLiteral("importDelimiter"));
+                QCOMPARE(delimiter->currentText(), QStringLiteral("tab"));
                 const auto* faults = dialog.findChild<QListWidget*>(QStringLiteral("importFaults"));
                 QVERIFY(faults->isVisible());
                 QCOMPARE(faults->count(), 1);
