@@ -4,9 +4,12 @@
 #include "app/batch_watch.h"
 #include "app/stop_signals.h"
 #include "app/window_io.h"
+#include "core/adequacy/prediction.h"
 #include "core/project/batch.h"
 #include "core/setup/setup_run.h"
+#include "core/study/batch_edits.h"
 #include "core/study/evaluate.h"
+#include "ui/report/documents/passport_measured.h"
 #include "ui/report/format/report_text.h"
 #include "ui/text/texts.h"
 
@@ -110,6 +113,11 @@ std::variant<report::Subject, int> subjectOf(const ReportRequest& request) {
         if (!subject.batch->ran()) {
             return refuse(subject.batch->issues);
         }
+    }
+    if (report::rowOf(request.kind).takesBatch && report::PassportMeasured::applies(*project)) {
+        const Project predicting = predictingProject(*project);
+        const bool fits = subject.batch && sameBatch(subject.batch->result.project, predicting);
+        subject.predicting = fits ? subject.batch : runWatched(predicting);
     }
     return subject;
 }

@@ -363,4 +363,65 @@
             </translation>
         </message>
     </context>
+    <context>
+        <name>MeasuredText</name>
+        <message numerus="yes">
+            <source>and %n more</source>
+            <translation>
+                <numerusform>and %n more</numerusform>
+                <numerusform>and %n more</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>PassportMeasured</name>
+        <message numerus="yes">
+            <source>Mean with Student&apos;s interval of 95 %; predicted: the range that 95 % of %n part(s) of the batch lie in; F: the variance of the measured parts over the predicted one, with what it stays between by chance; inside: measured parts within the predicted range.</source>
+            <translation>
+                <numerusform>Mean with Student&apos;s interval of 95 %; predicted: the range that 95 % of %n part of the batch lie in; F: the variance of the measured parts over the predicted one, with what it stays between by chance; inside: measured parts within the predicted range.</numerusform>
+                <numerusform>Mean with Student&apos;s interval of 95 %; predicted: the range that 95 % of %n parts of the batch lie in; F: the variance of the measured parts over the predicted one, with what it stays between by chance; inside: measured parts within the predicted range.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ImportDialog</name>
+        <message numerus="yes">
+            <source>%n part(s)</source>
+            <translation>
+                <numerusform>%n part</numerusform>
+                <numerusform>%n parts</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n row(s) of zones or sections that the project does not have</source>
+            <translation>
+                <numerusform>%n row of zones or sections that the project does not have</numerusform>
+                <numerusform>%n rows of zones or sections that the project does not have</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n line(s) read</source>
+            <translation>
+                <numerusform>%n line read</numerusform>
+                <numerusform>%n lines read</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n cell(s) are refused:</source>
+            <translation>
+                <numerusform>%n cell is refused:</numerusform>
+                <numerusform>%n cells are refused:</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::MeasuredView</name>
+        <message numerus="yes">
+            <source>Predicted of %n part(s).</source>
+            <translation>
+                <numerusform>Predicted of %n part.</numerusform>
+                <numerusform>Predicted of %n parts.</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

@@ -1968,6 +1968,10 @@ med, µm</source>
             <source>Calibrate from measurements</source>
             <translation>Калибровка по измерениям</translation>
         </message>
+        <message>
+            <source>Import measurements</source>
+            <translation>Импорт измерений</translation>
+        </message>
     </context>
     <context>
         <name>EstimateNames</name>
@@ -5932,6 +5936,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Calibrated inputs</source>
             <translation>Откалиброванные исходные данные</translation>
         </message>
+        <message>
+            <source>Measured parts against the prediction</source>
+            <translation>Измеренные детали и прогноз</translation>
+        </message>
     </context>
     <context>
         <name>WorkedStep</name>
@@ -9075,6 +9083,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>&amp;Calibrate from measurements…</source>
             <translation>&amp;Калибровка по измерениям…</translation>
         </message>
+        <message>
+            <source>&amp;Import measurements…</source>
+            <translation>&amp;Импорт измерений…</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::BatchFigures</name>
@@ -10090,6 +10102,11 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Coupled sections share the power of the drives, so it limits no section&apos;s feed by itself. The requirements below hold it against the whole length.</source>
             <translation>Связанные сечения делят мощность приводов, поэтому подачу отдельного сечения она не ограничивает. Ниже, в требованиях, с ней сравнивается вся длина.</translation>
+        </message>
+        <message>
+            <source>Constraints</source>
+            <comment>the view&apos;s tab</comment>
+            <translation>Пределы</translation>
         </message>
     </context>
     <context>
@@ -12065,7 +12082,7 @@ target, µm</source>
         <message>
             <source>Optimise</source>
             <comment>the view&apos;s tab</comment>
-            <translation>Оптимизация</translation>
+            <translation>Поиск</translation>
         </message>
         <message>
             <source>Between levels</source>
@@ -12911,7 +12928,7 @@ target, µm</source>
         </message>
         <message>
             <source>Stop</source>
-            <translation>Остановить</translation>
+            <translation>Стоп</translation>
         </message>
         <message>
             <source>Stopped; nothing was kept.</source>
@@ -16025,6 +16042,818 @@ The size alone gives α and β, that is the compliance with the force together; 
             <source>%1 at %2 = %3: measured %4 %7, simulated %5 %7, difference %6 %8</source>
             <comment>quantity, axis, place, values, units</comment>
             <translation>%1 при %2 = %3: измерено %4 %7, расчёт %5 %7, разность %6 %8</translation>
+        </message>
+    </context>
+    <context>
+        <name>MeasuredBoxes</name>
+        <message>
+            <source>predicted</source>
+            <translation>прогноз</translation>
+        </message>
+        <message>
+            <source>measured</source>
+            <translation>измерено</translation>
+        </message>
+        <message>
+            <source>Of typed statistics the box is that of a normal law of their mean and standard deviation.</source>
+            <translation>Для введённой статистики прямоугольник построен по нормальному закону с её средним и средним квадратическим отклонением.</translation>
+        </message>
+        <message>
+            <source>tolerance field</source>
+            <translation>поле допуска</translation>
+        </message>
+        <message>
+            <source>limit</source>
+            <translation>предел</translation>
+        </message>
+        <message>
+            <source>Zone or section</source>
+            <translation>Зона или сечение</translation>
+        </message>
+        <message>
+            <source>Box: the middle half of the parts, with their median; whiskers: the smallest and the largest part.</source>
+            <translation>Прямоугольник — средняя половина деталей, черта в нём — медиана; «усы» — до наименьшей и наибольшей детали.</translation>
+        </message>
+        <message>
+            <source>Corners are no sample: of their prediction there is no box.</source>
+            <translation>Крайние сочетания — не выборка: для их прогноза прямоугольника нет.</translation>
+        </message>
+        <message>
+            <source>%1 of %2 comparisons are drawn.</source>
+            <translation>Показано сравнений: %1 из %2.</translation>
+        </message>
+    </context>
+    <context>
+        <name>MeasuredText</name>
+        <message>
+            <source>whole part</source>
+            <translation>вся деталь</translation>
+        </message>
+        <message>
+            <source>%1, %2</source>
+            <comment>quantity, zone</comment>
+            <translation>%1, %2</translation>
+        </message>
+        <message>
+            <source>Part number</source>
+            <translation>Номер детали</translation>
+        </message>
+        <message>
+            <source>Zone or section</source>
+            <translation>Зона или сечение</translation>
+        </message>
+        <message>
+            <source>Diameter</source>
+            <translation>Диаметр</translation>
+        </message>
+        <message>
+            <source>Diameter deviation</source>
+            <translation>Отклонение диаметра</translation>
+        </message>
+        <message>
+            <source>Roundness</source>
+            <translation>Отклонение от круглости</translation>
+        </message>
+        <message>
+            <source>Radial runout</source>
+            <translation>Радиальное биение</translation>
+        </message>
+        <message>
+            <source>Cylindricity</source>
+            <translation>Отклонение от цилиндричности</translation>
+        </message>
+        <message>
+            <source>Roughness Ra</source>
+            <translation>Шероховатость Ra</translation>
+        </message>
+        <message>
+            <source>When measured</source>
+            <translation>Когда измерено</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>Примечание</translation>
+        </message>
+        <message>
+            <source>Time of the sample</source>
+            <translation>Время отсчёта</translation>
+        </message>
+        <message>
+            <source>Size at the gauge</source>
+            <translation>Размер у прибора</translation>
+        </message>
+        <message>
+            <source>Wheel power</source>
+            <translation>Мощность круга</translation>
+        </message>
+        <message>
+            <source>Spindle current</source>
+            <translation>Ток шпинделя</translation>
+        </message>
+        <message>
+            <source>Normal force</source>
+            <translation>Нормальная сила</translation>
+        </message>
+        <message>
+            <source>Not read</source>
+            <translation>Не читается</translation>
+        </message>
+        <message>
+            <source>ms</source>
+            <translation>мс</translation>
+        </message>
+        <message>
+            <source>W</source>
+            <translation>Вт</translation>
+        </message>
+        <message>
+            <source>kN</source>
+            <translation>кН</translation>
+        </message>
+        <message>
+            <source>A</source>
+            <translation>А</translation>
+        </message>
+        <message>
+            <source>unknown</source>
+            <translation>неизвестна</translation>
+        </message>
+        <message>
+            <source>Line %1: %2</source>
+            <translation>Строка %1: %2</translation>
+        </message>
+        <message>
+            <source>Line %1, column %2: %3</source>
+            <translation>Строка %1, столбец %2: %3</translation>
+        </message>
+        <message>
+            <source>%1 of %2 (%3…%4)</source>
+            <comment>parts inside, all parts, interval</comment>
+            <translation>%1 из %2 (%3…%4)</translation>
+        </message>
+        <message>
+            <source>The compliance, the force or the setting of the gauge are not those of the machine: calibrate them on these parts before the prediction is used.</source>
+            <translation>Податливость, сила или настройка прибора не те, что у станка: откалибруйте их по этим деталям, прежде чем пользоваться прогнозом.</translation>
+        </message>
+        <message>
+            <source>The factors of the batch scatter otherwise than in the shop: put the measured scatter of stock, runout and dullness into the batch.</source>
+            <translation>Факторы партии рассеиваются иначе, чем в цехе: задайте в партии измеренное рассеяние припуска, биения и затупления.</translation>
+        </message>
+        <message>
+            <source>Calibrate compliance, force or the setting of the gauge first, then compare the scatter again.</source>
+            <translation>Сначала откалибруйте податливость, силу или настройку прибора, затем сравните рассеяние снова.</translation>
+        </message>
+        <message>
+            <source>Measure more parts of the same setting.</source>
+            <translation>Измерьте больше деталей той же наладки.</translation>
+        </message>
+        <message>
+            <source>These measurements say nothing of the model.</source>
+            <translation>Эти измерения ничего не говорят о модели.</translation>
+        </message>
+        <message numerus="yes">
+            <source>and %n more</source>
+            <translation>
+                <numerusform>и ещё %n</numerusform>
+                <numerusform>и ещё %n</numerusform>
+                <numerusform>и ещё %n</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1: %2.</source>
+            <comment>verdict, of what</comment>
+            <translation>%1: %2.</translation>
+        </message>
+        <message>
+            <source>%1: %2. %3</source>
+            <comment>verdict, of what, what follows</comment>
+            <translation>%1: %2. %3</translation>
+        </message>
+        <message>
+            <source>Diameter</source>
+            <comment>brief</comment>
+            <translation>Диаметр</translation>
+        </message>
+        <message>
+            <source>Runout</source>
+            <comment>brief</comment>
+            <translation>Биение</translation>
+        </message>
+        <message>
+            <source>Roundness</source>
+            <comment>brief</comment>
+            <translation>Круглость</translation>
+        </message>
+        <message>
+            <source>Cylindricity</source>
+            <comment>brief</comment>
+            <translation>Цилиндричность</translation>
+        </message>
+        <message>
+            <source>agrees</source>
+            <translation>согласуется</translation>
+        </message>
+        <message>
+            <source>biased</source>
+            <translation>смещение</translation>
+        </message>
+        <message>
+            <source>scatter differs</source>
+            <translation>иное рассеяние</translation>
+        </message>
+        <message>
+            <source>biased, scatter differs</source>
+            <translation>смещение, рассеяние</translation>
+        </message>
+        <message>
+            <source>too few parts</source>
+            <translation>мало деталей</translation>
+        </message>
+        <message>
+            <source>not predicted</source>
+            <translation>нет прогноза</translation>
+        </message>
+        <message>
+            <source>%1 %2</source>
+            <comment>quantity, zones</comment>
+            <translation>%1 %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>MeasuredView</name>
+        <message>
+            <source>%1 of %2 parts predicted</source>
+            <translation>Спрогнозировано деталей: %1 из %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>PassportMeasured</name>
+        <message numerus="yes">
+            <source>Mean with Student&apos;s interval of 95 %; predicted: the range that 95 % of %n part(s) of the batch lie in; F: the variance of the measured parts over the predicted one, with what it stays between by chance; inside: measured parts within the predicted range.</source>
+            <translation>
+                <numerusform>Среднее с 95 %-ным интервалом Стьюдента; прогноз: диапазон, в котором лежат 95 % из %n детали партии; F: дисперсия измеренных деталей к прогнозной и границы, в которых отношение бывает случайно; внутри: измеренные детали в прогнозном диапазоне.</numerusform>
+                <numerusform>Среднее с 95 %-ным интервалом Стьюдента; прогноз: диапазон, в котором лежат 95 % из %n деталей партии; F: дисперсия измеренных деталей к прогнозной и границы, в которых отношение бывает случайно; внутри: измеренные детали в прогнозном диапазоне.</numerusform>
+                <numerusform>Среднее с 95 %-ным интервалом Стьюдента; прогноз: диапазон, в котором лежат 95 % из %n деталей партии; F: дисперсия измеренных деталей к прогнозной и границы, в которых отношение бывает случайно; внутри: измеренные детали в прогнозном диапазоне.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::AdequacyModel</name>
+        <message>
+            <source>Quantity</source>
+            <translation>Величина</translation>
+        </message>
+        <message>
+            <source>n</source>
+            <translation>n</translation>
+        </message>
+        <message>
+            <source>Mean ± 95 %, µm</source>
+            <translation>Среднее ± 95 %, мкм</translation>
+        </message>
+        <message>
+            <source>Predicted, µm</source>
+            <translation>Прогноз, мкм</translation>
+        </message>
+        <message>
+            <source>F</source>
+            <translation>F</translation>
+        </message>
+        <message>
+            <source>Inside</source>
+            <translation>Внутри</translation>
+        </message>
+        <message>
+            <source>Verdict</source>
+            <translation>Заключение</translation>
+        </message>
+        <message>
+            <source>Number of measured parts</source>
+            <translation>Число измеренных деталей</translation>
+        </message>
+        <message>
+            <source>Mean of the measured parts with Student&apos;s interval: the mean of endlessly many such parts lies in it with 95 %</source>
+            <translation>Среднее измеренных деталей с интервалом Стьюдента: в нём с вероятностью 95 % лежит среднее бесконечно многих таких деталей</translation>
+        </message>
+        <message>
+            <source>Range that 95 % of the parts of the batch lie in; of corners, all of them</source>
+            <translation>Диапазон, в котором лежат 95 % деталей партии; у крайних сочетаний — все</translation>
+        </message>
+        <message>
+            <source>Variance of the measured parts over that of the batch, with what it stays between by chance with 95 %: Fisher&apos;s test</source>
+            <translation>Дисперсия измеренных деталей к дисперсии партии и границы, в которых отношение с вероятностью 95 % бывает случайно: критерий Фишера</translation>
+        </message>
+        <message>
+            <source>Measured parts within the predicted range, as a share with the 95 % bounds of Clopper and Pearson</source>
+            <translation>Измеренные детали в прогнозном диапазоне, доля с 95 %-ными границами Клоппера и Пирсона</translation>
+        </message>
+        <message>
+            <source>Where</source>
+            <translation>Где</translation>
+        </message>
+        <message>
+            <source>Mean</source>
+            <translation>Среднее</translation>
+        </message>
+        <message>
+            <source>Mean, 95 % from</source>
+            <translation>Среднее, 95 % от</translation>
+        </message>
+        <message>
+            <source>Mean, 95 % to</source>
+            <translation>Среднее, 95 % до</translation>
+        </message>
+        <message>
+            <source>s</source>
+            <translation>s</translation>
+        </message>
+        <message>
+            <source>Predicted from</source>
+            <translation>Прогноз от</translation>
+        </message>
+        <message>
+            <source>Predicted to</source>
+            <translation>Прогноз до</translation>
+        </message>
+        <message>
+            <source>Predicted mean</source>
+            <translation>Прогноз, среднее</translation>
+        </message>
+        <message>
+            <source>Predicted s</source>
+            <translation>Прогноз, s</translation>
+        </message>
+        <message>
+            <source>F, 95 % from</source>
+            <translation>F, 95 % от</translation>
+        </message>
+        <message>
+            <source>F, 95 % to</source>
+            <translation>F, 95 % до</translation>
+        </message>
+        <message>
+            <source>Parts inside</source>
+            <translation>Деталей внутри</translation>
+        </message>
+        <message>
+            <source>Share inside, 95 % from</source>
+            <translation>Доля внутри, 95 % от</translation>
+        </message>
+        <message>
+            <source>Share inside, 95 % to</source>
+            <translation>Доля внутри, 95 % до</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ColumnsModel</name>
+        <message>
+            <source>Heading</source>
+            <translation>Заголовок</translation>
+        </message>
+        <message>
+            <source>What it holds</source>
+            <translation>Что в столбце</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
+        </message>
+        <message>
+            <source>Zone or section</source>
+            <translation>Зона или сечение</translation>
+        </message>
+        <message>
+            <source>as the table says</source>
+            <translation>как в таблице</translation>
+        </message>
+        <message>
+            <source>%1 of the column “%2”</source>
+            <translation>%1, столбец «%2»</translation>
+        </message>
+        <message>
+            <source>Column %1</source>
+            <translation>Столбец %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::DataModel</name>
+        <message>
+            <source>Row %1, %2: %3</source>
+            <translation>Строка %1, %2: %3</translation>
+        </message>
+        <message>
+            <source>Samples</source>
+            <translation>Отсчёты</translation>
+        </message>
+        <message>
+            <source>“%1” is not a number; allowed: %2</source>
+            <translation>«%1» — не число; допускается: %2</translation>
+        </message>
+        <message>
+            <source>“%1” is not a whole number; allowed: %2</source>
+            <translation>«%1» — не целое число; допускается: %2</translation>
+        </message>
+        <message>
+            <source>“%1” is out of range; allowed: %2</source>
+            <translation>«%1» вне диапазона; допускается: %2</translation>
+        </message>
+        <message>
+            <source>“%1” is no number out of %2; several are parted by semicolons</source>
+            <translation>«%1» — не число из диапазона %2; несколько чисел разделяются точкой с запятой</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::DataSheet</name>
+        <message>
+            <source>Measured parts</source>
+            <translation>Измеренные детали</translation>
+        </message>
+        <message>
+            <source>A row for each zone or section of a part. Double click or F2 edits a cell; several diameters are parted by semicolons.</source>
+            <translation>Строка на каждую зону или сечение детали. Двойной щелчок или F2 правит ячейку; несколько диаметров разделяются точкой с запятой.</translation>
+        </message>
+        <message>
+            <source>Measured statistics</source>
+            <translation>Статистика измерений</translation>
+        </message>
+        <message>
+            <source>Statistics of parts that are not listed one by one, as a printed table has them: the mean with what stands behind ±, and how many parts it is of.</source>
+            <translation>Статистика деталей, не перечисленных поштучно, как в печатной таблице: среднее, то, что стоит за знаком ±, и число деталей.</translation>
+        </message>
+        <message>
+            <source>Measured traces</source>
+            <translation>Записи по времени</translation>
+        </message>
+        <message>
+            <source>Quantities over the time of one cycle, as they were imported. Place, power to current, idle value and note can be edited.</source>
+            <translation>Величины по времени одного цикла, как они импортированы. Правятся место, мощность на ток, значение холостого хода и примечание.</translation>
+        </message>
+        <message>
+            <source>Add a row</source>
+            <translation>Добавить строку</translation>
+        </message>
+        <message>
+            <source>Add a row at the end</source>
+            <translation>Добавить строку в конец</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>Удалить</translation>
+        </message>
+        <message>
+            <source>Remove the rows of the selected cells (Ctrl+Del)</source>
+            <translation>Удалить строки выделенных ячеек (Ctrl+Del)</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ImportDialog</name>
+        <message>
+            <source>&amp;Leave out the refused cells and import the rest</source>
+            <translation>&amp;Пропустить непринятые ячейки и импортировать остальное</translation>
+        </message>
+        <message>
+            <source>&amp;Add to what is measured</source>
+            <translation>&amp;Добавить к измеренному</translation>
+        </message>
+        <message>
+            <source>&amp;Replace what is measured</source>
+            <translation>&amp;Заменить измеренное</translation>
+        </message>
+        <message>
+            <source>Import measurements: pasted table</source>
+            <translation>Импорт измерений: вставленная таблица</translation>
+        </message>
+        <message>
+            <source>Import measurements: %1</source>
+            <translation>Импорт измерений: %1</translation>
+        </message>
+        <message>
+            <source>Headings above columns</source>
+            <translation>Столбцы с заголовками</translation>
+        </message>
+        <message>
+            <source>Lines time|key|value</source>
+            <translation>Строки время|ключ|значение</translation>
+        </message>
+        <message>
+            <source>comma</source>
+            <translation>запятая</translation>
+        </message>
+        <message>
+            <source>semicolon</source>
+            <translation>точка с запятой</translation>
+        </message>
+        <message>
+            <source>tab</source>
+            <translation>табуляция</translation>
+        </message>
+        <message>
+            <source>vertical bar</source>
+            <translation>вертикальная черта</translation>
+        </message>
+        <message>
+            <source>point</source>
+            <translation>точка</translation>
+        </message>
+        <message>
+            <source>from 0</source>
+            <translation>с 0</translation>
+        </message>
+        <message>
+            <source>from 1</source>
+            <translation>с 1</translation>
+        </message>
+        <message>
+            <source>La&amp;yout:</source>
+            <translation>&amp;Вид:</translation>
+        </message>
+        <message>
+            <source>&amp;Delimiter:</source>
+            <translation>&amp;Разделитель:</translation>
+        </message>
+        <message>
+            <source>Deci&amp;mal mark:</source>
+            <translation>Д&amp;есятичный знак:</translation>
+        </message>
+        <message>
+            <source>&amp;Zones are counted:</source>
+            <translation>&amp;Счёт зон:</translation>
+        </message>
+        <message>
+            <source>&amp;Power to current, kW/A:</source>
+            <translation>М&amp;ощность на ток, кВт/А:</translation>
+        </message>
+        <message>
+            <source>Columns of the table</source>
+            <translation>Столбцы таблицы</translation>
+        </message>
+        <message>
+            <source>First lines of the table</source>
+            <translation>Первые строки таблицы</translation>
+        </message>
+        <message>
+            <source>Reading</source>
+            <translation>Чтение</translation>
+        </message>
+        <message>
+            <source>Refused cells</source>
+            <translation>Непринятые ячейки</translation>
+        </message>
+        <message>
+            <source>&amp;Import</source>
+            <translation>&amp;Импортировать</translation>
+        </message>
+        <message>
+            <source>C&amp;ancel</source>
+            <translation>О&amp;тмена</translation>
+        </message>
+        <message>
+            <source>… and more</source>
+            <translation>… и другие</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n part(s)</source>
+            <translation>
+                <numerusform>%n деталь</numerusform>
+                <numerusform>%n детали</numerusform>
+                <numerusform>%n деталей</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n row(s) of zones or sections that the project does not have</source>
+            <translation>
+                <numerusform>%n строка о зонах или сечениях, которых нет в проекте</numerusform>
+                <numerusform>%n строки о зонах или сечениях, которых нет в проекте</numerusform>
+                <numerusform>%n строк о зонах или сечениях, которых нет в проекте</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1: %2 of %3 samples, peaks kept</source>
+            <translation>%1: %2 из %3 отсчётов, пики сохранены</translation>
+        </message>
+        <message>
+            <source>%1: %2 samples</source>
+            <translation>%1: %2 отсчётов</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n line(s) read</source>
+            <translation>
+                <numerusform>Прочитана %n строка</numerusform>
+                <numerusform>Прочитано %n строки</numerusform>
+                <numerusform>Прочитано %n строк</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1: %2.</source>
+            <comment>lines, what is found in them</comment>
+            <translation>%1: %2.</translation>
+        </message>
+        <message>
+            <source>There is nothing to import.</source>
+            <translation>Импортировать нечего.</translation>
+        </message>
+        <message>
+            <source>A project holds at most %1 rows of parts; with these it would be %2.</source>
+            <translation>В проекте не больше %1 строк деталей; с этими их было бы %2.</translation>
+        </message>
+        <message>
+            <source>A project holds at most %1 traces; with these it would be %2.</source>
+            <translation>В проекте не больше %1 записей; с этими их было бы %2.</translation>
+        </message>
+        <message>
+            <source>Reading all lines. A change or Cancel stops it.</source>
+            <translation>Читаются все строки. Любое изменение или «Отмена» прерывает чтение.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n cell(s) are refused:</source>
+            <translation>
+                <numerusform>Не принята %n ячейка:</numerusform>
+                <numerusform>Не приняты %n ячейки:</numerusform>
+                <numerusform>Не принято %n ячеек:</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>So many cells are refused that the lines are not read to the end. Are the delimiter, the decimal mark and the columns right?</source>
+            <translation>Не принято столько ячеек, что строки не прочитаны до конца. Верны ли разделитель, десятичный знак и столбцы?</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::MeasuredImport</name>
+        <message>
+            <source>Import measurements</source>
+            <translation>Импорт измерений</translation>
+        </message>
+        <message>
+            <source>Tables (*.csv *.txt *.tsv *.dat);;All files (*)</source>
+            <translation>Таблицы (*.csv *.txt *.tsv *.dat);;Все файлы (*)</translation>
+        </message>
+        <message>
+            <source>Reading %1</source>
+            <translation>Чтение: %1</translation>
+        </message>
+        <message>
+            <source>The file was not read</source>
+            <translation>Файл не прочитан</translation>
+        </message>
+        <message>
+            <source>Nothing to paste</source>
+            <translation>Вставлять нечего</translation>
+        </message>
+        <message>
+            <source>The clipboard holds no table. Copy the cells of a spreadsheet with their headings first.</source>
+            <translation>В буфере обмена нет таблицы. Сначала скопируйте ячейки электронной таблицы вместе с заголовками.</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::MeasuredView</name>
+        <message numerus="yes">
+            <source>Predicted of %n part(s).</source>
+            <translation>
+                <numerusform>Прогноз по %n детали.</numerusform>
+                <numerusform>Прогноз по %n деталям.</numerusform>
+                <numerusform>Прогноз по %n деталям.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Nothing speaks against the model; %1 of %2 comparisons agree.</source>
+            <translation>Ничто не противоречит модели; согласуется сравнений: %1 из %2.</translation>
+        </message>
+        <message>
+            <source>The model does not agree with the parts; %1 of %2 comparisons agree.</source>
+            <translation>Модель не согласуется с деталями; согласуется сравнений: %1 из %2.</translation>
+        </message>
+        <message>
+            <source>Measured</source>
+            <translation>Измерения</translation>
+        </message>
+        <message>
+            <source>Point at a box to read its values.</source>
+            <translation>Наведите указатель на прямоугольник, чтобы прочитать значения.</translation>
+        </message>
+        <message>
+            <source>The inputs are refused; the prediction is that of the last accepted ones.</source>
+            <translation>Исходные данные не приняты; прогноз — по последним принятым.</translation>
+        </message>
+        <message>
+            <source>No part is measured yet. Here measured diameters, runout, roundness, cylindricity and roughness will stand beside those that the batch predicts, with a verdict on the model. Import a table of a measuring machine, paste one from a spreadsheet (Ctrl+V), or type the statistics of a printed table under “Statistics”.</source>
+            <translation>Измеренных деталей ещё нет. Здесь измеренные диаметры, биение, отклонения от круглости и цилиндричности и шероховатость встанут рядом с прогнозом партии, с заключением о модели. Импортируйте таблицу измерительной машины, вставьте её из электронной таблицы (Ctrl+V) или введите статистику печатной таблицы в разделе «Статистика».</translation>
+        </message>
+        <message>
+            <source>The batch that predicts cannot be run:</source>
+            <translation>Партию для прогноза рассчитать нельзя:</translation>
+        </message>
+        <message>
+            <source>Of the inputs before the last edit; the new batch is being run.</source>
+            <translation>По данным до последней правки; новая партия рассчитывается.</translation>
+        </message>
+        <message>
+            <source>Of the inputs before the last edit. Press “Run” for those of now.</source>
+            <translation>По данным до последней правки. Для нынешних нажмите «Рассчитать».</translation>
+        </message>
+        <message>
+            <source>The batch that predicts takes a while: press “Run”. It can be stopped at any time.</source>
+            <translation>Расчёт партии для прогноза займёт время: нажмите «Рассчитать». Его можно остановить в любой момент.</translation>
+        </message>
+        <message>
+            <source>This project describes no batch, so the prediction is one part without scatter. Choose on the page Batch of the inputs what scatters.</source>
+            <translation>Партия в проекте не описана, поэтому прогноз — одна деталь без рассеяния. Выберите на странице «Партия», что рассеивается.</translation>
+        </message>
+        <message>
+            <source>Legend of the comparison</source>
+            <translation>Легенда сравнения</translation>
+        </message>
+        <message>
+            <source>State of the comparison</source>
+            <translation>Состояние сравнения</translation>
+        </message>
+        <message>
+            <source>Values under the mouse</source>
+            <translation>Значения под указателем</translation>
+        </message>
+        <message>
+            <source>Measured parts beside the predicted ones</source>
+            <translation>Измеренные детали рядом с прогнозом</translation>
+        </message>
+        <message>
+            <source>What was compared</source>
+            <translation>Что сравнивалось</translation>
+        </message>
+        <message>
+            <source>Progress of the batch</source>
+            <translation>Ход расчёта партии</translation>
+        </message>
+        <message>
+            <source>Measured against predicted</source>
+            <translation>Измерения и прогноз</translation>
+        </message>
+        <message>
+            <source>Verdict on the model</source>
+            <translation>Заключение о модели</translation>
+        </message>
+        <message>
+            <source>Comparison</source>
+            <translation>Сравнение</translation>
+        </message>
+        <message>
+            <source>Parts</source>
+            <translation>Детали</translation>
+        </message>
+        <message>
+            <source>Statistics</source>
+            <translation>Статистика</translation>
+        </message>
+        <message>
+            <source>Traces</source>
+            <translation>Записи</translation>
+        </message>
+        <message>
+            <source>What is shown of the measurements</source>
+            <translation>Что показано из измерений</translation>
+        </message>
+        <message>
+            <source>Measured quantity</source>
+            <translation>Измеренная величина</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>Рассчитать</translation>
+        </message>
+        <message>
+            <source>Run the batch that predicts; a quick one runs by itself</source>
+            <translation>Рассчитать партию для прогноза; быстрая рассчитывается сама</translation>
+        </message>
+        <message>
+            <source>Stop</source>
+            <translation>Стоп</translation>
+        </message>
+        <message>
+            <source>End the batch; what was done is kept and shown</source>
+            <translation>Прервать расчёт; сделанное сохраняется и показывается</translation>
+        </message>
+        <message>
+            <source>Import…</source>
+            <translation>Импорт…</translation>
+        </message>
+        <message>
+            <source>Read a table of measured parts or of traces from a file</source>
+            <translation>Прочитать таблицу измеренных деталей или записей из файла</translation>
+        </message>
+        <message>
+            <source>Paste…</source>
+            <translation>Вставить…</translation>
+        </message>
+        <message>
+            <source>Read a table that was copied from a spreadsheet (Ctrl+V)</source>
+            <translation>Прочитать таблицу, скопированную из электронной таблицы (Ctrl+V)</translation>
+        </message>
+        <message>
+            <source>Import measurements…</source>
+            <translation>Импорт измерений…</translation>
+        </message>
+        <message>
+            <source>Measured</source>
+            <comment>the view&apos;s tab</comment>
+            <translation>Измерения</translation>
         </message>
     </context>
 </TS>

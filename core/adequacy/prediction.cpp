@@ -39,6 +39,10 @@ double quantileOf(const std::vector<double>& sorted, double order) {
 
 } // namespace
 
+Quartiles quartilesOf(const std::vector<double>& sorted) {
+    return {quantileOf(sorted, 0.25), quantileOf(sorted, 0.5), quantileOf(sorted, 0.75)};
+}
+
 Project predictingProject(Project project) {
     if (!project.batch) {
         project.batch.emplace();
@@ -64,7 +68,8 @@ std::optional<PredictedRange> predicted(const BatchResult& batch, MeasuredQuanti
     }
     const ValueStatistics& values = batch.statistics.values[index];
     const Moments moments = momentsOf(values);
-    PredictedRange range{values.least.value, values.most.value, moments.mean, {}, values.count};
+    PredictedRange range{values.least.value, values.most.value,  moments.mean,      {},
+                         values.count,       values.least.value, values.most.value, {}};
     const bool isSample = batch.project.batch->scenarios != Scenarios::corners;
     // A scatter that is rounding alone is none.
     if (!isSample || values.count < 2 || !(moments.deviation > found->resolution * 1e-6)) {
@@ -82,6 +87,7 @@ std::optional<PredictedRange> predicted(const BatchResult& batch, MeasuredQuanti
     if (!sorted.empty()) {
         range.low = quantileOf(sorted, tail);
         range.high = quantileOf(sorted, 1 - tail);
+        range.quartiles = quartilesOf(sorted);
     }
     return range;
 }

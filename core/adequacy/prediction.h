@@ -6,15 +6,26 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace sparkout {
+
+/// Values that a quarter, a half and three quarters of the parts do not exceed.
+struct Quartiles {
+    double low = 0, median = 0, high = 0;
+};
+
+/// Of values in rising order, at least one.
+[[nodiscard]] Quartiles quartilesOf(const std::vector<double>& sorted);
 
 /// What is predicted of one quantity in one zone or section [µm].
 struct PredictedRange {
     double low = 0, high = 0; ///< that 95 % of the parts lie in; of corners, or as stated: all
     double mean = 0;
-    std::optional<double> deviation; ///< not of corners, nor where nothing scatters
-    std::int64_t count = 0;          ///< parts of the batch; 0: as stated
+    std::optional<double> deviation;    ///< not of corners, nor where nothing scatters
+    std::int64_t count = 0;             ///< parts of the batch; 0: as stated
+    double least = 0, most = 0;         ///< of all parts
+    std::optional<Quartiles> quartiles; ///< where there is a deviation
 };
 
 /// The project whose batch predicts all that was measured: with a batch, and with limits where the

@@ -58,6 +58,10 @@ QString BarChart::numberText(double value, bool onSecond) const {
     return text ? text(value) : Names::significant(value);
 }
 
+const BarColour& BarChart::colourOfBox(std::size_t category) const {
+    return boxKinds.empty() ? boxColour : boxKinds.at(boxes[category].kind).colour;
+}
+
 double BarChart::value(std::size_t of, std::size_t category) const {
     const std::vector<double>& values = series[of].values;
     return category < values.size() ? values[category] : std::numeric_limits<double>::quiet_NaN();
@@ -183,6 +187,9 @@ LegendEntries BarChart::legend(const QPalette& palette, bool isDimmed,
         made.key = isChosen ? static_cast<int>(i) : -1;
         made.shown = !isChosen || shows(i);
         entries.push_back(std::move(made));
+    }
+    for (const BoxKind& kind : boxKinds) {
+        entries.push_back(entry(kind.colour(palette), Qt::NoPen, kind.name));
     }
     const QColor ink = palette.color(QPalette::Text);
     if (!sums.empty()) {

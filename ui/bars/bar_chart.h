@@ -36,6 +36,13 @@ struct BarSeries {
 /// Five values of a distribution, from the least to the greatest.
 struct BarBox {
     double least = 0, low = 0, median = 0, high = 0, most = 0;
+    std::size_t kind = 0; ///< of those of the chart, where it has several
+};
+
+/// Boxes of one colour, where a chart has several kinds of them.
+struct BoxKind {
+    QString name;
+    BarColour colour;
 };
 
 /// Values that are allowed, as a band behind the bars.
@@ -71,7 +78,8 @@ struct BarChart {
     std::vector<BarSeries> series;
     std::vector<BarBox> boxes; ///< by category
     BarColour boxColour = {};
-    std::vector<double> sums; ///< by category, drawn as marks where bars lead up and down
+    std::vector<BoxKind> boxKinds = {}; ///< in place of that colour
+    std::vector<double> sums;           ///< by category, drawn as marks where bars lead up and down
     QString sumName;
     bool hasTotals = false; ///< the stacks' heights are stated
     std::optional<BarBand> band;
@@ -85,6 +93,7 @@ struct BarChart {
     std::function<QString(std::size_t series, std::size_t category)> partName = {};
 
     [[nodiscard]] bool empty() const { return categories.isEmpty(); }
+    [[nodiscard]] const BarColour& colourOfBox(std::size_t category) const;
     [[nodiscard]] QString axisText() const;       ///< "Time, min"
     [[nodiscard]] QString secondAxisText() const; ///< likewise
     [[nodiscard]] QString numberText(double value, bool onSecond = false) const;

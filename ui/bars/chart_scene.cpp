@@ -269,7 +269,10 @@ void ChartScene::colour(const BarChart& chart, const ChartLook& look) {
     if (chart.shape == Shape::boxes) {
         auto& boxes = *static_cast<QBoxPlotSeries*>(m_series[0]);
         boxes.setPen(QPen(look.ink(), 1.4));
-        boxes.setBrush(look.toned(chart.boxColour));
+        const QList<QBoxSet*> sets = boxes.boxSets();
+        for (std::size_t i = 0; i < chart.boxes.size(); ++i) {
+            sets[static_cast<qsizetype>(i)]->setBrush(look.toned(chart.colourOfBox(i)));
+        }
         return;
     }
     std::array<int, 2> next{};

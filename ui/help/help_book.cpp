@@ -54,6 +54,7 @@ constexpr std::array helpContents{
     HelpEntry{"sweep", viewPages},
     HelpEntry{"optimise", viewPages},
     HelpEntry{"compare", viewPages},
+    HelpEntry{"measured", viewPages},
     HelpEntry{"calibration", viewPages}, // from measurements
     HelpEntry{"playback", viewPages},
     HelpEntry{"step", viewPages},

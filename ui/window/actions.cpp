@@ -28,6 +28,7 @@ Actions::Actions(QMainWindow& window)
     , earlierVersions(make("earlierVersions", u""))
     , recoverWork(make("recoverWork", u""))
     , company(make("company", u""))
+    , importMeasured(make("importMeasured", u"", Qt::CTRL | Qt::Key_I))
     , exportResults(make("exportResults", u"export"))
     , quit(make("quit", u"", Qt::CTRL | Qt::Key_Q))
     , undo(make("undo", u"undo", QKeySequence::Undo))
@@ -127,6 +128,8 @@ void Actions::buildMenus(QMenuBar& bar) {
     m_file->addActions({open, examples});
     m_file->addSeparator();
     m_file->addActions({save, saveAs, earlierVersions, recoverWork});
+    m_file->addSeparator();
+    m_file->addAction(importMeasured);
     m_file->addSeparator();
     for (ReportActions& report : reports) {
         report.menu = m_file->addMenu(QString());
@@ -304,6 +307,7 @@ void Actions::retranslate() {
     }
     examples->setIconText(tr("Examples"));
     company->setText(tr("Company and si&gnatures…"));
+    importMeasured->setText(tr("&Import measurements…"));
     exportResults->setText(tr("Export resu&lts…"));
     quit->setText(tr("&Quit"));
     keepRun->setText(tr("&Keep the present run"));

@@ -60,7 +60,8 @@ public:
     QAction* recoverWork;
     std::vector<ReportActions> reports; ///< in the order of the table of kinds
     QAction* company;                   ///< and signatures, of their heads
-    QAction* exportResults;             ///< and trace, as tables
+    QAction* importMeasured;
+    QAction* exportResults; ///< and trace, as tables
     QAction* quit;
     QAction* undo;
     QAction* redo;

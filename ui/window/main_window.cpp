@@ -11,6 +11,7 @@
 #include "ui/kit/font_size.h"
 #include "ui/kit/keyboard.h"
 #include "ui/kit/tool_tips.h"
+#include "ui/measured/measured_import.h"
 #include "ui/part/part_strip.h"
 #include "ui/part/part_window.h"
 #include "ui/session/background.h"
@@ -25,6 +26,7 @@
 #include "ui/views/constraints/constraints_view.h"
 #include "ui/views/feeds/feeds_view.h"
 #include "ui/views/layers/layers_view.h"
+#include "ui/views/measured/measured_view.h"
 #include "ui/views/optimise/optimise_view.h"
 #include "ui/views/overview/overview_view.h"
 #include "ui/views/profiles/profiles_view.h"
@@ -51,6 +53,7 @@
 #include <QCloseEvent>
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMimeData>
 #include <QStatusBar>
@@ -71,6 +74,7 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
     , m_feeds(new FeedsView(this, &m_settings))
     , m_profiles(new ProfilesView(this, &m_settings))
     , m_constraints(new ConstraintsView(this, &m_settings))
+    , m_import(new MeasuredImport(m_document, m_settings, this))
     , m_verdict(new VerdictPanel(this))
     , m_messages(new MessagesPanel(this))
     , m_playback(new PlaybackBar(m_cursor, this))
@@ -131,6 +135,8 @@ void MainWindow::buildViews() {
     auto* compare = new CompareView(*m_kept, this, &m_settings);
     m_overview = new OverviewView(*m_kept, this, &m_settings);
     connectOverview();
+    m_measured = new MeasuredView(m_document, this, &m_settings);
+    connectMeasured();
     m_keeper = new RunKeeper(*m_kept, m_runs, m_files->notices(), this);
     connect(compare, &CompareView::keepWanted, m_actions->keepRun, &QAction::trigger);
     connect(m_keeper, &RunKeeper::reported, this,
@@ -139,13 +145,14 @@ void MainWindow::buildViews() {
         return [this, view] { m_status->showForAWhile(tr("%1: ended.").arg(view->title())); };
     };
     connect(m_batch, &BatchView::batchShown, this, reportEnd(m_batch));
+    connect(m_measured, &MeasuredView::measuredShown, this, reportEnd(m_measured));
     connect(sweep, &SweepView::sweepShown, this, reportEnd(sweep));
     connect(optimise, &OptimiseView::searchShown, this, reportEnd(optimise));
     connect(m_keeper, &RunKeeper::compareWanted, this,
             [this, compare] { m_tabs->showView(compare); });
     for (View* view :
          std::initializer_list<View*>{m_overview, m_feeds, m_profiles, m_constraints, compliance,
-                                      layers, m_batch, sweep, optimise, compare}) {
+                                      layers, m_batch, sweep, optimise, compare, m_measured}) {
         m_tabs->addView(view);
         view->shareCycle(&m_cursor);
     }
@@ -178,6 +185,15 @@ void MainWindow::connectOverview() {
     connect(m_overview, &OverviewView::keepAsked, m_actions->keepRun, &QAction::trigger);
     connect(m_batch, &BatchView::batchShown, m_overview,
             [this] { m_overview->setBatch(m_batch->batch()); });
+}
+
+void MainWindow::connectMeasured() {
+    connect(m_measured, &MeasuredView::importAsked, m_actions->importMeasured, &QAction::trigger);
+    connect(m_measured, &MeasuredView::pasteAsked, this, [this] {
+        m_inputs->endTyping(); // first
+        m_import->paste();
+    });
+    connect(m_import, &MeasuredImport::imported, this, [this] { m_tabs->showView(m_measured); });
 }
 
 /// Its compliance is that of the place, so a given one goes.
@@ -221,7 +237,7 @@ void MainWindow::connectActions() {
     for (QAction* action :
          {m_actions->newTraverse, m_actions->newPlunge, m_actions->open, m_actions->examples,
           m_actions->save, m_actions->saveAs, m_actions->earlierVersions, m_actions->recoverWork,
-          m_actions->undo, m_actions->redo, m_actions->keepRun}) {
+          m_actions->importMeasured, m_actions->undo, m_actions->redo, m_actions->keepRun}) {
         on(action, [this] { m_inputs->endTyping(); }); // first
     }
     on(m_actions->newTraverse, [this] { m_files->startNew(Operation::traverse); });
@@ -232,6 +248,7 @@ void MainWindow::connectActions() {
     on(m_actions->saveAs, [this] { m_files->saveAs(); });
     on(m_actions->earlierVersions, [this] { m_files->openEarlierVersion(); });
     on(m_actions->recoverWork, [this] { m_files->recoverWork(); });
+    on(m_actions->importMeasured, [this] { m_import->importFile(); });
     on(m_actions->quit, [this] { close(); });
     on(m_actions->undo, [this] {
         if (!m_inputs->dropNewestRefusal()) {
@@ -329,8 +346,12 @@ void MainWindow::connectReports() {
     auto* commands = new ReportCommands(
         [this, outcomeOfNow]() -> ReportCommands::Subject {
             const bool several = m_document.surfaceCount() > 1;
-            return {outcomeOfNow(), m_document.filePath(), m_batch->batch(), &m_cursor,
-                    several ? std::optional(m_document.setup()) : std::nullopt};
+            return {outcomeOfNow(),
+                    m_document.filePath(),
+                    m_batch->batch(),
+                    &m_cursor,
+                    several ? std::optional(m_document.setup()) : std::nullopt,
+                    m_measured->prediction()};
         },
         m_settings, this);
     const auto studies = [this] { return studiesShown(views(), asRun()); };
@@ -598,6 +619,15 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
     m_layout->save();
     event->accept();
+}
+
+/// A table is pasted into the view of measurements, also while the focus is on its tab.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+    if (event->matches(QKeySequence::Paste) && m_tabs->currentWidget() == m_measured) {
+        emit m_measured->pasteAsked();
+    } else {
+        QMainWindow::keyPressEvent(event);
+    }
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

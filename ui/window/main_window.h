@@ -23,6 +23,8 @@ class FileCommands;
 class HelpDesk;
 class InputsPanel;
 class KeptRuns;
+class MeasuredImport;
+class MeasuredView;
 class MessagesPanel;
 class OverviewView;
 class PartCommands;
@@ -66,6 +68,7 @@ signals:
 protected:
     void changeEvent(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
@@ -74,6 +77,7 @@ private:
     void showPlayback();
     void putGauge(double position_mm); ///< from the headstock end of the ground length
     void connectOverview();
+    void connectMeasured();
     void connectActions();
     void connectReports();
     void connectDocument();
@@ -113,6 +117,8 @@ private:
     ConstraintsView* m_constraints;
     BatchView* m_batch = nullptr;
     OverviewView* m_overview = nullptr;
+    MeasuredView* m_measured = nullptr;
+    MeasuredImport* m_import;
     VerdictPanel* m_verdict;
     MessagesPanel* m_messages;
     PlaybackBar* m_playback;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/report_commands.h"
 
+#include "core/adequacy/prediction.h"
 #include "core/project/batch.h"
 #include "core/setup/setup_run.h"
 #include "core/study/batch_edits.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/kit/help_topic.h"
 #include "ui/report/documents/batch_wait.h"
+#include "ui/report/documents/passport_measured.h"
 #include "ui/report/format/pages.h"
 #include "ui/session/background.h"
 #include "ui/session/settings.h"
@@ -81,6 +83,9 @@ std::optional<report::Report> ReportCommands::reportOfNow(report::Kind kind) {
     if (wantsBatch && !addBatch(subject, now.batch)) {
         return {};
     }
+    if (row.takesBatch && !addPrediction(subject, now.predicting)) {
+        return {};
+    }
     subject.breathe = [] { QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents); };
     return row.make(subject);
 }
@@ -102,6 +107,23 @@ bool ReportCommands::addBatch(report::Subject& subject, const BatchOutcomePtr& s
     }
     runAside([&subject] { subject.worst = report::runWorstPart(*subject.batch); });
     return true;
+}
+
+/// Of the project's own batch, where that predicts all that was measured.
+bool ReportCommands::addPrediction(report::Subject& subject, const BatchOutcomePtr& shown) {
+    const Project& project = subject.outcome->result.project;
+    if (!report::PassportMeasured::applies(project)) {
+        return true;
+    }
+    const Project predicting = predictingProject(project);
+    for (const BatchOutcomePtr& batch : {shown, subject.batch}) {
+        if (batch && sameBatch(batch->result.project, predicting)) {
+            subject.predicting = batch;
+            return true;
+        }
+    }
+    subject.predicting = BatchWait(predicting, tr("Batch of the report"), m_window).wait();
+    return subject.predicting != nullptr;
 }
 
 bool ReportCommands::addSetup(report::Subject& subject, const Setup& setup) {

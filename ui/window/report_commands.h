@@ -30,6 +30,7 @@ public:
         BatchOutcomePtr batch;
         const CycleCursor* cycle = nullptr; ///< where the window's cycle stands
         std::optional<Setup> setup;         ///< where there are several surfaces
+        BatchOutcomePtr predicting = {};    ///< that measured parts are held against; or null
     };
 
     ReportCommands(std::function<Subject()> subject, Settings& settings, QWidget* window);
@@ -43,6 +44,9 @@ private:
     [[nodiscard]] std::optional<report::Report> reportOfNow(report::Kind kind);
     /// Takes the batch that is shown, or runs one; false: none, and the user knows.
     [[nodiscard]] bool addBatch(report::Subject& subject, const BatchOutcomePtr& shown);
+
+    /// The same of the batch that measured parts are held against; true where none are measured.
+    [[nodiscard]] bool addPrediction(report::Subject& subject, const BatchOutcomePtr& shown);
 
     /// Runs all surfaces of the set-up; false: it cannot be run, and the user knows.
     [[nodiscard]] bool addSetup(report::Subject& subject, const Setup& setup);

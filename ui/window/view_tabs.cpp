@@ -51,7 +51,7 @@ private:
 
 ViewTabs::ViewTabs(QWidget* parent) : QTabWidget(parent), m_tear(new QToolButton(this)) {
     setDocumentMode(true);
-    setRelativeFont(*tabBar(), noteType); // ten of them stand side by side
+    setRelativeFont(*tabBar(), noteType); // eleven of them stand side by side
     m_tear->setObjectName(QStringLiteral("tear"));
     m_tear->setIcon(themeIcon(u"detach"));
     m_tear->setAutoRaise(true);

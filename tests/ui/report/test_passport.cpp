@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The accuracy passport: its numbers and verdict are those of the engine's own batch, and what it
 // prints is enough to compute them again.
+#include "core/adequacy/adequacy.h"
 #include "core/batch/moments.h"
 #include "core/batch/scenario_source.h"
 #include "core/project/batch.h"
 #include "core/project/leaves.h"
 #include "core/project/machine.h"
+#include "core/project/measured.h"
 #include "core/project/member.h"
 #include "core/project/part.h"
 #include "core/study/batch_edits.h"
 #include "tests/registry.h"
 #include "tests/ui/support/passport_bench.h"
+#include "ui/measured/measured_text.h"
 #include "ui/text/field_text.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
@@ -21,6 +24,8 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace test_passport {
 
@@ -271,6 +276,38 @@ private slots:
             const QStringList row = rowOf(rows, {BatchText::full(all[i]), unitText(all[i].unit)});
             QVERIFY2(row.size() == 4 && isRounded(row[3], part.values[i]), all[i].name);
         }
+    }
+
+    void measuredPartsAreHeldAgainstTheBatch_data() { addLanguages(); }
+    void measuredPartsAreHeldAgainstTheBatch() {
+        QFETCH(QString, language);
+        m_language.apply(language);
+        Project project = smallBatch();
+        Measured& measured = project.measured.emplace();
+        for (int i = 0; i < 10; ++i) {
+            MeasuredPart part;
+            part.part = std::to_string(i + 1);
+            part.place = 1;
+            part.diameters_mm = {project.part->diameter_mm + 0.2 + i * 0.001};
+            measured.parts.push_back(std::move(part));
+        }
+        report::Subject subject = subjectOf(project);
+        subject.predicting = runWholeBatch(predictingProject(project), {});
+        const QByteArray html = bytesOf(report::passport(subject), Format::html);
+        QVERIFY(textOfHtml(html).contains(language == u"ru"
+                                              ? QStringLiteral("Измеренные детали и прогноз")
+                                              : QStringLiteral("Measured parts against")));
+        const std::vector<AdequacyRow> rows = judgeAdequacy(project, subject.predicting->result);
+        QCOMPARE(rows.size(), 1U);
+        const QStringList row =
+            rowOf(rowsOfHtml(html), {MeasuredText::name(project, rows.front().measured)});
+        QCOMPARE(row.value(1), MeasuredText::briefVerdict(rows.front().verdict));
+        QCOMPARE(row.value(2), QStringLiteral("10"));
+        QCOMPARE(row.value(3), MeasuredText::mean(rows.front()));
+        subject.predicting.reset(); // nothing was predicted: nothing is said
+        QVERIFY(rowOf(rowsOfHtml(bytesOf(report::passport(subject), Format::html)),
+                      {MeasuredText::name(project, rows.front().measured)})
+                    .isEmpty());
     }
 
 private:

@@ -6,6 +6,7 @@
 #include "ui/report/documents/outcome_remarks.h"
 #include "ui/report/documents/passport_figures.h"
 #include "ui/report/documents/passport_inputs.h"
+#include "ui/report/documents/passport_measured.h"
 #include "ui/report/documents/passport_prediction.h"
 #include "ui/report/documents/passport_verdict.h"
 #include "ui/report/parts/begun_report.h"
@@ -50,6 +51,7 @@ public:
         addBars(OverviewChart::stock, OverviewCharts::stock(m_outcome));
         section(tr("Batch: factors and scenarios"), PassportInputs::scenarios(m_subject));
         addPrediction();
+        addMeasured();
         addProfiles();
         if (m_subject.batch) {
             section(tr("Worst part of the batch"), PassportPrediction::worst(m_subject));
@@ -137,7 +139,8 @@ private:
         }
         heading(tr("Distribution against the tolerance field"));
         addHistograms(summary);
-        addBars(OverviewChart::boxes, OverviewCharts::boxes(*m_subject.batch));
+        addBars(OverviewChart::boxes,
+                OverviewCharts::boxes(*m_subject.batch, statisticsOfMeasured(m_project)));
     }
 
     /// Of the mean diameter, and of what decides when that is not a diameter.
@@ -147,6 +150,13 @@ private:
         const CharacteristicSummary* deciding = PassportVerdict::deciding(summary);
         if (deciding && !std::string_view(deciding->characteristic.name).starts_with(usual)) {
             add(PassportFigures::histograms(summary, deciding->characteristic.name));
+        }
+    }
+
+    void addMeasured() {
+        const std::vector<Block> blocks = PassportMeasured::blocks(m_subject);
+        if (!blocks.empty()) {
+            section(tr("Measured parts against the prediction"), blocks);
         }
     }
 

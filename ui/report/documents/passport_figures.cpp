@@ -88,10 +88,13 @@ Figure PassportFigures::crossSections(const Outcome& outcome) {
 }
 
 std::optional<Figure> PassportFigures::bars(OverviewChart which, BarChart chart) {
+    return bars(OverviewCharts::title(which), std::move(chart));
+}
+
+std::optional<Figure> PassportFigures::bars(const QString& name, BarChart chart) {
     if (chart.empty()) {
         return {};
     }
-    const QString name = OverviewCharts::title(which);
     const QString caption =
         chart.remark.isEmpty() ? name : QStringLiteral("%1. %2").arg(name, chart.remark);
     const QString description = chart.description();

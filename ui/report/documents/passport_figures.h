@@ -22,6 +22,7 @@ public:
     static Figure crossSections(const Outcome& outcome);
     /// A chart of the overview; nothing where it is empty.
     static std::optional<Figure> bars(OverviewChart which, BarChart chart);
+    static std::optional<Figure> bars(const QString& name, BarChart chart); ///< any other
 };
 
 } // namespace sparkout::report

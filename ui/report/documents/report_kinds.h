@@ -29,8 +29,10 @@ struct SetupSubject {
 struct Subject {
     OutcomePtr outcome;    ///< of a run that ran
     BatchOutcomePtr batch; ///< of the same inputs, run whole, for a kind that takes one; or null
-    OutcomePtr worst;      ///< run of the batch's worst part, beside a batch
-    QString file;          ///< path of the project, or empty
+    BatchOutcomePtr
+        predicting;   ///< run whole, of what was measured of the outcome's project; or null
+    OutcomePtr worst; ///< run of the batch's worst part, beside a batch
+    QString file;     ///< path of the project, or empty
     QDate date;
     std::shared_ptr<const SetupSubject> setup; ///< null: the outcome alone
     Company company;                           ///< of the heads

@@ -196,6 +196,10 @@ QString ConstraintsView::title() const {
     return tr("Constraints");
 }
 
+QString ConstraintsView::brief() const {
+    return tr("Constraints", "the view's tab");
+}
+
 void ConstraintsView::forget() {
     m_plot->fitNext();
 }

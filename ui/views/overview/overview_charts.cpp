@@ -7,6 +7,7 @@
 #include "core/quality/usage.h"
 #include "core/units.h"
 #include "ui/charts/verdict_model.h"
+#include "ui/measured/measured_boxes.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
@@ -303,8 +304,10 @@ BarChart OverviewCharts::requirements(const Outcome& outcome) {
 // --- batch --------------------------------------------------------------------------------------
 
 /// Empty of corners, which are no sample, and where no part reached size.
-BarChart OverviewCharts::boxes(const BatchOutcome& batch) {
+BarChart OverviewCharts::boxes(const BatchOutcome& batch,
+                               const std::vector<MeasuredStatistics>& measured) {
     BarChart chart;
+    bool hasMeasured = false, hasSummary = false;
     const BatchSummary& summary = batch.summary;
     const std::vector<std::size_t> places = placesOf(summary, "diameter", mostPlaces);
     const auto percentile = [](const CharacteristicSummary& of, double order) {
@@ -316,9 +319,20 @@ BarChart OverviewCharts::boxes(const BatchOutcome& batch) {
         if (!summary.isSample || of.count == 0) {
             return {};
         }
-        chart.categories << Names::zone(of.characteristic.zone, of.characteristic.section);
+        const QString name = Names::zone(of.characteristic.zone, of.characteristic.section);
+        chart.categories << name;
         chart.boxes.push_back({of.least.value, percentile(of, 0.25), percentile(of, 0.5),
                                percentile(of, 0.75), of.most.value});
+        for (const MeasuredStatistics& parts : measured) {
+            const bool isHere = parts.quantity == MeasuredQuantity::diameter_deviation
+                                && parts.place == of.characteristic.section;
+            if (const auto box = isHere ? MeasuredBoxes::measured(parts) : std::nullopt) {
+                chart.categories << MeasuredBoxes::category(name, MeasuredBoxes::measuredKind);
+                chart.boxes.push_back(*box);
+                hasMeasured = true;
+                hasSummary = hasSummary || parts.isSummary;
+            }
+        }
         if (of.characteristic.low && of.characteristic.high) {
             chart.band =
                 BarBand{*of.characteristic.low, *of.characteristic.high, tr("tolerance field")};
@@ -330,8 +344,14 @@ BarChart OverviewCharts::boxes(const BatchOutcome& batch) {
     chart.unit = unitText("µm");
     chart.number = Names::signedMicrometres;
     chart.boxColour = barColour(Drawn::frequency);
+    if (hasMeasured) {
+        chart.boxKinds = MeasuredBoxes::kinds();
+    }
     QStringList remarks{tr("Box: the middle half of the parts, with their median; whiskers: the "
                            "smallest and the largest part.")};
+    if (hasSummary) {
+        remarks << MeasuredBoxes::summaryRemark();
+    }
     if (!summary.exactPercentiles) {
         remarks << tr("The quartiles are exact to within a bin.");
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/adequacy/measured_statistics.h"
 #include "core/study/outcome.h"
 #include "core/study/whole_batch.h"
 #include "ui/bars/bar_chart.h"
@@ -46,7 +47,9 @@ public:
     static BarChart stock(const Outcome& outcome);
     static BarChart diameters(const Outcome& outcome);
     static BarChart requirements(const Outcome& outcome);
-    static BarChart boxes(const BatchOutcome& batch);
+    /// Measured diameters stand beside the predicted ones.
+    static BarChart boxes(const BatchOutcome& batch,
+                          const std::vector<MeasuredStatistics>& measured = {});
     static BarChart parts(const BatchOutcome& batch);
     static BarChart runs(const std::vector<RunBars>& runs, int kept); ///< of so many kept ones
 

@@ -214,7 +214,8 @@ void OverviewView::showBatch() {
         step = tr("Run the batch…");
     } else {
         tile(parts)->setChart(OverviewCharts::parts(*m_batch));
-        BarChart scatter = OverviewCharts::boxes(*m_batch);
+        BarChart scatter =
+            OverviewCharts::boxes(*m_batch, statisticsOfMeasured(good()->result.project));
         if (scatter.empty()) {
             tile(boxes)->setEmpty(
                 m_batch->summary.isSample

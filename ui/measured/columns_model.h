@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/measured/measured_table.h"
+#include "core/project/project.h"
+#include "ui/tables/table_model.h"
+
+#include <QStringList>
+
+#include <utility>
+#include <vector>
+
+namespace sparkout {
+
+/// How the columns of a table of measurements are read: a row a column, or a key of key-value
+/// lines, each of whose properties is chosen out of a few.
+class ColumnsModel : public TableModel {
+    Q_OBJECT
+public:
+    enum Column { heading, quantity, unit, place, columnCount_ };
+
+    explicit ColumnsModel(const Project& project, QObject* parent = nullptr);
+
+    void show(std::vector<ColumnMatch> matches);
+    [[nodiscard]] const std::vector<ColumnMatch>& matches() const { return m_matches; }
+
+    /// What a cell may be chosen to be: texts and values; empty: nothing is to be chosen.
+    using Choices = std::vector<std::pair<QString, int>>;
+    [[nodiscard]] Choices choices(const QModelIndex& cell) const;
+    [[nodiscard]] static QString name(int column);
+
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+signals:
+    void edited(); ///< by the user
+
+private:
+    [[nodiscard]] int rowsShown() const override { return static_cast<int>(m_matches.size()); }
+    [[nodiscard]] int columnsShown() const override { return columnCount_; }
+    [[nodiscard]] QVariant cell(int row, int column, int role) const override;
+    [[nodiscard]] QVariant head(int column, int role) const override;
+    [[nodiscard]] int valueOf(const ColumnMatch& match, int column) const;
+    [[nodiscard]] bool hasPlace(const ColumnMatch& match) const;
+
+    Project m_project;
+    std::vector<ColumnMatch> m_matches;
+};
+
+} // namespace sparkout

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+#include "ui/measured/measured_reader.h"
+
+#include <QDialog>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QProgressBar;
+class QPushButton;
+class QRadioButton;
+class QTableView;
+
+namespace sparkout {
+
+class ColumnsModel;
+class NumberField;
+class PreviewModel;
+
+/// How a table of measurements is to be read: its dialect, what its columns hold, and beneath what
+/// comes of that. The whole table is read aside after every change, so that the faults are those of
+/// all its lines.
+class ImportDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    ImportDialog(MeasuredSource source, const Project& project, QWidget* parent);
+
+    /// Once accepted: what was read, without the refused cells.
+    [[nodiscard]] const ReadMeasured& read() const { return *m_read; }
+    [[nodiscard]] bool replaces() const; ///< what the project has of the same kind goes
+
+    /// A project with what was read.
+    [[nodiscard]] static Project withMeasured(Project project, const ReadMeasured& read,
+                                              bool replaces);
+
+private:
+    QWidget* buildDialect();
+    void buildTables();
+    QWidget* buildEnd();
+    QWidget* buildButtons();
+    void connectParts();
+    void propose(); ///< from the text
+    void showTable();
+    void openBoxes(); ///< of the columns
+    void takeDialect();
+    void takeChoices();
+    void startReading();
+    void takeRead(const ReadMeasuredPtr& read);
+    void showResult();
+    [[nodiscard]] QString resultText() const;
+    [[nodiscard]] QString obstacle() const; ///< why it cannot be imported; empty: it can
+
+    MeasuredSourcePtr m_source;
+    Project m_project;
+    MeasuredTable m_table;
+    ReadMeasuredPtr m_read; ///< null: it is being read
+    QComboBox *m_layout, *m_delimiter, *m_decimal, *m_first;
+    QLabel* m_factorLabel = nullptr;
+    NumberField* m_factor; ///< kW to an ampere
+    ColumnsModel* m_columns;
+    PreviewModel* m_preview;
+    QTableView *m_columnsView, *m_previewView;
+    QLabel* m_state;
+    QProgressBar* m_progress;
+    QListWidget* m_faults;
+    QCheckBox* m_without; ///< the refused cells
+    QRadioButton *m_add, *m_replace;
+    QPushButton* m_import = nullptr;
+    MeasuredReader* m_reader;
+};
+
+} // namespace sparkout

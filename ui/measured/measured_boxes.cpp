@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/measured/measured_boxes.h"
+
+#include "core/batch/batch_summary.h"
+#include "core/project/part.h"
+#include "core/project/project.h"
+#include "ui/measured/measured_text.h"
+#include "ui/text/texts.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+constexpr double normalQuartile = 0.6745; ///< of the standard normal law
+constexpr double whiskerReach = 2;        ///< standard deviations, where no extremes are stated
+
+} // namespace
+
+std::vector<BoxKind> MeasuredBoxes::kinds() {
+    return {{tr("predicted"), barColour(style::Drawn::frequency)},
+            {tr("measured"), barColour(Tone::orange)}};
+}
+
+std::optional<BarBox> MeasuredBoxes::predicted(const PredictedRange& range) {
+    if (range.quartiles) {
+        const Quartiles& of = *range.quartiles;
+        return BarBox{range.least, of.low, of.median, of.high, range.most, predictedKind};
+    }
+    if (range.least == range.most && range.count > 0) { // nothing scatters
+        return BarBox{range.mean, range.mean, range.mean, range.mean, range.mean, predictedKind};
+    }
+    return std::nullopt;
+}
+
+std::optional<BarBox> MeasuredBoxes::measured(const MeasuredStatistics& of) {
+    if (!of.isSummary) {
+        if (of.values.empty()) {
+            return std::nullopt;
+        }
+        const Quartiles quartiles = quartilesOf(of.values);
+        return BarBox{of.values.front(), quartiles.low,    quartiles.median,
+                      quartiles.high,    of.values.back(), measuredKind};
+    }
+    if (!of.deviation) {
+        return std::nullopt;
+    }
+    const double half = normalQuartile * *of.deviation, reach = whiskerReach * *of.deviation;
+    return BarBox{std::min(of.least.value_or(of.mean - reach), of.mean - half),
+                  of.mean - half,
+                  of.mean,
+                  of.mean + half,
+                  std::max(of.greatest.value_or(of.mean + reach), of.mean + half),
+                  measuredKind};
+}
+
+QString MeasuredBoxes::category(const QString& place, Kind kind) {
+    return place + u'\n' + kinds().at(kind).name;
+}
+
+QString MeasuredBoxes::summaryRemark() {
+    return tr("Of typed statistics the box is that of a normal law of their mean and standard "
+              "deviation.");
+}
+
+void MeasuredBoxes::addLimits(BarChart& chart, const Project& project, MeasuredQuantity quantity) {
+    const Part& part = *project.part;
+    const Tolerance& tolerance = part.tolerance;
+    std::optional<double> limit;
+    switch (quantity) {
+    case MeasuredQuantity::diameter_deviation:
+        chart.band =
+            BarBand{part.lower_deviation_um, part.upper_deviation_um, tr("tolerance field")};
+        return;
+    case MeasuredQuantity::radial_runout: limit = tolerance.radial_runout_um; break;
+    case MeasuredQuantity::roundness: limit = tolerance.roundness_um; break;
+    case MeasuredQuantity::cylindricity: limit = tolerance.cylindricity_um; break;
+    case MeasuredQuantity::roughness_ra: limit = tolerance.roughness_ra_um; break;
+    }
+    if (limit) {
+        chart.limits.push_back({*limit, tr("limit")});
+    }
+}
+
+BarChart MeasuredBoxes::chart(const Project& project, const std::vector<AdequacyRow>& rows,
+                              MeasuredQuantity quantity) {
+    BarChart chart;
+    std::size_t places = 0, all = 0;
+    bool hasSummary = false, hasCorners = false;
+    for (const AdequacyRow& row : rows) {
+        if (row.measured.quantity != quantity) {
+            continue;
+        }
+        ++all;
+        const auto of = measured(row.measured);
+        if (!of || places == mostPlaces) {
+            continue;
+        }
+        ++places;
+        const QString place = MeasuredText::place(project, row.measured.place);
+        if (const auto box = row.predicted ? predicted(*row.predicted) : std::nullopt) {
+            chart.categories << category(place, predictedKind);
+            chart.boxes.push_back(*box);
+        } else {
+            hasCorners = hasCorners || row.predicted;
+        }
+        chart.categories << category(place, measuredKind);
+        chart.boxes.push_back(*of);
+        hasSummary = hasSummary || row.measured.isSummary;
+    }
+    if (chart.empty()) {
+        return chart;
+    }
+    chart.shape = BarChart::Shape::boxes;
+    chart.what = tr("Zone or section");
+    chart.axis = MeasuredText::quantity(quantity);
+    chart.unit = unitText("µm");
+    chart.number = [quantity](double value) { return MeasuredText::value(value, quantity); };
+    chart.boxKinds = kinds();
+    addLimits(chart, project, quantity);
+    QStringList remarks{tr("Box: the middle half of the parts, with their median; whiskers: the "
+                           "smallest and the largest part.")};
+    if (hasSummary) {
+        remarks << summaryRemark();
+    }
+    if (hasCorners) {
+        remarks << tr("Corners are no sample: of their prediction there is no box.");
+    }
+    if (all > places) {
+        remarks << tr("%1 of %2 comparisons are drawn.").arg(places).arg(all);
+    }
+    chart.remark = remarks.join(u' ');
+    return chart;
+}
+
+std::vector<MeasuredQuantity> MeasuredBoxes::quantities(const std::vector<AdequacyRow>& rows) {
+    std::vector<MeasuredQuantity> found;
+    for (const AdequacyRow& row : rows) {
+        if (std::ranges::find(found, row.measured.quantity) == found.end()) {
+            found.push_back(row.measured.quantity);
+        }
+    }
+    return found;
+}
+
+} // namespace sparkout

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/adequacy/adequacy.h"
+#include "ui/bars/bar_chart.h"
+
+#include <QCoreApplication>
+
+#include <optional>
+#include <vector>
+
+namespace sparkout {
+
+/// Measured parts beside the predicted ones as boxes: of the view "Measured", of "Overview" and of
+/// the passport.
+class MeasuredBoxes {
+    Q_DECLARE_TR_FUNCTIONS(MeasuredBoxes)
+public:
+    enum Kind : std::size_t { predictedKind, measuredKind };
+    static std::vector<BoxKind> kinds(); ///< of a chart, in that order
+
+    static std::optional<BarBox> predicted(const PredictedRange& range);
+    /// Of listed parts their quartiles; of a summary those of a normal law of its mean and s.
+    static std::optional<BarBox> measured(const MeasuredStatistics& of);
+    /// A place as a category, on two lines: "RZ1", then of which kind.
+    static QString category(const QString& place, Kind kind);
+    static QString summaryRemark(); ///< how the box of a summary is made
+
+    /// One quantity, place beside place; empty where there is nothing to draw.
+    static BarChart chart(const Project& project, const std::vector<AdequacyRow>& rows,
+                          MeasuredQuantity quantity);
+    /// Those of which there are rows.
+    static std::vector<MeasuredQuantity> quantities(const std::vector<AdequacyRow>& rows);
+
+private:
+    static void addLimits(BarChart& chart, const Project& project, MeasuredQuantity quantity);
+};
+
+} // namespace sparkout

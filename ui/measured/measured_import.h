@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/measured/measured_source.h"
+
+#include <QObject>
+
+class QWidget;
+
+namespace sparkout {
+
+class Document;
+class Settings;
+
+/// The commands that bring measurements into the project: from a file, from the clipboard.
+class MeasuredImport : public QObject {
+    Q_OBJECT
+
+public:
+    MeasuredImport(Document& document, Settings& settings, QWidget* window);
+
+    void importFile(); ///< asks for it
+    void paste();
+    void take(MeasuredSource source); ///< asks how it is to be read
+
+signals:
+    void imported();
+
+private:
+    void say(const QString& title, const QString& text);
+
+    Document& m_document;
+    Settings& m_settings;
+    QWidget* m_window;
+};
+
+} // namespace sparkout

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/measured/measured_table.h"
+#include "ui/measured/measured_source.h"
+#include "ui/session/newest_job.h"
+
+#include <QObject>
+
+#include <memory>
+
+namespace sparkout {
+
+using ReadMeasuredPtr = std::shared_ptr<const ReadMeasured>;
+
+/// Reads a table of measurements off the window's thread; a newer reading drops the older one.
+class MeasuredReader : public QObject {
+    Q_OBJECT
+public:
+    explicit MeasuredReader(QObject* parent = nullptr);
+
+    void start(const MeasuredSourcePtr& source, const MeasuredTable& table,
+               const MeasuredContext& context);
+    void stop();
+    [[nodiscard]] bool running() const { return m_running; }
+
+signals:
+    void finished(sparkout::ReadMeasuredPtr read);
+
+private:
+    bool m_running = false;
+    NewestJob m_job; ///< the last member: gone before what its work uses
+};
+
+} // namespace sparkout

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/adequacy/adequacy.h"
+#include "core/measured/measured_table.h"
+
+#include <QCoreApplication>
+#include <QString>
+#include <QStringList>
+
+#include <vector>
+
+namespace sparkout {
+
+/// Measured values and what they say of the model, in the present language.
+class MeasuredText {
+    Q_DECLARE_TR_FUNCTIONS(MeasuredText)
+public:
+    static QString quantity(MeasuredQuantity quantity); ///< "Roundness"
+    static QString trace(TraceQuantity quantity);       ///< "Wheel power"
+    static QString place(const Project& project, int place);
+    static QString brief(MeasuredQuantity quantity);                           ///< "Diameter"
+    static QString name(const Project& project, const MeasuredStatistics& of); ///< brief, place
+
+    static QString column(ColumnQuantity quantity); ///< what a column of a table holds
+    static QString unit(ColumnUnit unit);           ///< "mm"; a dash for none
+    static QString fault(const CellFault& fault);   ///< "Line 3, column 2: …"
+
+    // Of a comparison, as a table states them; a dash where there is nothing.
+    static QString value(double value_um, MeasuredQuantity quantity);
+    static QString mean(const AdequacyRow& row);
+    static QString predicted(const AdequacyRow& row);
+    static QString scatter(const AdequacyRow& row); ///< F with what it stays between by chance
+    static QString share(const AdequacyRow& row);
+    static QString verdict(AdequacyVerdict verdict);
+    static QString briefVerdict(AdequacyVerdict verdict); ///< a word or two
+    /// What all of them come to, a sentence each: what is so, of which quantities, what follows.
+    static QStringList judgement(const Project& project, const std::vector<AdequacyRow>& rows);
+
+private:
+    /// "Diameter: RZ1, NZ; Ra: RZ1".
+    static QString listed(const Project& project, const std::vector<AdequacyRow>& rows,
+                          AdequacyVerdict verdict);
+    static QString consequence(AdequacyVerdict verdict);
+};
+
+} // namespace sparkout

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/documents/passport_measured.h"
+
+#include "core/project/project.h"
+#include "ui/measured/adequacy_model.h"
+#include "ui/measured/measured_boxes.h"
+#include "ui/measured/measured_text.h"
+#include "ui/report/documents/passport_figures.h"
+
+#include <utility>
+
+namespace sparkout::report {
+
+bool PassportMeasured::applies(const Project& project) {
+    return !statisticsOfMeasured(project).empty();
+}
+
+Table PassportMeasured::table(const Project& project, const std::vector<AdequacyRow>& rows) {
+    Table table;
+    for (int column = 0; column < AdequacyModel::columnCount_; ++column) {
+        table.head << AdequacyModel::heading(column);
+        table.texts.push_back(column == AdequacyModel::what || column == AdequacyModel::verdict);
+    }
+    for (const AdequacyRow& row : rows) {
+        QStringList cells;
+        for (int column = 0; column < AdequacyModel::columnCount_; ++column) {
+            cells << AdequacyModel::text(project, row, column);
+        }
+        table.rows.push_back(std::move(cells));
+    }
+    return table;
+}
+
+std::vector<Block> PassportMeasured::blocks(const Subject& subject) {
+    const Project& project = subject.outcome->result.project;
+    if (!subject.predicting || !subject.predicting->ran() || !applies(project)) {
+        return {};
+    }
+    const std::vector<AdequacyRow> rows = judgeAdequacy(project, subject.predicting->result);
+    std::vector<Block> blocks{table(project, rows)};
+    for (const QString& sentence : MeasuredText::judgement(project, rows)) {
+        blocks.emplace_back(Paragraph{sentence});
+    }
+    blocks.emplace_back(Paragraph{
+        tr("Mean with Student's interval of 95 %; predicted: the range that 95 % of %n part(s) of "
+           "the batch lie in; F: the variance of the measured parts over the predicted one, with "
+           "what it stays between by chance; inside: measured parts within the predicted range.",
+           nullptr, static_cast<int>(subject.predicting->summary.parts))});
+    for (const MeasuredQuantity quantity : MeasuredBoxes::quantities(rows)) {
+        if (auto figure = PassportFigures::bars(MeasuredText::quantity(quantity),
+                                                MeasuredBoxes::chart(project, rows, quantity))) {
+            blocks.emplace_back(std::move(*figure));
+        }
+    }
+    return blocks;
+}
+
+} // namespace sparkout::report

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/adequacy/adequacy.h"
+#include "ui/report/documents/report_kinds.h"
+
+#include <QCoreApplication>
+
+#include <vector>
+
+namespace sparkout::report {
+
+/// Whether the model agrees with the parts that were measured, in the accuracy passport.
+class PassportMeasured {
+    Q_DECLARE_TR_FUNCTIONS(PassportMeasured)
+public:
+    /// Whether a project has parts to hold against a prediction.
+    static bool applies(const Project& project);
+    /// Nothing where no part was measured, or nothing predicts.
+    static std::vector<Block> blocks(const Subject& subject);
+
+private:
+    static Table table(const Project& project, const std::vector<AdequacyRow>& rows);
+};
+
+} // namespace sparkout::report

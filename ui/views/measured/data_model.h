@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+#include "ui/tables/csv_table.h"
+#include "ui/tables/table_model.h"
+
+#include <QString>
+
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace sparkout {
+
+class Document;
+struct Measured;
+
+/// A list of the project's measured data as a table to edit in place: a row an item, a column a
+/// member. A text that was refused stands, with its reason, beside the value it did not replace.
+class DataModel : public TableModel {
+    Q_OBJECT
+public:
+    enum class List { parts, summaries, traces };
+
+    DataModel(List list, Document& document, QObject* parent = nullptr);
+
+    void addRow(); ///< a copy of the last one, to be filled in
+    void removeRows(std::vector<int> rows);
+    /// What a cell may be chosen to be; empty: it is typed, or cannot be edited.
+    using Choices = std::vector<std::pair<QString, int>>;
+    [[nodiscard]] Choices choices(const QModelIndex& cell) const;
+    [[nodiscard]] CsvTable table() const;
+
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+private:
+    [[nodiscard]] int rowsShown() const override { return m_rows; }
+    [[nodiscard]] int columnsShown() const override { return static_cast<int>(m_columns.size()); }
+    [[nodiscard]] QVariant cell(int row, int column, int role) const override;
+    [[nodiscard]] QVariant head(int column, int role) const override;
+
+    void follow();
+    [[nodiscard]] const Measured& measured() const;
+    [[nodiscard]] const void* item(int row) const;
+    [[nodiscard]] bool isPlace(const Field& field) const;
+    [[nodiscard]] bool isEditable(const Field& field) const;
+    [[nodiscard]] QString shown(int row, const Field& field) const;
+    /// Puts a text into an item; why not, where it does not go.
+    [[nodiscard]] QString take(void* item, const Field& field, const QString& text) const;
+    [[nodiscard]] QString takeNumber(void* item, const Field& field, const QString& text) const;
+    [[nodiscard]] const char* editName() const;
+
+    struct Refused {
+        QString text, reason;
+    };
+
+    List m_which;
+    const Field& m_list;
+    Document& m_document;
+    OptionalShared<Measured> m_shown;
+    int m_rows = 0;
+    std::vector<const Field*> m_columns;
+    std::map<std::pair<int, const Field*>, Refused> m_refused;
+};
+
+} // namespace sparkout

@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/measured/measured_view.h"
+
+#include "core/project/batch.h"
+#include "core/study/batch_edits.h"
+#include "ui/bars/bar_plot.h"
+#include "ui/dialogs/copy_table.h"
+#include "ui/kit/tool_row.h"
+#include "ui/measured/adequacy_model.h"
+#include "ui/measured/measured_boxes.h"
+#include "ui/measured/measured_text.h"
+#include "ui/plot/legend_strip.h"
+#include "ui/plot/run_bar.h"
+#include "ui/session/document.h"
+#include "ui/text/names.h"
+#include "ui/views/measured/data_sheet.h"
+
+#include <QComboBox>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+constexpr int boxesShare = 200, judgedShare = 200; ///< of the height at first
+constexpr int comparisonLetters = 40; ///< wide, the text on the comparison beside the buttons
+
+struct PredictionProgress {
+    Q_DECLARE_TR_FUNCTIONS(MeasuredView)
+public:
+    static QString text(qint64 done, qint64 parts, double left_s) {
+        return RunBar::withTimeLeft(
+            tr("%1 of %2 parts predicted").arg(QLocale().toString(done), QLocale().toString(parts)),
+            left_s);
+    }
+};
+
+} // namespace
+
+MeasuredView::MeasuredView(Document& document, QWidget* parent, Settings* settings)
+    : PlotView(QStringLiteral("measured"), parent, settings)
+    , m_boxes(new BarPlot(this))
+    , m_model(new AdequacyModel(this))
+    , m_judgement(new QLabel(this))
+    , m_splitter(new QSplitter(Qt::Vertical, this))
+    , m_sheets(new QStackedWidget(this))
+    , m_sheet(new QComboBox(this))
+    , m_quantity(new QComboBox(this))
+    , m_bar(new RunBar(QStringLiteral("measured"), this, PredictionProgress::text))
+    , m_import(new QPushButton(this))
+    , m_paste(new QPushButton(this))
+    , m_start(new QPushButton(this))
+    , m_runner(new BatchRunner(this)) {
+    m_boxes->setMinimumSize(240, 120);
+    addPage(*m_boxes);
+    setUpNotice(*m_bar->state());
+    setUpNotice(*m_judgement);
+    m_bar->layOut({}, {}, comparisonLetters);
+    m_sheets->addWidget(buildComparison());
+    for (std::size_t i = 0; i < m_data.size(); ++i) {
+        m_data[i] = new DataSheet(static_cast<DataModel::List>(i), document, settings, m_sheets);
+        m_sheets->addWidget(m_data[i]);
+    }
+    QVBoxLayout* const column =
+        addColumn({buildTools(), m_bar, notice(), m_start, legend(), m_sheets, values()}, m_sheets);
+    column->setAlignment(m_start, Qt::AlignLeft);
+    nameObjects({{m_boxes, "measuredBoxes"},
+                 {m_table, "measuredTable"},
+                 {m_judgement, "measuredJudgement"},
+                 {m_sheet, "measuredSheet"},
+                 {m_quantity, "measuredQuantity"},
+                 {m_import, "measuredImport"},
+                 {m_paste, "measuredPaste"},
+                 {m_start, "measuredStart"}});
+    connectParts();
+    built();
+    chooseSheet();
+}
+
+QWidget* MeasuredView::buildTools() {
+    auto* bar = new QWidget(this);
+    auto* row = rowIn<ToolRow>(bar);
+    addBoxes(*row, {m_sheet, m_quantity});
+    row->addStretch(1);
+    row->addWidget(m_import);
+    row->addWidget(m_paste);
+    addPageButtons(*row);
+    return bar;
+}
+
+QWidget* MeasuredView::buildComparison() {
+    m_table = addTable(*m_model, [this] { return m_model->table(); });
+    m_table->setWordWrap(false);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->verticalHeader()->hide();
+    m_table->setMinimumHeight(80);
+    auto* below = new QWidget(m_splitter);
+    auto* column = new QVBoxLayout(below);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_table, 2);
+    auto* judged = new QScrollArea(below);
+    judged->setObjectName(QStringLiteral("measuredJudgementArea"));
+    judged->setWidget(m_judgement);
+    judged->setWidgetResizable(true);
+    judged->setFrameShape(QFrame::NoFrame);
+    judged->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_judgement->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    column->addWidget(judged, 1);
+    share(*m_splitter, {{pages(), boxesShare}, {below, judgedShare}});
+    hideUntilDrawn({m_splitter});
+    auto* page = new QWidget(m_sheets);
+    auto* around = new QVBoxLayout(page);
+    around->setContentsMargins(0, 0, 0, 0);
+    around->addWidget(m_splitter, 1);
+    return page;
+}
+
+void MeasuredView::connectParts() {
+    connect(m_sheet, &QComboBox::currentIndexChanged, this, &MeasuredView::chooseSheet);
+    connect(m_quantity, &QComboBox::currentIndexChanged, this, &MeasuredView::chooseQuantity);
+    connect(m_bar->run(), &QPushButton::clicked, this, &MeasuredView::runBatch);
+    m_bar->follow(*m_runner);
+    connect(m_runner, &BatchRunner::finished, this, &MeasuredView::takeBatch);
+    connect(m_import, &QPushButton::clicked, this, &MeasuredView::importAsked);
+    connect(m_start, &QPushButton::clicked, this, &MeasuredView::importAsked);
+    connect(m_paste, &QPushButton::clicked, this, &MeasuredView::pasteAsked);
+    connect(m_table, &CopyTable::rowChosen, this, [this](int row) {
+        const int at = m_quantity->findData(
+            static_cast<int>(rows().at(static_cast<std::size_t>(row)).measured.quantity));
+        m_quantity->setCurrentIndex(at);
+    });
+}
+
+const std::vector<AdequacyRow>& MeasuredView::rows() const {
+    return m_model->rows();
+}
+
+BatchOutcomePtr MeasuredView::prediction() const {
+    return stale() || !m_batch || m_batch->result.status != BatchStatus::completed ? nullptr
+                                                                                   : m_batch;
+}
+
+/// What its fields and tables do not take themselves.
+void MeasuredView::keyPressEvent(QKeyEvent* event) {
+    if (event->matches(QKeySequence::Paste)) {
+        emit pasteAsked();
+    } else {
+        PlotView::keyPressEvent(event);
+    }
+}
+
+// --- choices ------------------------------------------------------------------------------------
+
+bool MeasuredView::isComparing() const {
+    return m_sheet->currentIndex() <= comparison;
+}
+
+void MeasuredView::chooseSheet() {
+    m_sheets->setCurrentIndex(std::max(m_sheet->currentIndex(), 0));
+    showState();
+    showLegend();
+    replotAll();
+}
+
+void MeasuredView::chooseQuantity() {
+    if (m_quantity->currentIndex() >= 0) {
+        m_wanted = static_cast<MeasuredQuantity>(m_quantity->currentData().toInt());
+        showComparison();
+    }
+}
+
+void MeasuredView::fillQuantities() {
+    const QSignalBlocker blocker(m_quantity);
+    m_quantity->clear();
+    for (const MeasuredQuantity quantity : MeasuredBoxes::quantities(rows())) {
+        m_quantity->addItem(MeasuredText::quantity(quantity), static_cast<int>(quantity));
+    }
+    m_quantity->setCurrentIndex(std::max(m_quantity->findData(static_cast<int>(m_wanted)), 0));
+}
+
+// --- running ------------------------------------------------------------------------------------
+
+bool MeasuredView::hasStatistics() const {
+    return m_hasStatistics;
+}
+
+void MeasuredView::takeOutcome(const OutcomePtr&) {
+    const Project& project = good()->result.project;
+    m_hasStatistics = !statisticsOfMeasured(project).empty();
+    noteStale();
+    if (!stale()) {
+        m_refused.reset(); // what is shown is of these inputs
+    }
+    if (!hasStatistics()) {
+        forget();
+        return;
+    }
+    const Project predicting = predictingProject(project);
+    const bool runs = m_running && m_runner->running() && sameBatch(*m_running, predicting);
+    if (stale() && !runs) {
+        m_runner->drop();
+        m_refused.reset();
+        if (RunBar::areQuick(partsOf(predicting), good()->result.visits)) {
+            runBatch();
+        }
+    }
+    judge();
+}
+
+void MeasuredView::forget() {
+    m_runner->drop();
+    m_batch.reset();
+    m_refused.reset();
+    noteStale();
+    judge();
+    showState();
+}
+
+void MeasuredView::noteStale() {
+    m_stale = !m_batch || !good()
+              || !sameBatch(m_batch->result.project, predictingProject(good()->result.project));
+}
+
+void MeasuredView::runBatch() {
+    m_running = predictingProject(good()->result.project);
+    m_refused.reset();
+    m_bar->showProgress(0, partsOf(*m_running));
+    m_runner->start(*m_running);
+    showState();
+}
+
+void MeasuredView::takeBatch(const BatchOutcomePtr& outcome) {
+    if (!outcome->ran()) {
+        m_refused = outcome;
+    } else if (outcome->summary.parts > 0) {
+        m_batch = outcome;
+        noteStale();
+        judge();
+    }
+    showState();
+    emit measuredShown();
+}
+
+void MeasuredView::judge() {
+    const bool has = m_batch && good() && hasStatistics();
+    const Project& project = good() ? good()->result.project : Project();
+    m_model->show(project,
+                  has ? judgeAdequacy(project, m_batch->result) : std::vector<AdequacyRow>());
+    m_judgement->setText(has ? MeasuredText::judgement(project, rows()).join(u'\n') : QString());
+    fillQuantities();
+    showComparison();
+}
+
+// --- showing ------------------------------------------------------------------------------------
+
+void MeasuredView::showComparison() {
+    const auto chosen = static_cast<MeasuredQuantity>(m_quantity->currentData().toInt());
+    m_boxes->setChart(
+        rows().empty() ? BarChart() : MeasuredBoxes::chart(good()->result.project, rows(), chosen));
+    m_boxes->setAccessibleDescription(m_boxes->chart().description());
+    showState();
+    showLegend();
+    replotAll();
+}
+
+bool MeasuredView::drawn() const {
+    return isComparing() && !rows().empty();
+}
+
+bool MeasuredView::faint() const {
+    return !rows().empty() && (stale() || refused());
+}
+
+QString MeasuredView::stateText() const {
+    if (rows().empty()) {
+        return {};
+    }
+    const auto agreeing =
+        std::ranges::count(rows(), AdequacyVerdict::adequate, &AdequacyRow::verdict);
+    const QString predicted =
+        tr("Predicted of %n part(s).", nullptr, static_cast<int>(m_batch->summary.parts));
+    return predicted + u' '
+           + (speaksForModel(rows())
+                  ? tr("Nothing speaks against the model; %1 of %2 comparisons agree.")
+                  : tr("The model does not agree with the parts; %1 of %2 comparisons agree."))
+                 .arg(agreeing)
+                 .arg(rows().size());
+}
+
+void MeasuredView::showState() {
+    PlotView::showState();
+    const bool isEmpty = !hasStatistics();
+    m_bar->setVisible(isComparing() && !isEmpty);
+    m_start->setVisible(isComparing() && isEmpty && good() && !refused());
+    m_bar->showRunning(busy(), hasStatistics() && !refused());
+    m_bar->state()->setText(stateText());
+    m_quantity->setVisible(isComparing() && m_quantity->count() > 0);
+    readOut();
+}
+
+// --- texts --------------------------------------------------------------------------------------
+
+QString MeasuredView::title() const {
+    return tr("Measured");
+}
+
+QString MeasuredView::brief() const {
+    return tr("Measured", "the view's tab");
+}
+
+QString MeasuredView::hint() const {
+    const QString point = tr("Point at a box to read its values.");
+    const QString& remark = m_boxes->chart().remark;
+    return remark.isEmpty() ? point : point + u' ' + remark;
+}
+
+QString MeasuredView::keptText() const {
+    return rows().empty()
+               ? refusedText()
+               : tr("The inputs are refused; the prediction is that of the last accepted ones.");
+}
+
+QString MeasuredView::remark() const {
+    if (!isComparing()) {
+        return {};
+    }
+    if (!hasStatistics()) {
+        return tr("No part is measured yet. Here measured diameters, runout, roundness, "
+                  "cylindricity and roughness will stand beside those that the batch predicts, "
+                  "with a verdict on the model. Import a table of a measuring machine, paste one "
+                  "from a spreadsheet (Ctrl+V), or type the statistics of a printed table under "
+                  "“Statistics”.");
+    }
+    if (m_refused) {
+        return tr("The batch that predicts cannot be run:") + QLatin1Char('\n')
+               + Names::refusal(m_refused->issues, 2);
+    }
+    if (m_batch && stale()) {
+        return m_runner->running()
+                   ? tr("Of the inputs before the last edit; the new batch is being run.")
+                   : tr("Of the inputs before the last edit. Press “Run” for those of now.");
+    }
+    if (!m_batch) {
+        return m_runner->running() ? QString()
+                                   : tr("The batch that predicts takes a while: press “Run”. It "
+                                        "can be stopped at any time.");
+    }
+    return good()->result.project.batch
+               ? QString()
+               : tr("This project describes no batch, so the prediction is one part without "
+                    "scatter. Choose on the page Batch of the inputs what scatters.");
+}
+
+QStringList MeasuredView::subheading() const {
+    return {m_quantity->currentText(), m_bar->state()->text(), m_boxes->chart().remark};
+}
+
+void MeasuredView::nameParts() {
+    nameAround(tr("Legend of the comparison"), tr("State of the comparison"),
+               tr("Values under the mouse"));
+    m_boxes->setAccessibleName(tr("Measured parts beside the predicted ones"));
+    m_bar->state()->setAccessibleName(tr("What was compared"));
+    m_bar->progress()->setAccessibleName(tr("Progress of the batch"));
+    m_table->setAccessibleName(tr("Measured against predicted"));
+    m_judgement->setAccessibleName(tr("Verdict on the model"));
+    fillChoice(*m_sheet, {tr("Comparison"), tr("Parts"), tr("Statistics"), tr("Traces")});
+    tell(*m_sheet, tr("What is shown of the measurements"));
+    tell(*m_quantity, tr("Measured quantity"));
+    tellButton(*m_bar->run(), tr("Run"),
+               tr("Run the batch that predicts; a quick one runs by itself"));
+    tellButton(*m_bar->stop(), tr("Stop"), tr("End the batch; what was done is kept and shown"));
+    tellButton(*m_import, tr("Import…"),
+               tr("Read a table of measured parts or of traces from a file"));
+    tellButton(*m_paste, tr("Paste…"),
+               tr("Read a table that was copied from a spreadsheet (Ctrl+V)"));
+    tellButton(*m_start, tr("Import measurements…"),
+               tr("Read a table of measured parts or of traces from a file"));
+    for (DataSheet* sheet : m_data) {
+        sheet->retranslate();
+    }
+    m_table->retranslate();
+    if (good()) {
+        judge();
+    } else {
+        m_model->retranslate();
+    }
+}
+
+} // namespace sparkout

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/adequacy/adequacy.h"
+#include "ui/plot/plot_view.h"
+#include "ui/session/batch_runner.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QSplitter;
+class QStackedWidget;
+
+namespace sparkout {
+
+class AdequacyModel;
+class BarPlot;
+class CopyTable;
+class DataSheet;
+class Document;
+class RunBar;
+
+/// The view "Measured": measured parts against the batch that the project predicts, as boxes, as a
+/// table and in words; and the measured data themselves, to edit. A quick batch runs by itself when
+/// the inputs change, another one on demand; results of other inputs are drawn faint.
+class MeasuredView : public PlotView {
+    Q_OBJECT
+public:
+    enum Sheet { comparison, parts, summaries, traces };
+
+    explicit MeasuredView(Document& document, QWidget* parent = nullptr,
+                          Settings* settings = nullptr);
+
+    [[nodiscard]] BarPlot* boxes() const { return m_boxes; }
+    [[nodiscard]] const std::vector<AdequacyRow>& rows() const;
+    [[nodiscard]] bool busy() const override { return m_runner->running(); }
+    [[nodiscard]] bool stale() const { return m_stale; } ///< what is shown is of other inputs
+    /// Of the inputs that were measured, run whole; null: none, or of other inputs.
+    [[nodiscard]] BatchOutcomePtr prediction() const;
+
+    [[nodiscard]] QString title() const override;
+    [[nodiscard]] QString brief() const override;
+    void forget() override;
+
+signals:
+    void importAsked();
+    void pasteAsked();
+    void measuredShown(); ///< the outcome of a batch has been drawn
+
+protected:
+    [[nodiscard]] QString hint() const override;
+    void nameParts() override;
+    void takeOutcome(const OutcomePtr& before) override;
+    [[nodiscard]] bool drawn() const override;
+    [[nodiscard]] bool faint() const override;
+    void showState() override;
+    [[nodiscard]] QString keptText() const override;
+    [[nodiscard]] QString remark() const override;
+    [[nodiscard]] QStringList subheading() const override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    QWidget* buildTools();
+    QWidget* buildComparison();
+    void connectParts();
+    void chooseSheet();
+    void chooseQuantity();
+    [[nodiscard]] bool isComparing() const;
+    [[nodiscard]] bool hasStatistics() const;
+    void noteStale();
+    void runBatch();
+    void takeBatch(const BatchOutcomePtr& outcome);
+    void judge();
+    void showComparison();
+    void fillQuantities();
+    [[nodiscard]] QString stateText() const;
+
+    BarPlot* m_boxes;
+    AdequacyModel* m_model;
+    CopyTable* m_table = nullptr;
+    QLabel* m_judgement;
+    QSplitter* m_splitter;
+    QStackedWidget* m_sheets;
+    QComboBox* m_sheet;
+    QComboBox* m_quantity;
+    RunBar* m_bar;
+    QPushButton *m_import, *m_paste;
+    QPushButton* m_start; ///< of the empty view
+    std::array<DataSheet*, 3> m_data{};
+    MeasuredQuantity m_wanted = MeasuredQuantity::diameter_deviation;
+    BatchOutcomePtr m_batch;   ///< that predicts what is shown
+    BatchOutcomePtr m_refused; ///< the last one that could not be run
+    BatchRunner* m_runner;
+    bool m_stale = true;
+    bool m_hasStatistics = false;
+    std::optional<Project> m_running; ///< what it runs, to know when that is of other inputs
+};
+
+} // namespace sparkout
