@@ -75,11 +75,11 @@ void PlotView::addPage(ViewPlot& plot, PlotSubject subject) {
     m_buttons.push_back(pageButtons(*plot.tools()));
 }
 
-QScrollArea* PlotView::scrolled(ViewPlot& plot) {
+QScrollArea* PlotView::scrolled(QWidget& plots) {
     auto* area = new QScrollArea(this);
-    area->setMinimumSize(plot.minimumSize());
-    plot.setMinimumSize(0, 0);
-    area->setWidget(&plot);
+    area->setMinimumSize(plots.minimumSize());
+    plots.setMinimumSize(0, 0);
+    area->setWidget(&plots);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     area->setFocusPolicy(Qt::NoFocus); // the plot has it
