@@ -4912,6 +4912,30 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Measured parts and traces to hold the prediction against, and what was calibrated on them.</source>
             <translation>Измеренные детали и записи, с которыми сравнивается прогноз, и то, что по ним откалибровано.</translation>
         </message>
+        <message>
+            <source>T_o</source>
+            <translation>T_о</translation>
+        </message>
+        <message>
+            <source>T_a</source>
+            <translation>T_в</translation>
+        </message>
+        <message>
+            <source>T_p</source>
+            <translation>T_пз</translation>
+        </message>
+        <message>
+            <source>T_1</source>
+            <translation>T_шт</translation>
+        </message>
+        <message>
+            <source>n·(approach + retreat + gauging) + (n − 1)·positioning + handling</source>
+            <translation>n·(подвод + отвод + измерение) + (n − 1)·перемещение + установка и снятие</translation>
+        </message>
+        <message>
+            <source>(T_o + T_a)·(1 + service/100)</source>
+            <translation>(T_о + T_в)·(1 + обслуживание/100)</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>

@@ -32,15 +32,16 @@ const StructInfo& tableOf<SetupTimes>() {
                        .hard = {0, 36000},
                        .hint = SPARKOUT_NOOP("Input", "Clamping a part and taking it off.")),
         SPARKOUT_FIELD(SetupTimes, main_min, .label = SPARKOUT_NOOP("Input", "Main time"),
-                       .symbol = "T_o", .unit = "min", .hard = {0, 100000},
+                       .symbol = SPARKOUT_NOOP("Input", "T_o"), .unit = "min", .hard = {0, 100000},
                        .nullMeaning = SPARKOUT_NOOP("Input", "the sum of the cycles"),
                        .hint = SPARKOUT_NOOP("Input", "The time that stock is removed in.")),
         SPARKOUT_FIELD(
             SetupTimes, auxiliary_min, .label = SPARKOUT_NOOP("Input", "Auxiliary time"),
-            .symbol = "T_a", .unit = "min", .hard = {0, 100000},
+            .symbol = SPARKOUT_NOOP("Input", "T_a"), .unit = "min", .hard = {0, 100000},
             .nullMeaning = SPARKOUT_NOOP("Input", "the sum of the times above"),
             .hint = SPARKOUT_NOOP("Input", "What is done for every part beside the cycles."),
-            .formula = "n·(approach + retreat + gauging) + (n − 1)·positioning + handling",
+            .formula = SPARKOUT_NOOP(
+                "Input", "n·(approach + retreat + gauging) + (n − 1)·positioning + handling"),
             .source = "MODEL-12"),
         SPARKOUT_FIELD(SetupTimes, service_percent,
                        .label = SPARKOUT_NOOP("Input", "Service and rest"), .unit = "%",
@@ -48,19 +49,20 @@ const StructInfo& tableOf<SetupTimes>() {
                        .hint = SPARKOUT_NOOP("Input", "Serving the machine, and rest, as a share "
                                                       "of main and auxiliary time.")),
         SPARKOUT_FIELD(SetupTimes, preparation_min,
-                       .label = SPARKOUT_NOOP("Input", "Preparation time"), .symbol = "T_p",
-                       .unit = "min", .hard = {0, 100000},
+                       .label = SPARKOUT_NOOP("Input", "Preparation time"),
+                       .symbol = SPARKOUT_NOOP("Input", "T_p"), .unit = "min", .hard = {0, 100000},
                        .hint = SPARKOUT_NOOP("Input", "Preparing the machine for a batch and "
                                                       "clearing it afterwards.")),
         SPARKOUT_FIELD(SetupTimes, batch_size, .label = SPARKOUT_NOOP("Input", "Batch size"),
                        .symbol = "N", .hard = {1, 10000000},
                        .hint = SPARKOUT_NOOP("Input", "Parts that share the preparation time.")),
         SPARKOUT_FIELD(SetupTimes, piece_min, .label = SPARKOUT_NOOP("Input", "Piece time"),
-                       .symbol = "T_1", .unit = "min", .hard = {0, 100000},
+                       .symbol = SPARKOUT_NOOP("Input", "T_1"), .unit = "min", .hard = {0, 100000},
                        .nullMeaning = SPARKOUT_NOOP("Input", "from the times above"),
                        .hint = SPARKOUT_NOOP("Input", "The time that a part takes, without its "
                                                       "share of the preparation."),
-                       .formula = "(T_o + T_a)·(1 + service/100)", .source = "MODEL-12"),
+                       .formula = SPARKOUT_NOOP("Input", "(T_o + T_a)·(1 + service/100)"),
+                       .source = "MODEL-12"),
     };
     static const StructInfo info =
         makeTable<SetupTimes>(SPARKOUT_NOOP("Struct", "Standard times"), rows);

@@ -3,9 +3,11 @@
 
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
+#include "core/setup/removed_volumes.h"
 #include "core/setup/surface_run.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace sparkout {
 
@@ -28,7 +30,8 @@ WornProject wornProject(const Setup& setup, std::size_t surface, double removed_
     return made;
 }
 
-WornProject wornProject(const Setup& setup, std::size_t surface, const std::stop_token& stop) {
+WornProject wornProject(const Setup& setup, std::size_t surface, const std::stop_token& stop,
+                        RemovedVolumes* known) {
     double removed_mm3 = 0;
     for (std::size_t i = 0; i < surface && setup.wear.isGiven() && !stop.stop_requested(); ++i) {
         WornProject before = wornProject(setup, i, removed_mm3);
@@ -38,7 +41,14 @@ WornProject wornProject(const Setup& setup, std::size_t surface, const std::stop
         if (!before.issues.empty()) {
             return before;
         }
-        removed_mm3 += runSurface({}, before.project, stop).removed_mm3;
+        std::optional<double> removed = known ? known->find(before.project) : std::nullopt;
+        if (!removed) {
+            removed = runSurface({}, before.project, stop).removed_mm3;
+            if (known && !stop.stop_requested()) {
+                known->add(before.project, *removed);
+            }
+        }
+        removed_mm3 += *removed;
     }
     return wornProject(setup, surface, removed_mm3);
 }

@@ -10,6 +10,8 @@
 
 namespace sparkout {
 
+class RemovedVolumes;
+
 /// The project of a surface with the wheel as the surfaces before have left it, and the errors that
 /// it has with that wheel, by their paths in the project. Where a surface before has such errors,
 /// that one.
@@ -22,8 +24,9 @@ struct WornProject {
 /// After so much was removed before.
 [[nodiscard]] WornProject wornProject(const Setup& setup, std::size_t surface, double removed_mm3);
 
-/// The same; the surfaces before are run, if the wheel wears.
+/// The same; the surfaces before are run, if the wheel wears and it is not known what they remove.
 [[nodiscard]] WornProject wornProject(const Setup& setup, std::size_t surface,
-                                      const std::stop_token& stop = {});
+                                      const std::stop_token& stop = {},
+                                      RemovedVolumes* known = nullptr);
 
 } // namespace sparkout

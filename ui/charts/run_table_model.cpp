@@ -8,7 +8,7 @@ namespace sparkout {
 namespace {
 
 constexpr int inputsGroup = -1, resultsGroup = -2;
-constexpr qsizetype longestCell = 60, longestHead = 22; ///< shown; the copy has all of it
+constexpr qsizetype longestCell = 60, longestHead = 48; ///< shown; the copy has all of it
 
 QString briefly(const QString& text, qsizetype longest) {
     return text.size() > longest ? text.left(longest - 1) + u'…' : text;

@@ -98,7 +98,12 @@ Qt::ItemFlags RunsModel::flags(const QModelIndex& index) const {
         return Qt::NoItemFlags;
     }
     const Qt::ItemFlags all = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
-    return index.row() == 0 ? all : all | Qt::ItemIsUserCheckable | Qt::ItemIsEditable;
+    if (index.row() == 0) {
+        return all;
+    }
+    const bool isOwn = m_runs.at(static_cast<std::size_t>(index.row())).isOwn;
+    return isOwn ? all | Qt::ItemIsUserCheckable | Qt::ItemIsEditable
+                 : all | Qt::ItemIsUserCheckable;
 }
 
 } // namespace sparkout

@@ -25,6 +25,7 @@ public:
         std::optional<Light> light;
         int number = 0; ///< of its dash; below 0: it is not drawn
         bool chosen = true;
+        bool isOwn = true; ///< else its name is not edited here
         friend bool operator==(const Run&, const Run&) = default;
     };
     using QAbstractListModel::QAbstractListModel;

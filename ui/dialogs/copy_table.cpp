@@ -140,13 +140,13 @@ void CopyTable::measure(QHeaderView& header) {
     }
 }
 
-/// Each when what it hangs on is done: texts wrap in columns that have their widths.
 /// A picture stands with the first line of its text.
 void CopyTable::initViewItemOption(QStyleOptionViewItem* option) const {
     QTableView::initViewItemOption(option);
-    option->decorationAlignment = Qt::AlignLeft | Qt::AlignTop;
+    option->decorationAlignment = Qt::AlignLeft | (wordWrap() ? Qt::AlignTop : Qt::AlignVCenter);
 }
 
+/// Each when what it hangs on is done: texts wrap in columns that have their widths.
 void CopyTable::changeEvent(QEvent* event) {
     QTableView::changeEvent(event);
     if (event->type() == QEvent::FontChange) {

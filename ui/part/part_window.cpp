@@ -105,6 +105,7 @@ void PartWindow::build() {
     m_comparison->setObjectName(QStringLiteral("surfaceComparison"));
     m_comparison->setModel(m_compared);
     for (CopyTable* table : {m_table, m_comparison}) {
+        table->setWordWrap(false);
         table->verticalHeader()->hide();
         table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
         table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);

@@ -14,20 +14,37 @@ constexpr int between = 14;
 constexpr int swatchHeight = 10;
 constexpr int haloWidth = 4;
 constexpr double hiddenOpacity = 0.45; ///< opacity of what is hidden
+
+int textWidth(const QString& text, const QFontMetrics& metrics) {
+    return metrics.horizontalAdvance(text) + 2;
+}
+
+/// Of the text broken between words into lines of at most `width`.
+QSize wrappedSize(const QString& text, const QFontMetrics& metrics, int width) {
+    constexpr int unlimited = 100'000;
+    return metrics.boundingRect(QRect(0, 0, width, unlimited), Qt::TextWordWrap, text).size();
+}
+
 } // namespace
 
 std::vector<QRect> legendRects(const LegendEntries& entries, const QFontMetrics& metrics,
                                int width) {
     std::vector<QRect> rects;
-    const int height = metrics.height() + 2;
-    int x = 0, y = 0;
+    const int line = metrics.height() + 2;
+    int x = 0, y = 0, below = line;
     for (const LegendEntry& e : entries) {
-        const int w = std::min(sample + sampleGap + metrics.horizontalAdvance(e.text) + 2, width);
+        const int full = sample + sampleGap + textWidth(e.text, metrics);
+        const int w = std::min(full, width);
         if (x > 0 && x + w > width) {
             x = 0;
-            y += height;
+            y += below;
+            below = line;
         }
-        rects.emplace_back(x, y, w, height);
+        if (full > width) { // alone in its row
+            below = std::max(line,
+                             wrappedSize(e.text, metrics, width - sample - sampleGap).height() + 2);
+        }
+        rects.emplace_back(x, y, w, below);
         x += w + between;
     }
     return rects;
@@ -41,7 +58,7 @@ void drawLegendEntry(QPainter& painter, const LegendEntry& entry, const QRect& r
                      const QColor& textColour) {
     painter.save();
     painter.setOpacity(entry.shown ? 1 : hiddenOpacity);
-    const int middle = rect.center().y();
+    const int middle = rect.top() + (QFontMetrics(painter.font()).height() + 1) / 2;
     if (entry.pen == Qt::NoPen) {
         const QRect swatch(rect.left() + 4, middle - swatchHeight / 2 + 1, sample - 8,
                            swatchHeight);
@@ -68,8 +85,12 @@ void drawLegendEntry(QPainter& painter, const LegendEntry& entry, const QRect& r
     painter.setFont(font);
     const QRect text = rect.adjusted(sample + sampleGap, 0, 0, 0);
     const QFontMetrics metrics(font);
-    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
-                     metrics.elidedText(entry.text, Qt::ElideRight, text.width()));
+    const int align = Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip;
+    const bool wraps = textWidth(entry.text, metrics) > text.width()
+                       && wrappedSize(entry.text, metrics, text.width()).width() <= text.width();
+    painter.drawText(text, wraps ? align | Qt::TextWordWrap : align,
+                     wraps ? entry.text
+                           : metrics.elidedText(entry.text, Qt::ElideRight, text.width()));
     painter.restore();
 }
 

@@ -32,7 +32,8 @@ struct LegendEntry {
 };
 using LegendEntries = std::vector<LegendEntry>;
 
-/// Places of the entries in lines of at most `width`, from (0, 0).
+/// Places of the entries in rows of at most `width`, from (0, 0); a longer text takes several
+/// lines.
 [[nodiscard]] std::vector<QRect> legendRects(const LegendEntries& entries,
                                              const QFontMetrics& metrics, int width);
 

@@ -58,8 +58,7 @@ protected:
     [[nodiscard]] QStackedWidget* pages() const { return m_pages; }
     /// Boxes as wide as what is chosen in them.
     static void addBoxes(QLayout& row, std::initializer_list<QComboBox*> boxes);
-    /// A plot, or several in a widget, scrolled where there is no room to be legible: for the
-    /// minimumSizeHint().
+    /// A plot, or several, scrolled where they have no room to be legible: for minimumSizeHint().
     QScrollArea* scrolled(QWidget& plots);
     /// Buttons for actions of the front plot, and the one of its exports.
     void addButtons(QLayout& row, const QList<QAction*>& actions) const;

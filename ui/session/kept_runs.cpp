@@ -3,6 +3,7 @@
 
 #include "core/format/project_file.h"
 #include "core/project/wheel.h"
+#include "ui/session/surface_edits.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -137,29 +138,51 @@ bool KeptRuns::restore(int index) {
 
 // --- what is chosen and computed ----------------------------------------------------------------
 
-/// Of another document the newest run is chosen, of this one those that are new.
+std::vector<KeptRuns::Entry> KeptRuns::entriesNow() const {
+    const SetupState& state = m_document.state();
+    std::vector<Entry> entries;
+    for (const KeptRun& run : all()) {
+        entries.push_back({run});
+    }
+    for (std::size_t i = 0; i < state.surfaces.size(); ++i) {
+        for (const KeptRun& run : *state.surfaces[i]->runs) {
+            if (i != state.present) {
+                entries.push_back({run, SurfaceEdits::nameOf(state, i)});
+            }
+        }
+    }
+    return entries;
+}
+
+/// Of another document or surface the newest run is chosen, of this one those that are new.
 void KeptRuns::follow(bool another) {
-    const std::vector<KeptRun>& runs = all();
-    const auto isRun = [](const Entry& entry, const KeptRun& run) { return entry.run == run; };
-    if (!another && std::ranges::equal(m_entries, runs, isRun)) {
+    std::vector<Entry> now = entriesNow();
+    const auto isSame = [](const Entry& a, const Entry& b) {
+        return a.run == b.run && a.surface == b.surface;
+    };
+    if (!another && std::ranges::equal(m_entries, now, isSame)) {
         return;
     }
     std::vector<Entry> before = another ? std::vector<Entry>() : std::move(m_entries);
     m_entries.clear();
-    for (const KeptRun& run : runs) {
-        const auto known = std::ranges::find_if(
-            before, [&run](const Entry& entry) { return sameRecord(entry.run, run); });
+    for (Entry& entry : now) {
+        const auto known = std::ranges::find_if(before, [&entry](const Entry& each) {
+            return sameRecord(each.run, entry.run)
+                   && each.surface.isEmpty() == entry.surface.isEmpty();
+        });
         if (known != before.end()) {
+            known->run = std::move(entry.run);
+            known->surface = std::move(entry.surface);
             m_entries.push_back(std::move(*known));
-            m_entries.back().run = run;
             before.erase(known);
             continue;
         }
-        m_entries.push_back({run, {}, {}, false, !another});
+        entry.chosen = !another && entry.surface.isEmpty();
+        m_entries.push_back(std::move(entry));
         compare(m_entries.back());
     }
-    if (another && !m_entries.empty()) {
-        m_entries.back().chosen = true;
+    if (another && count() > 0) {
+        m_entries[static_cast<std::size_t>(count()) - 1].chosen = true;
     }
     request();
     if (another) {
@@ -171,7 +194,9 @@ void KeptRuns::follow(bool another) {
 void KeptRuns::request() {
     std::set<std::string> texts, wanted;
     for (const Entry& entry : m_entries) {
-        texts.insert(entry.run.inputs.text);
+        if (entry.chosen || entry.surface.isEmpty()) {
+            texts.insert(entry.run.inputs.text);
+        }
         if (entry.chosen) {
             wanted.insert(entry.run.inputs.text);
         }

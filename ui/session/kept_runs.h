@@ -6,6 +6,7 @@
 #include "ui/session/run_recall.h"
 
 #include <QObject>
+#include <QString>
 
 #include <memory>
 #include <optional>
@@ -16,7 +17,8 @@ namespace sparkout {
 
 /// The kept runs of a document: keeping, renaming, deleting and restoring are edits of it, so all
 /// of it can be undone and is saved. Which of them are laid over the present run is not. They are
-/// computed again aside, and held against what was kept.
+/// computed again aside, and held against what was kept. Behind them stand those of the other
+/// surfaces of the set-up, to be compared only.
 class KeptRuns : public QObject {
     Q_OBJECT
 
@@ -25,6 +27,11 @@ public:
 
     [[nodiscard]] const std::vector<KeptRun>& all() const { return m_document.project().runs; }
     [[nodiscard]] int count() const { return static_cast<int>(all().size()); }
+    /// With those of the other surfaces, whose indices follow.
+    [[nodiscard]] int listed() const { return static_cast<int>(m_entries.size()); }
+    [[nodiscard]] const KeptRun& run(int index) const { return at(index).run; }
+    /// The name of the other surface; empty: the one in front.
+    [[nodiscard]] const QString& surfaceOf(int index) const { return at(index).surface; }
 
     enum class Kept { yes, refused, full };
     /// The run of an outcome under the first free name "Run 1", "Run 2", …, and chosen; not when
@@ -57,12 +64,14 @@ private:
     /// A run as it was read; it never changes but for its name.
     struct Entry {
         KeptRun run;
-        mutable std::shared_ptr<const Project> inputs;          ///< read when first asked for …
-        mutable std::optional<std::optional<ReadSummary>> read; ///< … and so is the summary
+        QString surface = {};                            ///< its name; empty: the one in front
+        mutable std::shared_ptr<const Project> inputs{}; ///< read when first asked for …
+        mutable std::optional<std::optional<ReadSummary>> read{}; ///< … and so is the summary
         bool changed = false;
         bool chosen = false;
     };
     void follow(bool another);
+    [[nodiscard]] std::vector<Entry> entriesNow() const; ///< as they are in the document, unread
     void request();
     void compare(Entry& entry);
     [[nodiscard]] static const std::optional<ReadSummary>& summaryOf(const Entry& entry);

@@ -38,7 +38,7 @@ OutcomePtr RunController::outcomeOf(const Setup& upTo, const Issues& missing,
     refused->issues = missing;
     if (missing.empty()) {
         const std::size_t last = upTo.surfaces.size() - 1;
-        WornProject worn = wornProject(upTo, last, stop);
+        WornProject worn = wornProject(upTo, last, stop, &m_removed);
         if (worn.surface == last) {
             return m_runner(worn.project, stop);
         }

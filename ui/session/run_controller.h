@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/setup/removed_volumes.h"
 #include "core/setup/setup.h"
 #include "core/study/evaluate.h"
 #include "ui/session/newest_job.h"
@@ -45,7 +46,8 @@ private:
     Runner m_runner;
     bool m_running = false;
     double m_lastRun_ms = 0;
-    NewestJob m_job; ///< last: stopped before what it uses is gone
+    mutable RemovedVolumes m_removed; ///< of the surfaces before: an edit seldom concerns them
+    NewestJob m_job;                  ///< last: stopped before what it uses is gone
 };
 
 } // namespace sparkout

@@ -91,8 +91,7 @@ QString columnMarkup(const Field& field) {
 QString hintMarkup(const Field& field) {
     QString html = QStringLiteral("<p>%1</p>").arg(withIndices(meaning(field)));
     if (*field.formula) {
-        html +=
-            QStringLiteral("<p><i>%1</i></p>").arg(withIndices(QString::fromUtf8(field.formula)));
+        html += QStringLiteral("<p><i>%1</i></p>").arg(withIndices(inputText(field.formula)));
     }
     for (const QStringList& lines : {facts(field), moreFacts(field)}) {
         if (!lines.isEmpty()) {
@@ -107,7 +106,7 @@ QString hintMarkup(const Field& field) {
 QString hintPlain(const Field& field) {
     QStringList parts{meaning(field)};
     if (*field.formula) {
-        parts += QString::fromUtf8(field.formula) + u'.';
+        parts += inputText(field.formula) + u'.';
     }
     for (const QString& fact : facts(field) + moreFacts(field)) {
         parts += fact + u'.';

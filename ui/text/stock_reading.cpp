@@ -53,7 +53,7 @@ QString StockReading::column(const Field& field, bool onDiameter) {
 }
 
 QString StockReading::symbol(const Field& field) {
-    const QString symbol = QString::fromUtf8(field.symbol);
+    const QString symbol = *field.symbol ? inputText(field.symbol) : QString();
     return isOnDiameter(field) ? u'2' + symbol : symbol;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/playback_bar.h"
 
+#include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme.h"
@@ -26,7 +27,7 @@ constexpr std::array speeds{1, 2, 5, 10, 25, 50}; ///< steps a second
 constexpr int usualSpeed = 2;                     ///< index
 constexpr int oneSecond_ms = 1000;
 constexpr int slideSteps = 1'000'000; ///< a slider counts in int
-constexpr int leastSlider = 60;       ///< wide
+constexpr int leastSlider = 90;       ///< wide, at the usual size of type
 constexpr int wheelSteps = 200;       ///< of the mouse wheel over the whole cycle
 } // namespace
 
@@ -82,7 +83,7 @@ void PlaybackBar::build() {
     }
     m_row->addWidget(m_unit);
     m_row->addWidget(m_speed);
-    m_slider->setMinimumWidth(leastSlider);
+    setTextMinimumWidth(*m_slider, leastSlider);
     m_row->addWidget(m_slider, 1);
     rows->addLayout(m_row);
 }

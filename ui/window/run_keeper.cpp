@@ -3,6 +3,7 @@
 
 #include "ui/dialogs/notice_bar.h"
 #include "ui/session/kept_runs.h"
+#include "ui/text/example_texts.h"
 #include "ui/text/texts.h"
 
 #include <QStringList>
@@ -124,7 +125,7 @@ void RunKeeper::reportChanged() {
     QStringList names;
     for (int run = 0; run < m_kept.count(); ++run) {
         if (m_kept.isChanged(run)) {
-            names << QString::fromStdString(m_kept.all()[static_cast<std::size_t>(run)].name);
+            names << exampleTitle(m_kept.all()[static_cast<std::size_t>(run)].name);
         }
     }
     if (m_kept.busy() || m_reported || names.isEmpty()) {

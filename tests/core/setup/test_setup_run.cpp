@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The surfaces of a set-up one after the other: wheel, times, verdict.
 #include "core/project/cycle.h"
+#include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "core/quality/result_json.h"
 #include "core/quality/shop_numbers.h"
+#include "core/setup/removed_volumes.h"
 #include "core/setup/setup_json.h"
 #include "core/setup/setup_run.h"
 #include "core/setup/worn_project.h"
@@ -15,8 +17,13 @@
 
 #include <QTest>
 
+#include <chrono>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <stop_token>
+#include <thread>
+#include <utility>
 
 namespace test_setup_run {
 
@@ -88,6 +95,75 @@ private slots:
         QVERIFY(removed_mm3 > 100);
         QVERIFY(run.surfaces[2].result.peakNormalForce_n
                 > run.surfaces[0].result.peakNormalForce_n);
+    }
+
+    /// The wheel that comes to a surface is to the bit the one of a fresh run, after any edit; what
+    /// is known is not run again.
+    void whatIsKnownOfTheSurfacesBeforeIsNotRunAgain() {
+        Setup setup = threeSurfaces();
+        setup.wear.grinding_ratio = 40;
+        setup.wear.dulling_per_mm2 = 1e-5;
+        RemovedVolumes known;
+        const auto check = [&] {
+            for (std::size_t i = 0; i < 3; ++i) {
+                const WornProject fresh = wornProject(setup, i);
+                for (int times = 0; times < 2; ++times) {
+                    const WornProject made = wornProject(setup, i, {}, &known);
+                    QVERIFY(made.project.wheel->diameter_mm == fresh.project.wheel->diameter_mm);
+                    QVERIFY(made.project.wheel->dullness == fresh.project.wheel->dullness);
+                    QCOMPARE(resultOf(made.project), resultOf(fresh.project));
+                }
+            }
+        };
+        check();
+        setup.surfaces[0].project.cycle->stages[0].stock_mm *= 0.5;
+        check();
+        setup.surfaces[1].project.machine->work_speed_rpm += 10;
+        check();
+        setup.wear.grinding_ratio = 20;
+        check();
+        setup.surfaces[0].project.wheel->dullness = 0.03;
+        check();
+        std::swap(setup.surfaces[0], setup.surfaces[1]);
+        check();
+
+        RemovedVolumes invented;
+        const Project first = setup.surfaces[0].project;
+        QVERIFY(!invented.find(first));
+        (void)wornProject(setup, 1, {}, &invented);
+        const double removed_mm3 = runSetup(setup).surfaces[0].removed_mm3;
+        QVERIFY(invented.find(first) == removed_mm3);
+        RemovedVolumes none;
+        none.add(first, 0); // taken as it is
+        const double wheel_mm = setup.surfaces[1].project.wheel->diameter_mm;
+        const WornProject unworn = wornProject(setup, 1, {}, &none);
+        const WornProject worn = wornProject(setup, 1);
+        QVERIFY(unworn.project.wheel->diameter_mm == wheel_mm);
+        QVERIFY(worn.project.wheel->diameter_mm < wheel_mm);
+    }
+
+    /// Whenever the stop comes, what is known is what a whole run removes.
+    void aRunThatWasStoppedIsNotKnown() {
+        Setup setup = threeSurfaces();
+        setup.wear.grinding_ratio = 40;
+        setup.surfaces[0].project.part->radii_per_section = 3600; // takes its time
+        const Project& first = setup.surfaces[0].project;
+        const double removed_mm3 = runSetup(setup).surfaces[0].removed_mm3;
+        int unknown = 0;
+        for (int delay_us = 0; delay_us <= 6000; delay_us += 100) {
+            std::stop_source stop;
+            RemovedVolumes known;
+            std::thread stopper([&stop, delay_us] {
+                std::this_thread::sleep_for(std::chrono::microseconds(delay_us));
+                stop.request_stop();
+            });
+            (void)wornProject(setup, 2, stop.get_token(), &known);
+            stopper.join();
+            const std::optional<double> found = known.find(first);
+            QVERIFY(!found || *found == removed_mm3);
+            unknown += found ? 0 : 1;
+        }
+        QVERIFY(unknown > 0);
     }
 
     void aWheelBeyondItsRangeIsAFaultOfTheSurfaceItComesTo() {

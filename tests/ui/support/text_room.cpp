@@ -238,9 +238,14 @@ bool ownTextFits(const QWidget* widget, QString& text) {
         return dockFits(*dock);
     }
     if (const auto* strip = qobject_cast<const LegendStrip*>(widget)) {
-        for (const LegendEntry& entry : strip->entries()) {
-            text = entry.text;
-            if (strip->fontMetrics().horizontalAdvance(text) + 30 > strip->width()) {
+        for (int i = 0; i < static_cast<int>(strip->entries().size()); ++i) {
+            text = strip->entries()[static_cast<std::size_t>(i)].text;
+            const QSize room = strip->entryRect(i).size() - QSize(27, 0); // beside its sample
+            const QSize needed =
+                strip->fontMetrics()
+                    .boundingRect(QRect(0, 0, room.width(), 10'000), Qt::TextWordWrap, text)
+                    .size();
+            if (needed.width() > room.width() || needed.height() > room.height()) {
                 return false;
             }
         }

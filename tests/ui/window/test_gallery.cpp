@@ -2,11 +2,20 @@
 // Every example in every view, language and theme: pictures to look at, in gallery/ of the build
 // folder, and none of them empty or with a warning. With SPARKOUT_GALLERY set also two of them with
 // batch, sweep, search and comparison filled, in three themes, sizes of type and two of the window.
+#include "core/files/safe_file.h"
 #include "core/project/cycle.h"
+#include "core/project/wheel.h"
+#include "core/setup/setup_file.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
+#include "ui/dialogs/faults_dialog.h"
+#include "ui/files/file_lock.h"
+#include "ui/files/recovery_store.h"
+#include "ui/inputs/inputs_panel.h"
 #include "ui/kit/font_size.h"
 #include "ui/plot/view.h"
+#include "ui/window/dialogs/file_questions.h"
+#include "ui/window/dialogs/recovery_dialog.h"
 #include "ui/window/view_tabs.h"
 
 #include <QAction>
@@ -16,10 +25,14 @@
 #include <QPushButton>
 #include <QScopeGuard>
 #include <QSet>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 
+#include <cerrno>
+#include <functional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace test_gallery {
@@ -70,6 +83,50 @@ void fill(Bench& bench) {
         const View* const shown = window.viewTabs().currentView();
         QTRY_VERIFY_WITH_TIMEOUT(!shown->busy(), 240'000);
     }
+}
+
+/// Whether some of the looks that dialogs are drawn in are wanted.
+void dialogLooks() {
+    QTest::addColumn<QString>("language");
+    QTest::addColumn<int>("theme");
+    QTest::addColumn<int>("percent");
+    if (!qEnvironmentVariableIsSet("SPARKOUT_GALLERY")) {
+        QSKIP("SPARKOUT_GALLERY is not set");
+    }
+    for (const char* language : {"en", "ru"}) {
+        for (const Theme theme : {Theme::light, Theme::dark}) {
+            for (const int percent : {100, 130}) {
+                QTest::addRow("%s-%s-%d", language, qPrintable(themeCode(theme)), percent)
+                    << QString::fromUtf8(language) << int(theme) << percent;
+            }
+        }
+    }
+}
+
+/// Draws whatever window stands beside the main one, then closes it; how many there were.
+int drawDialogs(const Bench& bench, const QString& name) {
+    const QDir folder = galleryFolder();
+    int drawn = 0;
+    for (QWidget* window : QApplication::topLevelWidgets()) {
+        if (folder.mkpath(QStringLiteral("dialogs")) && window->isVisible()
+            && window != bench.window.get() && !window->inherits("QMenu")) {
+            const QString file = QStringLiteral("dialogs/%1-%2.png")
+                                     .arg(name, QString::fromUtf8(QTest::currentDataTag()));
+            drawn += pictureOf(*window).save(folder.filePath(file)) ? 1 : 0;
+            window->close();
+        }
+    }
+    return drawn;
+}
+
+/// The same of a dialog that is answered before the program goes on.
+int drawModal(const Bench& bench, const QString& name, const std::function<void()>& show) {
+    int drawn = 0;
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, [&] { drawn += drawDialogs(bench, name); });
+    timer.start(400);
+    show();
+    return drawn;
 }
 
 } // namespace
@@ -138,45 +195,47 @@ private slots:
     /// With batch, sweep, search and comparison filled; the looks are changed while it runs.
     void everyViewFilledInEveryLook_data() {
         QTest::addColumn<QString>("path");
+        QTest::addColumn<QString>("language");
         if (!qEnvironmentVariableIsSet("SPARKOUT_GALLERY")) {
             QSKIP("SPARKOUT_GALLERY is not set");
         }
         for (const char* name : {"shaft-30h6-factory", "setups/spindle"}) {
-            QTest::newRow(name) << QStringLiteral(SPARKOUT_SOURCE_DIR
-                                                  "/resources/examples/%1.sparkout")
-                                       .arg(QLatin1String(name));
+            for (const char* language : {"english", "russian"}) {
+                QTest::addRow("%s %s", name, language)
+                    << QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
+                           .arg(QLatin1String(name))
+                    << QString::fromLatin1(language);
+            }
         }
     }
     void everyViewFilledInEveryLook() {
         QFETCH(QString, path);
+        QFETCH(QString, language);
         const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(QStringLiteral("en"));
         MainWindow& window = *bench.window;
         QVERIFY(bench.open(path));
         fill(bench);
         const QDir folder = galleryFolder();
-        for (const char* language : {"english", "russian"}) {
-            bench.action(language)->trigger();
-            for (const int percent : {100, 115, 130}) {
-                bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
-                for (const QSize size : {QSize(1366, 768), QSize(1920, 1080)}) {
-                    window.resize(size);
-                    for (View* view : window.views()) {
-                        window.viewTabs().showView(view);
-                        for (const char* theme : {"theme-light", "theme-dark", "theme-contrast"}) {
-                            bench.action(theme)->trigger();
-                            bench.settle();
-                            QTest::qWait(30);
-                            bench.settle();
-                            const QString name =
-                                QStringLiteral("%1/%2-%3-%4-%5-%6.png")
-                                    .arg(nameOf(path), view->objectName(), QLatin1String(language))
-                                    .arg(percent)
-                                    .arg(size.width())
-                                    .arg(QLatin1String(theme));
-                            QVERIFY(folder.mkpath(nameOf(path)));
-                            QVERIFY(pictureOf(window).save(folder.filePath(name)));
-                        }
+        bench.action(qPrintable(language))->trigger();
+        for (const int percent : {100, 115, 130}) {
+            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            for (const QSize size : {QSize(1366, 768), QSize(1920, 1080)}) {
+                window.resize(size);
+                for (View* view : window.views()) {
+                    window.viewTabs().showView(view);
+                    for (const char* theme : {"theme-light", "theme-dark", "theme-contrast"}) {
+                        bench.action(theme)->trigger();
+                        bench.settle();
+                        QTest::qWait(30);
+                        bench.settle();
+                        const QString name = QStringLiteral("%1/%2-%3-%4-%5-%6.png")
+                                                 .arg(nameOf(path), view->objectName(), language)
+                                                 .arg(percent)
+                                                 .arg(size.width())
+                                                 .arg(QLatin1String(theme));
+                        QVERIFY(folder.mkpath(nameOf(path)));
+                        QVERIFY(pictureOf(window).save(folder.filePath(name)));
                     }
                 }
             }
@@ -184,22 +243,7 @@ private slots:
     }
 
     /// Whatever window a menu's entry opens, on request.
-    void everyDialogHasAPicture_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<int>("theme");
-        QTest::addColumn<int>("percent");
-        if (!qEnvironmentVariableIsSet("SPARKOUT_GALLERY")) {
-            QSKIP("SPARKOUT_GALLERY is not set");
-        }
-        for (const char* language : {"en", "ru"}) {
-            for (const Theme theme : {Theme::light, Theme::dark}) {
-                for (const int percent : {100, 130}) {
-                    QTest::addRow("%s-%s-%d", language, qPrintable(themeCode(theme)), percent)
-                        << QString::fromUtf8(language) << int(theme) << percent;
-                }
-            }
-        }
-    }
+    void everyDialogHasAPicture_data() { dialogLooks(); }
     void everyDialogHasAPicture() {
         QFETCH(QString, language);
         QFETCH(int, theme);
@@ -209,38 +253,87 @@ private slots:
         Bench bench(language, Theme(theme));
         QVERIFY(bench.open(
             QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/setups/spindle.sparkout")));
-        const QDir folder = galleryFolder();
-        QVERIFY(folder.mkpath(QStringLiteral("dialogs")));
         int seen = 0;
         for (const QAction* found : bench.window->findChildren<QAction*>()) {
             const QPointer<QAction> action = const_cast<QAction*>(found);
             const QString name = found->objectName();
-            const QSet<QString> others{QStringLiteral("about"), QStringLiteral("log"),
-                                       QStringLiteral("helpContents"),
-                                       QStringLiteral("helpShortcuts")};
+            const QSet<QString> others{
+                QStringLiteral("about"), QStringLiteral("log"), QStringLiteral("helpContents"),
+                QStringLiteral("helpShortcuts"), QStringLiteral("wholePart")};
             if (name.isEmpty() || !found->isEnabled() || name.startsWith(u"print-")
                 || (!found->text().endsWith(u'…') && !others.contains(name))) {
                 continue;
             }
-            const auto grab = [&] {
-                for (QWidget* window : QApplication::topLevelWidgets()) {
-                    if (window->isVisible() && window != bench.window.get()
-                        && !window->inherits("QMenu")) {
-                        const QString file =
-                            QStringLiteral("dialogs/%1-%2.png")
-                                .arg(name, QString::fromUtf8(QTest::currentDataTag()));
-                        seen += pictureOf(*window).save(folder.filePath(file)) ? 1 : 0;
-                        window->close();
-                    }
-                }
-            };
-            QTimer timer;
-            connect(&timer, &QTimer::timeout, this, grab);
-            timer.start(400);
-            action->trigger();
-            QTest::qWait(500);
+            seen += drawModal(bench, name, [&] {
+                action->trigger();
+                QTest::qWait(500);
+            });
         }
         QVERIFY(seen >= 15);
+    }
+
+    /// The questions and refusals that the work itself brings up.
+    void everyQuestionHasAPicture_data() { dialogLooks(); }
+    void everyQuestionHasAPicture() {
+        QFETCH(QString, language);
+        QFETCH(int, theme);
+        QFETCH(int, percent);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        applyFontSize(percent);
+        Bench bench(language, Theme(theme));
+        MainWindow& window = *bench.window;
+        const QString example = examplePaths().front();
+        QVERIFY(bench.open(example));
+        Project project = window.document().project();
+        project.wheel->width_mm = 41;
+        window.document().edit(project, {"Edit", "Change"});
+        LockHolder holder;
+        holder.readable = true;
+        holder.user = holder.host = QStringLiteral("shop");
+        holder.program = QStringLiteral("sparkout");
+        holder.since = QDateTime::currentDateTime();
+        FileError full;
+        full.path = example.toStdString();
+        full.step = FileStep::write;
+        full.systemError = ENOSPC;
+        full.freeBytes = 1024;
+        const Issues issues = readSetup("{\"format\": \"sparkout-project\", \"version\": 1, "
+                                        "\"part\": {\"diameter_mm\": -3, \"colour\": 1}}")
+                                  .issues;
+        const std::vector<std::pair<const char*, std::function<void()>>> asked{
+            {"q-unsaved",
+             [&] { (void)askUnsaved(&window, window.document(), {QStringLiteral("x: 5x")}); }},
+            {"q-replace", [&] { (void)mayReplace(&window, example); }},
+            {"q-locked", [&] { (void)askLocked(&window, example, holder); }},
+            {"q-changed", [&] { (void)askChangedOutside(&window, example, false); }},
+            {"q-save-failed", [&] { (void)askSaveFailed(&window, full); }},
+            {"q-faults", [&] { FaultsDialog(example, issues, &window).exec(); }},
+            {"q-recovery",
+             [&] {
+                 const QTemporaryDir state;
+                 const RecoveryStore store(state.path());
+                 RecoveryItem item;
+                 item.header.title = QStringLiteral("30h6");
+                 item.header.path = example;
+                 item.header.when = QDateTime::currentDateTime();
+                 std::vector<RecoveryItem> items(1);
+                 items[0] = std::move(item);
+                 RecoveryDialog(store, std::move(items), false, &window).exec();
+             }},
+        };
+        for (const auto& [name, show] : asked) {
+            QCOMPARE(drawModal(bench, QLatin1String(name), show), 1);
+        }
+        for (const int page : {1, 2, 3}) { // material, wheel, machine
+            window.inputs().showPage(page);
+            bench.settle();
+            auto* button = window.inputs().pages()[std::size_t(page)]->findChild<QPushButton*>(
+                QStringLiteral("fromCatalogue"));
+            QVERIFY(button);
+            QCOMPARE(drawModal(bench, QStringLiteral("q-catalogue-%1").arg(page),
+                               [&] { QTest::mouseClick(button, Qt::LeftButton); }),
+                     1);
+        }
     }
 
     void anEmptyWidgetIsNoPicture() {

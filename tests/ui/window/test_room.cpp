@@ -8,6 +8,7 @@
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
 #include "ui/kit/font_size.h"
+#include "ui/plot/legend_strip.h"
 #include "ui/plot/svg_device.h"
 #include "ui/views/feeds/feeds_plot.h"
 #include "ui/views/feeds/feeds_view.h"
@@ -18,6 +19,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
+#include <QListView>
 #include <QPainter>
 #include <QPushButton>
 #include <QScopeGuard>
@@ -66,6 +68,16 @@ std::vector<QRect> plotsOf(const FeedsView& view) {
         plots.push_back(rect->rect());
     }
     return plots;
+}
+
+/// Keeps the present run under that name; the list of runs.
+QListView* keepAs(const Bench& bench, const QString& name) {
+    bench.action("keepRun")->trigger();
+    (void)bench.window->showView(QStringLiteral("compare"));
+    auto* list = bench.window->findChild<QListView*>(QStringLiteral("compareRuns"));
+    const QModelIndex row = list->model()->index(list->model()->rowCount() - 1, 0);
+    list->model()->setData(row, name, Qt::EditRole);
+    return list;
 }
 
 void languages() {
@@ -141,6 +153,7 @@ private slots:
                                   + QSize(area->horizontalScrollBar()->maximum(),
                                           area->verticalScrollBar()->maximum());
             QCOMPARE(reached, area->widget()->size());
+            QCOMPARE(area->horizontalScrollBar()->maximum(), 0);
         }
         bench.action("fontSize-100")->trigger();
         wait(bench);
@@ -157,7 +170,7 @@ private slots:
         QVERIFY(bench.open(example("shaft-30h6-factory")));
         for (const int percent : {115, 130}) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
-            for (const char* name : {"compare", "optimise", "batch"}) {
+            for (const char* name : {"compare", "optimise", "batch", "profiles"}) {
                 QVERIFY(bench.window->showView(QString::fromLatin1(name)));
                 const View* const view = bench.window->viewTabs().currentView();
                 QTRY_VERIFY_WITH_TIMEOUT(!view->busy(), 60'000);
@@ -177,6 +190,55 @@ private slots:
                 QVERIFY2(seen >= 2, name);
             }
         }
+    }
+
+    /// A text that is longer than the legend is wide is wrapped.
+    void noLegendIsElided_data() { languages(); }
+    void noLegendIsElided() {
+        QFETCH(QString, language);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        Bench bench(language);
+        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        keepAs(bench,
+               QStringLiteral("Radial feed 0.004, axial feed 1400, the second stage as it was"));
+        for (const int percent : {130, 100}) {
+            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            for (const char* name : {"feeds", "profiles", "constraints", "compare"}) {
+                QVERIFY(bench.window->showView(QString::fromLatin1(name)));
+                wait(bench);
+                const auto* legend = bench.window->findChild<LegendStrip*>(
+                    QLatin1String(name) + QStringLiteral("Legend"));
+                const auto count = static_cast<int>(legend->entries().size());
+                QVERIFY2(count > 1, name);
+                for (int i = 0; i < count; ++i) {
+                    const QString& text = legend->entries()[static_cast<std::size_t>(i)].text;
+                    const QRect room = legend->entryRect(i).adjusted(27, 0, 0, 0);
+                    const QRect needed = legend->fontMetrics().boundingRect(
+                        QRect(0, 0, room.width(), 1000), Qt::TextWordWrap, text);
+                    QVERIFY2(needed.width() <= room.width() && needed.height() <= room.height(),
+                             qPrintable(text));
+                    QVERIFY(legend->rect().contains(legend->entryRect(i)));
+                    QVERIFY(i == 0 || !room.intersects(legend->entryRect(i - 1)));
+                }
+            }
+        }
+    }
+
+    void theNameOfARunIsWrapped() {
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        Bench bench(QStringLiteral("ru"));
+        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        bench.action("fontSize-130")->trigger();
+        const QString name = QStringLiteral("Припуск 0,11, вторая ступень прежняя, круг новый");
+        const QListView* const list = keepAs(bench, name);
+        wait(bench);
+        const QModelIndex row = list->model()->index(list->model()->rowCount() - 1, 0);
+        const int line = list->fontMetrics().lineSpacing();
+        QVERIFY(row.data(Qt::DisplayRole).toString().startsWith(name));
+        QVERIFY(list->fontMetrics().horizontalAdvance(name) > list->viewport()->width());
+        QVERIFY(list->visualRect(row).width() <= list->viewport()->width());
+        QVERIFY(list->visualRect(row).height() >= 4 * line); // three of the name, one of the time
+        QVERIFY(row.data(Qt::ToolTipRole).toString().contains(name));
     }
 
     void theRequirementsOfConstraintsHaveRoom_data() { languages(); }

@@ -13,6 +13,7 @@
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/bars/bar_plot.h"
+#include "ui/charts/compare_plot.h"
 #include "ui/fields/number_field.h"
 #include "ui/fields/shared_mark.h"
 #include "ui/files/recovery_store.h"
@@ -29,6 +30,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QLabel>
+#include <QListView>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -365,6 +367,53 @@ private slots:
         QCOMPARE(saved.surfaces[0].project.runs.size(), std::size_t{1});
         QCOMPARE(saved.surfaces[1].project.runs.size(), std::size_t{0});
         QCOMPARE(saved.surfaces[2].project.runs.size(), std::size_t{1});
+    }
+
+    /// They can be laid over the present run and compared with it, and belong to their surface.
+    void keptRunsOfOtherSurfacesAreCompared() {
+        Desk desk;
+        desk.press("keepRun");
+        desk.clickSurface(2);
+        const auto* kept = desk.bench.window->findChild<KeptRuns*>();
+        QCOMPARE(kept->count(), 0);
+        QCOMPARE(kept->listed(), 1);
+        QVERIFY(desk.bench.window->showView(QStringLiteral("compare")));
+        desk.calm();
+        auto* list = desk.bench.window->findChild<QListView*>(QStringLiteral("compareRuns"));
+        const auto* plot =
+            desk.bench.window->findChild<ComparePlot*>(QStringLiteral("comparePlot"));
+        QCOMPARE(list->model()->rowCount(), 2);
+        const QModelIndex row = list->model()->index(1, 0);
+        const QString name = desk.names()[0];
+        QVERIFY(row.data().toString().startsWith(name + QStringLiteral(": ")));
+        QVERIFY(!row.data().toString().contains(QStringLiteral("computing")));
+        QCOMPARE(row.data(Qt::CheckStateRole).toInt(), int(Qt::Unchecked));
+        QCOMPARE(plot->runs().size(), 1u);
+        list->setFocus();
+        list->setCurrentIndex(row);
+        QTest::keyClick(list, Qt::Key_Space);
+        QTRY_COMPARE(plot->runs().size(), 2u);
+        QVERIFY(plot->runs()[1].name.startsWith(name));
+        const auto* table =
+            desk.bench.window->findChild<QTableView*>(QStringLiteral("compareTable"));
+        QVERIFY(table->isVisible());
+        QVERIFY(table->model()
+                    ->headerData(2, Qt::Horizontal, Qt::ToolTipRole)
+                    .toString()
+                    .startsWith(name));
+        for (const char* action : {"compareRestore", "compareRename", "compareDelete"}) {
+            QVERIFY2(!desk.bench.action(action)->isEnabled(), action);
+        }
+        QVERIFY(!(row.flags() & Qt::ItemIsEditable));
+        desk.press("keepRun");
+        QCOMPARE(kept->count(), 1);
+        QCOMPARE(kept->listed(), 2);
+        QVERIFY(kept->surfaceOf(0).isEmpty());
+        QCOMPARE(kept->surfaceOf(1), name);
+        QVERIFY(kept->isChosen(0) && kept->isChosen(1));
+        desk.clickSurface(0);
+        QCOMPARE(kept->surfaceOf(1), desk.names()[2]);
+        QVERIFY(kept->isChosen(0) && !kept->isChosen(1));
     }
 
     /// A refused text stands in a field of its surface: it is not lost without a question.

@@ -203,10 +203,7 @@ void HistogramPlot::restyle() {
     }
 }
 
-/// A name and ticks that have no room below a cell give way to the unit and to fewer ticks.
-/// Bars are set apart where that leaves something of them; narrow ones are an area of one colour,
-/// each at least a pixel wide.
-/// Though the first cell has the numbers of all beside it.
+/// All cells alike, though the first one has the numbers of all beside it.
 bool HistogramPlot::shareWidth() {
     double room = 0;
     for (const Cell& cell : m_cells) {
@@ -222,6 +219,9 @@ bool HistogramPlot::shareWidth() {
     return !alike;
 }
 
+/// A name and ticks that have no room below a cell give way to the unit and to fewer ticks.
+/// Bars are set apart where that leaves something of them; narrow ones are an area of one colour,
+/// each at least a pixel wide.
 void HistogramPlot::outline() {
     const QFontMetrics text(font());
     bool changed = shareWidth();

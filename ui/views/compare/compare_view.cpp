@@ -158,7 +158,7 @@ QListView* CompareView::list() const {
 
 std::vector<int> CompareView::chosenRuns() const {
     std::vector<int> runs;
-    for (int run = 0; run < m_kept.count(); ++run) {
+    for (int run = 0; run < m_kept.listed(); ++run) {
         if (m_kept.isChosen(run)) {
             runs.push_back(run);
         }
@@ -190,8 +190,7 @@ std::optional<ComparedFeeds> CompareView::feedsOf(int run) const {
     }
     const RunPlaces shown{good()->result.project, m_present->summary};
     const RunPlaces kept{*inputs, *now->summary};
-    ComparedFeeds feeds{RunsPanel::nameOf(m_kept.all()[static_cast<std::size_t>(run)]), now->feeds,
-                        matchingPlace(shown, m_wanted, kept)};
+    ComparedFeeds feeds{m_runs->nameOf(run), now->feeds, matchingPlace(shown, m_wanted, kept)};
     if (!haveSamePlaces(shown, kept)) {
         const FeedColumn& column = now->feeds->columns[feeds.column];
         feeds.name = tr("%1: %2").arg(feeds.name, Names::zone(column.zone, column.section));
@@ -226,7 +225,7 @@ void CompareView::showTable() {
         names << tr("Present run");
         runs.push_back({&good()->result.project, &*m_present});
         for (const int run : chosen) {
-            const QString name = RunsPanel::nameOf(m_kept.all()[static_cast<std::size_t>(run)]);
+            const QString name = m_runs->nameOf(run);
             names << name;
             runs.push_back({m_kept.inputs(run), m_kept.summary(run)});
             const RecalledRun* const now = m_kept.recalled(run);
@@ -264,8 +263,9 @@ void CompareView::fitTable() {
     QHeaderView* const head = m_table->horizontalHeader();
     int values = 0;
     for (int column = 1; column < m_tableModel->columnCount(); ++column) {
-        const int wanted = std::max(table.sizeHintForColumn(column), head->sectionSizeHint(column));
-        const int width = std::min(wanted, atFontSize(widestValue));
+        const int width =
+            std::max(std::min(table.sizeHintForColumn(column), atFontSize(widestValue)),
+                     head->sectionSizeHint(column));
         head->resizeSection(column, width);
         values += width;
     }
@@ -303,7 +303,7 @@ QString CompareView::hint() const {
 }
 
 QString CompareView::emptyText() const {
-    if (m_kept.count() == 0) {
+    if (m_kept.listed() == 0) {
         return tr("No run is kept yet. Keep the present one, change the inputs, and see here what "
                   "it did: the curves of both, and the inputs and results that differ.");
     }
@@ -336,9 +336,9 @@ QString CompareView::noticeText() const {
 
 /// Why a run is not drawn as it was kept.
 QStringList CompareView::runNotes(int run) const {
-    const KeptRun& kept = m_kept.all()[static_cast<std::size_t>(run)];
+    const KeptRun& kept = m_kept.run(run);
     const RecalledRun* const now = m_kept.recalled(run);
-    const QString name = RunsPanel::nameOf(kept);
+    const QString name = m_runs->nameOf(run);
     if (now && hasErrors(now->issues)) {
         return {tr("“%1” can no longer be run: %2").arg(name, Names::refusal(now->issues, 1))};
     }

@@ -3,6 +3,7 @@
 
 #include "ui/charts/run_table.h"
 #include "ui/charts/runs_model.h"
+#include "ui/kit/font_size.h"
 #include "ui/kit/keyboard.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme_icon.h"
@@ -55,8 +56,10 @@ RunsPanel::RunsPanel(KeptRuns& kept, QWidget* parent)
     connectParts();
 }
 
-QString RunsPanel::nameOf(const KeptRun& run) {
-    return exampleTitle(run.name).simplified();
+QString RunsPanel::nameOf(int run) const {
+    const QString name = exampleTitle(m_kept.run(run).name).simplified();
+    const QString& surface = m_kept.surfaceOf(run);
+    return surface.isEmpty() ? name : QStringLiteral("%1: %2").arg(printableText(surface), name);
 }
 
 QAction* RunsPanel::makeAction(const char* name, const char16_t* icon, const QKeySequence& keys) {
@@ -86,7 +89,9 @@ void RunsPanel::build() {
     m_list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setTextElideMode(Qt::ElideRight);
-    m_list->setMinimumWidth(130);
+    m_list->setWordWrap(true);
+    m_list->setResizeMode(QListView::Adjust);
+    setTextMinimumWidth(*m_list, 150);
     m_list->addActions({m_restore, m_rename, m_delete});
     m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
@@ -115,14 +120,15 @@ void RunsPanel::connectParts() {
 
 int RunsPanel::selected() const {
     const int run = m_list->currentIndex().row() - 1; // below the present one
-    return run >= 0 && run < m_kept.count() ? run : -1;
+    return run >= 0 && run < m_kept.listed() ? run : -1;
 }
 
 void RunsPanel::enableActions() {
     const int run = selected();
-    m_restore->setEnabled(run >= 0 && m_kept.inputs(run));
-    m_rename->setEnabled(run >= 0);
-    m_delete->setEnabled(run >= 0);
+    const bool isOwn = run >= 0 && m_kept.surfaceOf(run).isEmpty();
+    m_restore->setEnabled(isOwn && m_kept.inputs(run));
+    m_rename->setEnabled(isOwn);
+    m_delete->setEnabled(isOwn);
 }
 
 void RunsPanel::setRuns(const ReadSummary* present) {
@@ -131,14 +137,14 @@ void RunsPanel::setRuns(const ReadSummary* present) {
     std::vector<RunsModel::Run> rows{
         {tr("Present run"), detailOf(-1), descriptionOf(-1), lightOf(-1)}};
     int number = 0;
-    for (int run = 0; run < m_kept.count(); ++run) {
+    for (int run = 0; run < m_kept.listed(); ++run) {
         const bool chosen = m_kept.isChosen(run);
-        rows.push_back({nameOf(m_kept.all()[static_cast<std::size_t>(run)]), detailOf(run),
-                        descriptionOf(run), lightOf(run), chosen ? ++number : -1, chosen});
+        rows.push_back({nameOf(run), detailOf(run), descriptionOf(run), lightOf(run),
+                        chosen ? ++number : -1, chosen, m_kept.surfaceOf(run).isEmpty()});
     }
     m_runs->setRuns(std::move(rows));
-    if (!m_list->currentIndex().isValid() || kept >= m_kept.count()) {
-        m_list->setCurrentIndex(m_runs->index(m_runs->rowCount() - 1));
+    if (!m_list->currentIndex().isValid() || kept >= m_kept.listed()) {
+        m_list->setCurrentIndex(m_runs->index(m_kept.count()));
     }
     enableActions();
 }
@@ -159,11 +165,12 @@ QString RunsPanel::detailOf(int run) const {
                              ? tr("no results kept")
                              : tr("%1 min").arg(Names::significant(read->summary.cycle_time_min));
     const RecalledRun* const now = run < 0 ? nullptr : m_kept.recalled(run);
-    return run < 0                  ? time
-           : !now                   ? time + u'\n' + tr("computing…")
-           : hasErrors(now->issues) ? time + u'\n' + tr("refused now")
-           : m_kept.isChanged(run)  ? time + u'\n' + tr("differs now")
-                                    : time;
+    const bool isComputed = run >= 0 && (m_kept.isChosen(run) || m_kept.surfaceOf(run).isEmpty());
+    return run < 0 || (!now && !isComputed) ? time
+           : !now                           ? time + u'\n' + tr("computing…")
+           : hasErrors(now->issues)         ? time + u'\n' + tr("refused now")
+           : m_kept.isChanged(run)          ? time + u'\n' + tr("differs now")
+                                            : time;
 }
 
 std::optional<Light> RunsPanel::lightOf(int run) const {
@@ -172,8 +179,7 @@ std::optional<Light> RunsPanel::lightOf(int run) const {
 }
 
 QString RunsPanel::descriptionOf(int run) const {
-    QStringList lines{run < 0 ? tr("Present run, always drawn")
-                              : nameOf(m_kept.all()[static_cast<std::size_t>(run)])};
+    QStringList lines{run < 0 ? tr("Present run, always drawn") : nameOf(run)};
     lines << detailOf(run).split(u'\n');
     if (const std::optional<Light> light = lightOf(run)) {
         lines << lightName(*light);
@@ -181,7 +187,7 @@ QString RunsPanel::descriptionOf(int run) const {
     if (run < 0) {
         return lines.join(u'\n');
     }
-    const KeptRun& kept = m_kept.all()[static_cast<std::size_t>(run)];
+    const KeptRun& kept = m_kept.run(run);
     const QDateTime when = QDateTime::fromString(QString::fromStdString(kept.when), Qt::ISODate);
     lines << tr("Kept %1 by version %2")
                  .arg(when.isValid() ? momentText(when.toLocalTime())

@@ -27,7 +27,7 @@ public:
 
     [[nodiscard]] QListView* list() const { return m_list; }
     [[nodiscard]] QAction* keep() const { return m_keep; }
-    [[nodiscard]] static QString nameOf(const KeptRun& run);
+    [[nodiscard]] QString nameOf(int run) const; ///< with that of another surface
 
 private:
     QAction* makeAction(const char* name, const char16_t* icon, const QKeySequence& keys = {});

@@ -15,15 +15,16 @@ namespace sparkout {
 
 namespace {
 
-constexpr int gap = 6;      ///< beside each plot, between the columns
-constexpr int labelGap = 5; ///< between the tick labels of two columns
+constexpr int gap = 5;      ///< beside each plot, between the columns
+constexpr int labelGap = 4; ///< between the tick labels of two columns
 constexpr int tickPad = 3;
-constexpr int labelPad = 3;
-constexpr int smallestPlot = 40;      ///< of a picture that is smaller than leastSize()
-constexpr QSize legiblePlot(120, 80); ///< at the least, in leastSize()
-constexpr double leastNameType = 0.6; ///< names of axes, as a multiple of the usual size
-constexpr int sidePad = 4;            ///< beyond the names of the value axes
-constexpr int rowGap = 4;             ///< above and below each plot
+constexpr int labelPad = 2;
+constexpr int smallestPlot = 40;         ///< of a picture that is smaller than leastSize()
+constexpr QSize legiblePlot(120, 80);    ///< at the least, in leastSize()
+constexpr double leastNameType = 0.6;    ///< names of axes, as a multiple of the usual size
+constexpr double leastNumberType = 0.75; ///< numbers beside value axes
+constexpr int sidePad = 2;               ///< beyond the names of the value axes
+constexpr int rowGap = 4;                ///< above and below each plot
 constexpr int rowSpacing = 2;
 constexpr int bottomPad = 2; ///< below the tick labels
 constexpr int usualTicks = 4;
@@ -181,7 +182,7 @@ void FeedsGrid::nameValueAxes(Naming naming) {
     QString axial = full ? tr("Axial feed,\nmm/min") : tr("Axial,\nmm/min");
     QString force = full ? tr("Normal\nforce, N") : tr("Force, N");
     QString radius = full ? tr("Radius above\ntarget, µm") : tr("Radius,\nµm");
-    if (naming == Naming::unit) {
+    if (naming >= Naming::unit) {
         feed = sum = radius = tr("µm");
         axial = tr("mm/min");
         force = tr("N");
@@ -213,9 +214,9 @@ int FeedsGrid::longestAxisName() const {
 
 /// Where even brief names are longer than a plot is high, smaller type; at last none, the legend
 /// has them. And no more numbers than have room.
-void FeedsGrid::fitValueAxes(int high) {
+void FeedsGrid::fitValueAxes(int high, double largest) {
     const QFont usual = m_plot.font();
-    const double times = double(high + rowGap) / std::max(longestAxisName(), 1);
+    const double times = std::min(double(high + rowGap) / std::max(longestAxisName(), 1), largest);
     const QFont own = times < 1 ? enlarged(usual, std::max(times, leastNameType)) : usual;
     for (const Column& column : m_columns) {
         for (const QCPAxisRect* rect : column.rects) {
@@ -234,10 +235,10 @@ void FeedsGrid::fitValueAxes(int high) {
 
 /// Lines the labels of an outer column's axes up; the room that ticks and numbers take.
 int FeedsGrid::alignLabels(QCPAxis::AxisType side, const Column& column) const {
-    const QFontMetrics metrics(m_plot.font());
     std::array<int, rowCount> widths{};
     for (std::size_t row = 0; row < rowCount; ++row) {
         const QCPAxis* axis = column.rects[row]->axis(side);
+        const QFontMetrics metrics(axis->tickLabelFont());
         widths[row] = axis->tickLabels() ? tickWidth(*axis, m_plot.locale(), metrics) : 0;
     }
     const int widest = std::ranges::max(widths);
@@ -260,24 +261,39 @@ int FeedsGrid::nameWidth(QCPAxis::AxisType side, const Column& column) {
     return width;
 }
 
-/// The longest names of the value axes that leave the plots legible.
+void FeedsGrid::setNumberType(double times) {
+    for (const Column* column : {&m_columns.front(), &m_columns.back()}) {
+        for (const QCPAxisRect* rect : column->rects) {
+            for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight}) {
+                rect->axis(side)->setTickLabelFont(enlarged(m_plot.font(), times));
+            }
+        }
+    }
+}
+
+/// The longest names of the value axes, and the largest numbers, that leave the plots legible.
 void FeedsGrid::fit() {
     if (m_columns.empty()) {
         return;
     }
     const int high = fitHeights();
     int left = 0, right = 0, plot = 0;
-    for (const Naming naming : {Naming::full, Naming::brief, Naming::unit}) {
+    nameValueAxes(Naming::smallest);
+    fitValueAxes(high, leastNameType);
+    setNumberType(leastNumberType);
+    noteLeastWidth(alignLabels(QCPAxis::atLeft, m_columns.front())
+                   + alignLabels(QCPAxis::atRight, m_columns.back()));
+    for (const Naming naming : {Naming::full, Naming::brief, Naming::unit, Naming::smallest}) {
         nameValueAxes(naming);
         const double type = naming == Naming::full ? 1 : leastNameType;
-        if (naming != Naming::unit && longestAxisName() * type > high + rowGap) {
+        if (naming < Naming::unit && longestAxisName() * type > high + rowGap) {
             continue;
         }
-        fitValueAxes(high);
+        fitValueAxes(high, naming == Naming::smallest ? leastNameType : 1);
+        setNumberType(naming == Naming::smallest ? leastNumberType : 1);
         const Column &first = m_columns.front(), &last = m_columns.back();
         left = alignLabels(QCPAxis::atLeft, first);
         right = alignLabels(QCPAxis::atRight, last);
-        noteLeastWidth(left + right);
         left += nameWidth(QCPAxis::atLeft, first);
         right += nameWidth(QCPAxis::atRight, last);
         plot = fitWidths(left, right);
@@ -289,12 +305,12 @@ void FeedsGrid::fit() {
     showHeaders(plot, left, right);
 }
 
-/// With the units beside the numbers only. It does not shrink with the numbers while the plots are
-/// resized: what they are laid out in follows it.
+/// With the units beside the numbers only, all in the smallest type. It does not shrink with the
+/// numbers while the plots are resized: what they are laid out in follows it.
 void FeedsGrid::noteLeastWidth(int numbers) {
     const auto count = static_cast<int>(m_columns.size());
-    const int width = numbers + 2 * QFontMetrics(m_plot.font()).height() + 2 * gap * (count - 1)
-                      + count * legiblePlot.width();
+    const int units = 2 * QFontMetrics(enlarged(m_plot.font(), leastNameType)).height();
+    const int width = numbers + units + 2 * gap * (count - 1) + count * legiblePlot.width();
     if (width > m_leastWidth) {
         m_leastWidth = width;
         m_plot.updateGeometry();

@@ -41,11 +41,12 @@ private:
     void clear();
     void buildCell(std::size_t column, std::size_t row);
     void setUpAxes(QCPAxisRect& rect, std::size_t column, std::size_t row) const;
-    /// In two lines, in brief, or only the unit.
-    enum class Naming { full, brief, unit };
+    /// In two lines, in brief, only the unit, or that and the numbers in small type.
+    enum class Naming { full, brief, unit, smallest };
     void nameValueAxes(Naming naming);
     [[nodiscard]] int longestAxisName() const;
-    void fitValueAxes(int high);
+    void fitValueAxes(int high, double largest); ///< type of the names
+    void setNumberType(double times);            ///< of the usual size
     [[nodiscard]] int alignLabels(QCPAxis::AxisType side, const Column& column) const;
     [[nodiscard]] static int nameWidth(QCPAxis::AxisType side, const Column& column);
     void noteLeastWidth(int numbers); ///< of both value axes

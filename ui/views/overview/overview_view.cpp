@@ -10,6 +10,7 @@
 #include "ui/kit/metrics.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/session/kept_runs.h"
+#include "ui/text/example_texts.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
 #include "ui/views/overview/overview_tile.h"
@@ -241,7 +242,7 @@ std::vector<RunBars> OverviewView::shownRuns() const {
     for (int run = std::max(m_kept.count() - OverviewCharts::mostRuns, 0); run < m_kept.count();
          ++run) {
         const KeptRun& kept = m_kept.all()[static_cast<std::size_t>(run)];
-        RunBars bars{printableText(QString::fromStdString(kept.name)), {}, {}};
+        RunBars bars{printableText(exampleTitle(kept.name)), {}, {}};
         if (const ReadSummary* const read = m_kept.summary(run)) {
             const bool hasTime = !read->missing.contains("/cycle_time_min");
             bars = hasTime ? barsOf(bars.name, read->summary)

@@ -23,6 +23,7 @@ public:
     void setDiameters(bool diameters); ///< D − d in place of R − R_t
     void setToScale(bool toScale);
     void fit() override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeFor(98, 3); }
     void setVisibleRange(const PlotHistory::State& range) override;
     void restyle() override;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/profiles/profile_plot.h"
 
+#include <QEvent>
+
 #include <utility>
 
 namespace sparkout {
@@ -24,6 +26,18 @@ LegendEntries ProfilePlot::entriesOf(const std::vector<ProfileLine>& lines) cons
         entries.push_back(entry);
     }
     return entries;
+}
+
+void ProfilePlot::changeEvent(QEvent* event) {
+    ViewPlot::changeEvent(event);
+    if (event->type() == QEvent::FontChange) {
+        keepLegible();
+    }
+}
+
+QSize ProfilePlot::sizeFor(int plotHeight, int textLines) const {
+    constexpr int leastWidth = 200;
+    return {leastWidth, plotHeight + textLines * fontMetrics().lineSpacing()};
 }
 
 } // namespace sparkout

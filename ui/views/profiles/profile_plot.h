@@ -19,7 +19,12 @@ public:
     [[nodiscard]] LegendEntries entriesOf(const std::vector<ProfileLine>& lines) const;
     [[nodiscard]] LegendEntries legendEntries() const override { return entriesOf(lines()); }
 
+    void keepLegible() { setMinimumSize(minimumSizeHint()); } ///< in the present type
+
 protected:
+    void changeEvent(QEvent* event) override;
+    /// What is high enough for a plot and the lines of text about it.
+    [[nodiscard]] QSize sizeFor(int plotHeight, int textLines) const;
     [[nodiscard]] const ProfileLines& hidden() const { return m_hidden; }
     [[nodiscard]] bool visible(ProfileLine line) const { return !m_hidden.contains(line); }
 

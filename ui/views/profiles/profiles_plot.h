@@ -23,6 +23,8 @@ public:
     void setMagnification(std::optional<double> wanted); ///< none: chosen by the program
     void setCircles(ReferenceCircles circles);
     void fit() override; ///< all of the cells
+    /// With names, numbers in three lines and the caption in two.
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeFor(126, 6); }
     void restyle() override;
 
     [[nodiscard]] const ProfileSeries& series() const { return m_series; }

@@ -17,6 +17,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QSpinBox>
@@ -41,20 +42,19 @@ ProfilesView::ProfilesView(QWidget* parent, Settings* settings)
     buildPlots();
     QWidget* bar = buildToolBar();
     QWidget* strokeBar = buildStrokeBar();
-    hideUntilDrawn({strokeBar, m_splitter});
+    m_splitter->setMinimumSize(200, 120);
+    QScrollArea* area = scrolled(*m_splitter);
+    area->setObjectName(QStringLiteral("profilesArea"));
+    hideUntilDrawn({strokeBar, area});
     disableUntilDrawn(
         {m_parts, m_section, m_magnification, m_reference, m_circles, m_blank, m_fit});
-    addColumn({bar, strokeBar, notice(), legend(), m_splitter, strip(), values()}, m_splitter)
-        ->addStretch();
+    addColumn({bar, strokeBar, notice(), legend(), area, strip(), values()}, area)->addStretch();
     nameTools();
     connectTools();
     built();
 }
 
 void ProfilesView::buildPlots() {
-    m_across->setMinimumSize(200, 120);
-    m_along->setMinimumSize(200, 110);
-    m_spectrum->setMinimumSize(200, 110);
     share(*m_splitter, {{m_across, 500}, {m_along, 300}, {m_spectrum, 300}});
     PlotSubject across, along, spectrum;
     across.name = [] { return tr("cross-sections"); };
@@ -70,6 +70,7 @@ void ProfilesView::buildPlots() {
     addCursors(*m_along);
     for (ProfilePlot* plot : std::initializer_list<ProfilePlot*>{m_across, m_along, m_spectrum}) {
         plot->setHidden(m_hidden);
+        plot->keepLegible();
     }
     connect(m_along, &LongitudinalPlot::profileClicked, this, &ProfilesView::choose);
 }

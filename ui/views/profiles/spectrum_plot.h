@@ -19,6 +19,7 @@ public:
     void setSeries(const ProfileSeries& series, const std::vector<int>& shown); ///< no replot
     void setLogarithmic(bool on);
     void fit() override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeFor(98, 3); }
     void restyle() override;
 
     [[nodiscard]] int cellCount() const { return static_cast<int>(m_cells.size()); }

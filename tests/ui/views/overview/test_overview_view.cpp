@@ -20,6 +20,7 @@
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/plot/view.h"
+#include "ui/text/example_texts.h"
 #include "ui/views/batch/batch_view.h"
 #include "ui/views/constraints/constraints_view.h"
 #include "ui/views/feeds/feeds_view.h"
@@ -241,6 +242,21 @@ private slots:
         const RunSummary present =
             summarise(desk.outcome().result, desk.outcome().accuracy, desk.outcome().constraints);
         QCOMPARE(chart.value(1, 0), 100 * leastMargin(present)->relativeMargin);
+    }
+
+    void theRunsOfAnExampleAreNamedInTheWindowsLanguage() {
+        const Desk desk(QStringLiteral("ru"));
+        Project project = fixtures::traverseProject();
+        QVERIFY(desk.open(project));
+        const Outcome& now = desk.outcome();
+        project.runs.push_back(keptRun(now.result,
+                                       summarise(now.result, now.accuracy, now.constraints),
+                                       "Factory", "2026-01-01T00:00:00Z"));
+        QVERIFY(desk.open(project));
+        const QStringList shown = desk.plot(runs).chart().categories;
+        QCOMPARE(shown.size(), qsizetype(2));
+        QCOMPARE(shown[1], exampleTitle("Factory"));
+        QVERIFY(shown[1] != QStringLiteral("Factory"));
     }
 
     // --- where bars lead ------------------------------------------------------------------------
