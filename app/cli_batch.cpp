@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli_batch.h"
 
-#include "app/cli_report.h"
+#include "app/io/cli_report.h"
 #include "core/batch/batch_state_reader.h"
 #include "core/batch/part_table.h"
 #include "core/format/project_file.h"

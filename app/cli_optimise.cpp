@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli_optimise.h"
 
-#include "app/cli_io.h"
 #include "app/cli_optimise_report.h"
-#include "app/cli_surfaces.h"
+#include "app/io/cli_io.h"
+#include "app/io/cli_surfaces.h"
 #include "app/search_watch.h"
 #include "core/optimisation/search_names.h"
 #include "core/printable.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/report_command.h"
 
-#include "app/batch_watch.h"
-#include "app/stop_signals.h"
+#include "app/io/batch_watch.h"
+#include "app/io/stop_signals.h"
 #include "app/window_io.h"
 #include "core/adequacy/prediction.h"
 #include "core/project/batch.h"

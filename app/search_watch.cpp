@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/search_watch.h"
 
-#include "app/cli_io.h"
-#include "app/cli_report.h"
-#include "app/stop_signals.h"
+#include "app/io/cli_io.h"
+#include "app/io/cli_report.h"
+#include "app/io/stop_signals.h"
 #include "core/units.h"
 
 #include <utility>

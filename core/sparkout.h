@@ -3,16 +3,19 @@
 
 // The public face of the core: a project read and checked, its cycle simulated, held against the
 // drawing and evaluated, for which stocks it holds, what would help, its batch, its sweep, its
-// search; what was measured, read, judged and fitted; and the surfaces of a part that are ground in
-// one set-up.
+// search; what was measured, read, judged and fitted, and the trials to measure next; and the
+// surfaces of a part that are ground in one set-up.
 
 #include "core/adequacy/adequacy.h"
 #include "core/batch/batch_check.h"
 #include "core/batch/batch_run.h"
 #include "core/batch/batch_summary.h"
+#include "core/form/roundness_readings.h"
 #include "core/format/project_file.h"
 #include "core/identification/calibration.h"
 #include "core/identification/identification.h"
+#include "core/identification/stiffness_trial.h"
+#include "core/identification/trial_design.h"
 #include "core/identification/wheel_calibration.h"
 #include "core/measured/measured_table.h"
 #include "core/phases/phase_decision.h"

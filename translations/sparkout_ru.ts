@@ -10009,6 +10009,30 @@ Reloading takes that version; your changes stay in Undo.</source>
     <context>
         <name>sparkout::ConstraintsPlot</name>
         <message>
+            <source>accuracy, proved</source>
+            <translation>точность, доказан</translation>
+        </message>
+        <message>
+            <source>accuracy at steady feed, estimate</source>
+            <translation>точность при ровной подаче, оценка</translation>
+        </message>
+        <message>
+            <source>mm/min</source>
+            <translation>мм/мин</translation>
+        </message>
+        <message>
+            <source>runout in every pass, as published (22)</source>
+            <translation>биение в каждом проходе, как опубликовано (22)</translation>
+        </message>
+        <message>
+            <source>programmed feed</source>
+            <translation>программная подача</translation>
+        </message>
+        <message>
+            <source>programmed feed, µm</source>
+            <translation>программная подача, мкм</translation>
+        </message>
+        <message>
             <source>actual feed, µm</source>
             <translation>фактическая подача, мкм</translation>
         </message>

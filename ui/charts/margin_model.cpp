@@ -114,7 +114,9 @@ QString MarginModel::stackedText(const ConstraintResult& c, int column) {
 
 QVariant MarginModel::cell(int row, int column, int role) const {
     const ConstraintResult& c = at(row);
-    const Light light = lightOf(c);
+    // A guess that holds is not shown as one that is known to.
+    const bool guessed = m_outcome && LimitNames::isGuess(c.kind, m_outcome->result.project);
+    const Light light = guessed ? std::max(lightOf(c), Light::close) : lightOf(c);
     switch (role) {
     case Qt::DisplayRole: return m_stacked ? stackedText(c, column) : text(c, column);
     case Qt::DecorationRole:

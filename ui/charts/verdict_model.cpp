@@ -186,7 +186,10 @@ QVariant VerdictModel::requirementData(const Row& row, int column, int role) con
                    ? shown + QLatin1Char('\n') + lightName(*row.constraint)
                    : shown;
     case Qt::DecorationRole:
-        return first ? QVariant(m_icons[static_cast<std::size_t>(light)]) : QVariant();
+        return first // a guess that holds is not shown as one that is known to
+                   ? QVariant(m_icons[static_cast<std::size_t>(
+                       guessed ? std::max(light, Light::close) : light)])
+                   : QVariant();
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole: {
         const QString stated =

@@ -9,7 +9,9 @@
 #include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
+#include "core/quality/accuracy_limit.h"
 #include "core/quality/constraints.h"
+#include "core/quality/limit_series.h"
 #include "core/quality/result_names.h"
 #include "core/quality/run_summary.h"
 #include "core/simulation/cycle_steps.h"
@@ -214,6 +216,49 @@ private slots:
         QVERIFY(spread(sharp) < spread(dull));
         QVERIFY(holdsDrawing(sharp));
         QVERIFY(!holdsDrawing(dull));
+    }
+
+    /// One example each whose cycle is bound by roughness, self-sharpening and accuracy: it holds,
+    /// and the next quicker setting of its notes does not.
+    void anExampleForEachOfTheSourcesLimits() {
+        const auto margin = [](const SimulationResult& run, ConstraintKind kind) {
+            double least = 1;
+            for (const ConstraintResult& constraint : evaluateConstraints(run)) {
+                least =
+                    constraint.kind == kind ? std::min(least, constraint.relativeMargin) : least;
+            }
+            return least;
+        };
+        const struct {
+            const char* name;
+            ConstraintKind kind;
+            void (*change)(Project&);
+        } bound[] = {
+            {"plunge-roughness-limit", ConstraintKind::roughness,
+             [](Project& p) { p.cycle->stages[2].sparkOutFor(3); }},
+            {"plunge-self-sharpening-limit", ConstraintKind::selfSharpening,
+             [](Project& p) { p.cycle->stages[0].radial_feed_mm_min = 0.7; }},
+            {"plunge-accuracy-limit", ConstraintKind::diameterMax,
+             [](Project& p) { p.cycle->stages[1].radial_feed_mm_min = 0.3; }},
+        };
+        for (const auto& one : bound) {
+            QVERIFY2(holdsDrawing(result(one.name)), one.name);
+            const double room = margin(result(one.name), one.kind);
+            QVERIFY2(room >= 0 && room < 0.1, QByteArray::number(room).constData());
+            Project quicker = project(one.name);
+            one.change(quicker);
+            QVERIFY2(margin(simulateUnchecked(quicker), one.kind) < 0, one.name);
+        }
+        const SimulationResult& accurate = result("plunge-accuracy-limit");
+        Trajectory trajectory;
+        (void)simulate(accurate.project, &trajectory);
+        const LimitSeries series = makeLimitSeries(accurate, trajectory);
+        const LimitGroup& group = series.groups.back();
+        const auto limit = accuracyLimit(accurate, series, group, AccuracyProof::estimate);
+        QVERIFY(limit.has_value());
+        const double last = group.cuts.back().depth_mm;
+        QVERIFY(last <= limit->lastCut_mm && last > 0.6 * limit->lastCut_mm);
+        QVERIFY(last < accuracyLimit(accurate, series, group, AccuracyProof::proved)->lastCut_mm);
     }
 
     void theOptimalCycleOfTheThesisIsFasterThanTheFactoryCycle() {

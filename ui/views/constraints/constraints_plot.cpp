@@ -54,6 +54,12 @@ void ConstraintsPlot::build() {
         m_limits[kind] = addLine(*m_rect);
         setKeyed(static_cast<int>(kind), {m_limits[kind]});
     }
+    for (const auto& [key, line] :
+         {std::pair(accuracyKey, &m_accuracy), std::pair(estimateKey, &m_estimate),
+          std::pair(publishedKey, &m_published), std::pair(programmedKey, &m_programmed)}) {
+        *line = addLine(*m_rect);
+        setKeyed(key, {*line});
+    }
     for (int i = 0; i < graphCount(); ++i) {
         graph(i)->setAdaptiveSampling(false);
     }
@@ -71,6 +77,21 @@ void ConstraintsPlot::build() {
     m_markText->setPadding(QMargins(10, 6, 10, 6));
     connect(feedAxis(), QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this,
             &ConstraintsPlot::contentChanged); // the legend names what is out of visible
+    connect(feedAxis(), QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this,
+            &ConstraintsPlot::followFeeds);
+}
+
+/// The right axis has the same feeds in mm/min; where a cut is a stroke's there is none.
+void ConstraintsPlot::followFeeds() {
+    const std::optional<double> perMinute = m_chart.perMinute();
+    minuteAxis()->setTicks(perMinute.has_value());
+    minuteAxis()->setTickLabels(perMinute.has_value());
+    minuteAxis()->setSubTicks(perMinute && feedAxis()->subTicks());
+    minuteAxis()->setLabel(perMinute ? tr("mm/min") : QString());
+    if (perMinute) {
+        const QCPRange feeds = feedAxis()->range();
+        minuteAxis()->setRange(feeds.lower * *perMinute, feeds.upper * *perMinute);
+    }
 }
 
 void ConstraintsPlot::setRun(OutcomePtr outcome, int group) {
@@ -99,6 +120,11 @@ void ConstraintsPlot::fill() {
                    {stepless.back().stock_mm, forbidden_um / umPerMm}};
     }
     setPoints(*m_ceiling, ceiling);
+    setPoints(*m_accuracy, m_chart.accuracy(AccuracyProof::proved));
+    setPoints(*m_estimate, m_chart.accuracy(AccuracyProof::estimate));
+    setPoints(*m_published, m_chart.published());
+    setPoints(*m_programmed, m_chart.programmed());
+    followFeeds();
     fillCuts(m_chart.cuts() ? *m_chart.cuts() : LimitGroup());
     fillMark();
     showChoice();
@@ -232,7 +258,9 @@ void ConstraintsPlot::fitFeeds() {
 
 void ConstraintsPlot::setLogarithmic(bool on) {
     style::setLogarithmic(*feedAxis(), on);
+    style::setLogarithmic(*minuteAxis(), on);
     feedAxis()->setSubTicks(on);
+    followFeeds();
     fit();
 }
 
@@ -244,6 +272,15 @@ QPen ConstraintsPlot::penOf(int key) const {
     }
     if (key == steplessKey) {
         return {ink(), 3, Qt::SolidLine};
+    }
+    if (key == accuracyKey || key == estimateKey) {
+        return {toned(Tone::purple), 2, key == accuracyKey ? Qt::SolidLine : Qt::DashDotLine};
+    }
+    if (key == publishedKey) {
+        return {toned(Tone::orange), 2, Qt::DashDotDotLine};
+    }
+    if (key == programmedKey) {
+        return style::line(Drawn::programmedFeed, toned(Drawn::programmedFeed));
     }
     const std::vector<ConstraintKind> kinds = depthLimitKinds();
     const auto place = static_cast<std::size_t>(
@@ -263,19 +300,25 @@ LegendEntries ConstraintsPlot::legendEntries() const {
     if (!m_chart.stepless().empty()) {
         add(steplessKey, tr("stepless limit, forbidden above"));
     }
-    for (const ConstraintKind kind : depthLimitKinds()) {
-        const QCPGraph* graph = limit(kind);
-        if (!graph) {
-            continue;
-        }
+    const auto addLimit = [&](int key, const QCPGraph& graph, const QString& name) {
         bool found = false;
-        const double least = graph->getValueRange(found).lower;
-        const QString name = LimitNames::limit(kind);
-        add(static_cast<int>(kind),
-            least > feedAxis()->range().upper
-                ? tr("%1 (above the plot: from %2 µm)").arg(name, Names::significant(least))
-                : name);
+        const double least = graph.getValueRange(found).lower;
+        if (found) {
+            add(key,
+                least > feedAxis()->range().upper
+                    ? tr("%1 (above the plot: from %2 µm)").arg(name, Names::significant(least))
+                    : name);
+        }
+    };
+    for (const ConstraintKind kind : depthLimitKinds()) {
+        if (const QCPGraph* graph = limit(kind)) {
+            addLimit(static_cast<int>(kind), *graph, LimitNames::limit(kind));
+        }
     }
+    addLimit(accuracyKey, *m_accuracy, tr("accuracy, proved"));
+    addLimit(estimateKey, *m_estimate, tr("accuracy at steady feed, estimate"));
+    addLimit(publishedKey, *m_published, tr("runout in every pass, as published (22)"));
+    addLimit(programmedKey, *m_programmed, tr("programmed feed"));
     return entries;
 }
 
@@ -289,6 +332,10 @@ void ConstraintsPlot::restyle() {
     m_stepless->setPen(penOf(steplessKey));
     m_stepless->setBrush(forbidden);
     m_ceiling->setPen(Qt::NoPen);
+    m_accuracy->setPen(penOf(accuracyKey));
+    m_estimate->setPen(penOf(estimateKey));
+    m_published->setPen(penOf(publishedKey));
+    m_programmed->setPen(penOf(programmedKey));
     const QPen actual = penOf(actualKey);
     m_actual->setPen(actual);
     m_actual->setScatterStyle(
@@ -309,6 +356,7 @@ void ConstraintsPlot::setTexts() {
     stockAxis()->setLabel(tr("Stock left after the cut, µm"));
     feedAxis()->setLabel(m_chart.feedLabel());
     m_markText->setText(m_chart.markText());
+    followFeeds();
 }
 
 // --- numbers ------------------------------------------------------------------------------------
@@ -340,6 +388,10 @@ ReadCurves ConstraintsPlot::readCurves() const {
     for (const auto& [kind, graph] : m_limits) {
         add(graph, tr("limit: %1, µm").arg(LimitNames::limit(kind)));
     }
+    add(m_accuracy, tr("limit: %1, µm").arg(tr("accuracy, proved")));
+    add(m_estimate, tr("limit: %1, µm").arg(tr("accuracy at steady feed, estimate")));
+    add(m_published, tr("limit: %1, µm").arg(tr("runout in every pass, as published (22)")));
+    add(m_programmed, tr("programmed feed, µm"));
     return curves;
 }
 

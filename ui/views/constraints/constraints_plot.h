@@ -18,6 +18,8 @@ class ConstraintsPlot : public ViewPlot {
     Q_OBJECT
 public:
     static constexpr int actualKey = 100, steplessKey = 101; ///< else the kind of the limit
+    static constexpr int accuracyKey = 102, estimateKey = 103, publishedKey = 104,
+                         programmedKey = 105;
 
     explicit ConstraintsPlot(QWidget* parent = nullptr);
 
@@ -37,7 +39,13 @@ public:
     [[nodiscard]] QCPCurve* actual() const { return m_actual; }
     [[nodiscard]] QCPCurve* exceeded() const { return m_exceeded; } ///< cuts above their limit
     [[nodiscard]] QCPGraph* stepless() const { return m_stepless; }
-    [[nodiscard]] QCPGraph* limit(ConstraintKind kind) const; ///< null: off
+    [[nodiscard]] QCPGraph* limit(ConstraintKind kind) const;       ///< null: off
+    [[nodiscard]] QCPGraph* accuracy() const { return m_accuracy; } ///< proved
+    [[nodiscard]] QCPGraph* estimate() const { return m_estimate; } ///< of accuracy, at steady feed
+    [[nodiscard]] QCPGraph* published() const { return m_published; }   ///< eq. 22 of the source
+    [[nodiscard]] QCPGraph* programmed() const { return m_programmed; } ///< S_p1, S_p2, …
+    /// In mm/min, beside the feed a revolution.
+    [[nodiscard]] QCPAxis* minuteAxis() const { return m_rect->axis(QCPAxis::atRight); }
     [[nodiscard]] const std::optional<LimitedCut>& marked() const { return m_chart.marked(); }
     [[nodiscard]] std::optional<double> moment_um() const; ///< stock of the line
     [[nodiscard]] LegendEntries legendEntries() const override;
@@ -51,6 +59,7 @@ private:
     void build();
     void fill();
     void fillCuts(const LimitGroup& group);
+    void followFeeds();
     void fillMark();
     void placeMark();
     [[nodiscard]] QPen penOf(int key) const;
@@ -65,6 +74,10 @@ private:
     QCPAxisRect* m_rect = nullptr;
     QCPGraph* m_ceiling = nullptr; ///< upper edge of what is forbidden
     QCPGraph* m_stepless = nullptr;
+    QCPGraph* m_accuracy = nullptr;
+    QCPGraph* m_estimate = nullptr;
+    QCPGraph* m_published = nullptr;
+    QCPGraph* m_programmed = nullptr;
     std::map<ConstraintKind, QCPGraph*> m_limits;
     QCPCurve* m_actual = nullptr;
     QCPCurve* m_exceeded = nullptr;

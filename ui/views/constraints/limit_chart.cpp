@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/constraints/limit_chart.h"
 
+#include "core/project/machine.h"
 #include "core/units.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sparkout {
 
@@ -29,6 +31,14 @@ LimitChart::LimitChart(OutcomePtr outcome, int group, std::optional<ConstraintRe
             }
         }
         m_stepless = steplessLimit(m_outcome->limits, *of);
+        for (const AccuracyProof proof : {AccuracyProof::proved, AccuracyProof::estimate}) {
+            if (auto by = accuracyLimit(m_outcome->result, m_outcome->limits, *of, proof)) {
+                m_accuracy[proof] = std::move(by->curve);
+            }
+        }
+        m_published =
+            publishedAccuracy(m_outcome->result, m_outcome->trajectory, m_outcome->limits, *of);
+        m_programmed = programmedSteps(m_outcome->result, m_outcome->limits, *of);
     }
     setMarked(std::move(requirement));
 }
@@ -107,6 +117,20 @@ QString LimitChart::valuesAt(const LimitedCut& cut) const {
         text += u'\n' + tr("Allowed feed, µm: %1").arg(parts.join(QStringLiteral("; ")));
     }
     return text;
+}
+
+const LimitPoints& LimitChart::accuracy(AccuracyProof proof) const {
+    static const LimitPoints none;
+    const auto found = m_accuracy.find(proof);
+    return found == m_accuracy.end() ? none : found->second;
+}
+
+std::optional<double> LimitChart::perMinute() const {
+    const LimitGroup* group = cuts();
+    if (!group || (!group->standing && m_outcome->result.project.operation->countsStrokes)) {
+        return std::nullopt;
+    }
+    return m_outcome->result.project.machine->work_speed_rpm / umPerMm;
 }
 
 /// A cut is a revolution's where the wheel plunges or stands, else a stroke's.

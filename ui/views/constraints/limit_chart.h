@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/quality/accuracy_limit.h"
 #include "core/study/outcome.h"
 #include "ui/tables/csv_table.h"
 
@@ -31,6 +32,14 @@ public:
     [[nodiscard]] const LimitPoints& limit(ConstraintKind kind) const; ///< empty: off
     /// The least of them; empty: none binds every cut.
     [[nodiscard]] const LimitPoints& stepless() const { return m_stepless; }
+    /// The limit by accuracy; empty: none follows from drawing and compliance.
+    [[nodiscard]] const LimitPoints& accuracy(AccuracyProof proof) const;
+    /// As the source has it, pass by pass.
+    [[nodiscard]] const LimitPoints& published() const { return m_published; }
+    /// What the programme feeds in a step of each stage.
+    [[nodiscard]] const LimitPoints& programmed() const { return m_programmed; }
+    /// What a feed of 1 µm a cut is in mm/min; nothing where a cut is a stroke's.
+    [[nodiscard]] std::optional<double> perMinute() const;
     [[nodiscard]] const std::optional<ConstraintResult>& requirement() const {
         return m_requirement;
     }
@@ -51,7 +60,8 @@ private:
     OutcomePtr m_outcome;
     int m_group = -1;
     std::map<ConstraintKind, LimitPoints> m_limits;
-    LimitPoints m_stepless;
+    LimitPoints m_stepless, m_published, m_programmed;
+    std::map<AccuracyProof, LimitPoints> m_accuracy;
     std::optional<ConstraintResult> m_requirement;
     std::optional<LimitedCut> m_marked;
 };

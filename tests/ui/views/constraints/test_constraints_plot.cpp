@@ -4,11 +4,14 @@
 #include "core/project/material.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
+#include "core/quality/accuracy_limit.h"
+#include "core/quality/light.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/ui/views/constraints/constraints_bench.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/session/cycle_cursor.h"
+#include "ui/session/project_io.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -118,6 +121,60 @@ private slots:
         }
         QVERIFY(!shown.plot().limit(ConstraintKind::selfSharpening));
         QVERIFY(shown.plot().stepless()->dataCount() > 2);
+    }
+
+    /// The examples of the three limits, with the programme and the feeds in mm/min.
+    void accuracyAndProgrammeStandBesideTheLimits() {
+        const auto read = loadProject(QStringLiteral(
+            SPARKOUT_SOURCE_DIR "/resources/examples/plunge-accuracy-limit.sparkout"));
+        QVERIFY(read.setup.has_value());
+        const OutcomePtr outcome = run(read.setup->surfaces.front().project);
+        Shown shown(outcome);
+        shown.part<QComboBox>("constraintsZone")
+            .setCurrentIndex(static_cast<int>(outcome->limits.groups.size()) - 1);
+        const ConstraintsPlot& plot = shown.plot();
+        const LimitGroup& group = outcome->limits.groups.back();
+        const auto limit =
+            accuracyLimit(outcome->result, outcome->limits, group, AccuracyProof::proved);
+        QVERIFY(limit.has_value());
+        QCOMPARE(plot.accuracy()->dataCount(), static_cast<int>(limit->curve.size()));
+        const double lowest_um = plot.accuracy()->data()->constBegin()->value;
+        QVERIFY(std::abs(lowest_um - limit->lastCut_mm * 1000) < 1e-9);
+        QVERIFY(plot.estimate()->data()->constBegin()->value < lowest_um);
+        QVERIFY(plot.published()->dataCount() > 10);
+        QVERIFY(plot.programmed()->dataCount() >= 4);
+        QString names;
+        for (const LegendEntry& entry : plot.legendEntries()) {
+            names += entry.text + u'|';
+        }
+        QVERIFY2(names.contains(QStringLiteral("accuracy, proved")), qPrintable(names));
+        QVERIFY(names.contains(QStringLiteral("accuracy at steady feed, estimate")));
+        QVERIFY(names.contains(QStringLiteral("as published (22)")));
+        QVERIFY(names.contains(QStringLiteral("programmed feed")));
+        // 160 rev/min: 1 µm a revolution is 0.16 mm/min.
+        QVERIFY(plot.minuteAxis()->tickLabels());
+        QVERIFY(std::abs(plot.minuteAxis()->range().upper - plot.feedAxis()->range().upper * 0.16)
+                < 1e-9);
+        shown.show(run(limitedProject()));
+        for (int g = 0; g < shown.part<QComboBox>("constraintsZone").count(); ++g) {
+            shown.part<QComboBox>("constraintsZone").setCurrentIndex(g);
+            QCOMPARE(plot.minuteAxis()->tickLabels(),
+                     plot.feedAxis()->label().endsWith(QStringLiteral("per revolution")));
+        }
+    }
+
+    /// A roughness that is a guess holds by no green mark.
+    void aGuessedRoughnessIsNeverPlainGreen() {
+        Project project = limitedProject();
+        project.part->tolerance.roughness_ra_um = 50;
+        const auto light = [](const Shown& shown) {
+            const int row = shown.rowOf(ConstraintKind::roughness);
+            return static_cast<Light>(
+                shown.view.margins()->index(row, 0).data(MarginModel::lightRole).toInt());
+        };
+        QVERIFY(light(Shown(run(project))) == Light::holds);
+        project.wheel->roughness_factor = 1;
+        QVERIFY(light(Shown(run(project))) == Light::close);
     }
 
     // The numbers of an uncalibrated Ra are micrometres by the thousand.

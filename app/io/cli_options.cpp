@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_options.h"
+#include "app/io/cli_options.h"
 
-#include "app/cli_io.h"
+#include "app/io/cli_io.h"
 #include "core/field.h"
 #include "core/project/batch.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_shop.h"
+#include "app/io/cli_shop.h"
 
-#include "app/cli_report.h"
+#include "app/io/cli_report.h"
 #include "core/digits.h"
 #include "core/quality/ranges.h"
 #include "core/units.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_report.h"
+#include "app/io/cli_report.h"
 
-#include "app/cli_shop.h"
+#include "app/io/cli_shop.h"
 #include "core/printable.h"
 #include "core/process/coupled_sections.h"
 #include "core/project/part.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_surfaces.h"
+#include "app/io/cli_surfaces.h"
 
-#include "app/cli_io.h"
-#include "app/stop_signals.h"
+#include "app/io/cli_io.h"
+#include "app/io/stop_signals.h"
 #include "core/format/strict_json.h"
 #include "core/printable.h"
 #include "core/setup/worn_project.h"

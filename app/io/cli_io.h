@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/exit_status.h"
+#include "app/io/exit_status.h"
 #include "core/files/safe_file.h"
 #include "core/issue.h"
 #include "core/measured/cell_fault.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_parameters.h"
+#include "app/measured/cli_parameters.h"
 
-#include "app/cli_io.h"
+#include "app/io/cli_io.h"
 
 #include <algorithm>
 #include <charconv>

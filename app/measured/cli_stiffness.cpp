@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_stiffness.h"
+#include "app/measured/cli_stiffness.h"
 
-#include "app/cli_io.h"
-#include "app/cli_report.h"
+#include "app/io/cli_io.h"
+#include "app/io/cli_report.h"
 #include "core/identification/stiffness_trial.h"
 #include "core/measured/measured_table.h"
 #include "core/measured/stiffness_table.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_roundness.h"
+#include "app/measured/cli_roundness.h"
 
-#include "app/cli_io.h"
-#include "app/cli_report.h"
+#include "app/io/cli_io.h"
+#include "app/io/cli_report.h"
 #include "core/form/roundness_readings.h"
 #include "core/measured/closed_profile.h"
 #include "core/measured/measured_table.h"

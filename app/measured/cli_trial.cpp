@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_trial.h"
+#include "app/measured/cli_trial.h"
 
-#include "app/cli_io.h"
-#include "app/cli_parameters.h"
-#include "app/cli_report.h"
+#include "app/io/cli_io.h"
+#include "app/io/cli_report.h"
+#include "app/measured/cli_parameters.h"
 #include "core/identification/trial_design.h"
 #include "core/printable.h"
+#include "core/project/cycle.h"
 #include "core/project/project.h"
 #include "core/units.h"
 #include "words/trial_words.h"
@@ -20,11 +21,11 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int decimals = 3;
+constexpr int intervalDecimals = 3;
 
 ordered_json trialJson(const Project& project, const Trial& trial) {
     ordered_json json = {{project.operation->radial().key, trial.radialFeed},
-                         {"spark_out", wordsOf(trial.sparkOut).key},
+                         {Stage::sparkOutKey, wordsOf(trial.sparkOut).key},
                          {"record", wordsOf(trial.record).key},
                          {"steps_by_stage", trial.stepsByStage},
                          {"duration_s", trial.duration_s},
@@ -58,8 +59,9 @@ std::string trialText(const Project& project, const Trial& trial, std::size_t ra
         "; " + std::string(wordsOf(trial.record).text) + "; " + fixed(trial.duration_s, 1) + " s\n";
     for (const TrialExpectation& expected : trial.expected) {
         const std::string unit = unitOf(expected.parameter.kind);
-        text += "     " + parameterName(expected.parameter) + ": " + fixed(expected.low, decimals)
-                + "…" + fixed(expected.high, decimals) + (unit.empty() ? "" : " " + unit) + '\n';
+        text += "     " + parameterName(expected.parameter) + ": "
+                + fixed(expected.low, intervalDecimals) + "…"
+                + fixed(expected.high, intervalDecimals) + (unit.empty() ? "" : " " + unit) + '\n';
     }
     for (const FittedParameter& parameter : trial.cannotTell) {
         text += "     " + parameterName(parameter) + ": cannot be told\n";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/batch_watch.h"
+#include "app/io/batch_watch.h"
 
-#include "app/stop_signals.h"
+#include "app/io/stop_signals.h"
 
 #include <cmath>
 #include <condition_variable>

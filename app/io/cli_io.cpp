@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_io.h"
+#include "app/io/cli_io.h"
 
-#include "app/cli_report.h"
+#include "app/io/cli_report.h"
 #include "core/files/file_step_text.h"
 #include "core/format/project_file.h"
 #include "core/printable.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/cli_options.h"
+#include "app/io/cli_options.h"
 
 namespace sparkout::cli {
 

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/process/force.h"
+#include "core/quality/limit_series.h"
+#include "core/simulation/result.h"
+#include "core/simulation/trajectory.h"
+
+#include <optional>
+#include <vector>
+
+/// The limit of the feed by accuracy [MODEL-8, PEREVERZEV1999], beside those of LimitSeries.
+///
+/// Release. A pass of a radius keeps a + γ·P(a) = γ·P(a_before) + Δt. Where the wheel head never
+/// retracts, Δt ≥ 0, no cut is smaller than the one before lets it be:
+///
+///     a ≥ σ(a_before),   σ(a) + γ·P(σ(a)) = γ·P(a),   σ rising.
+///
+/// So where the last cut may be a* at most, a cut that is followed by n others is σ^(−n)(a*) at
+/// most. And it is followed by at least σ(a) + σ²(a) + … until a* is reached: a cut over the stock
+/// S that the radius still loses is at most the a whose such sum is S. That is the curve.
+///
+/// The last cut. Let two lanes (sections of a plunge) of the compliances γ_1 < γ_2 be fed alike
+/// from rest on, with the same blank. The deflection D that a pass leaves grows with what it finds
+/// and with γ, so D_2 ≥ D_1 after every pass. Both lanes end at t_П less D, so their radii differ
+/// by D_2 − D_1; where that may be s at most, a_1 − a_2 = (D_2 − D_1) − (D_2 − D_1)_before ≤ s, and
+///
+///     γ_2·P(a_2) − γ_1·P(a_2 + s) ≤ D_2 − D_1 ≤ s,
+///
+/// whose left side rises with a_2: its root bounds the last cut of the compliant lane, and with s
+/// more that of the others. s is the total runout, less the machine's, for every radius; or half of
+/// the field of the diameter, for one radius of each two that are opposite. A roughness that is
+/// calibrated bounds the last cut of every lane. Runout does not: the greater the cuts, the less of
+/// a blank's form do they copy.
+///
+/// This is proved for uncoupled sections of a plunge without wheel contact and retraction, with S
+/// counted from the size that the radius ends at. It allows a last pass that finds no deflection
+/// and cuts the lanes unlike, and is wide. Where the last cuts of all lanes are alike, as at a
+/// steady feed, their radii differ by (γ_max − γ_min)·P(a): the a at which that is s is the
+/// estimate beside it, and the only one for zones of traverse and coupled sections.
+namespace sparkout {
+
+/// σ^(−1): the greatest cut after which one of a may follow [mm].
+[[nodiscard]] double depthBefore(const ForceLaw& law, double b, double gamma, double a_mm);
+/// σ: the least cut that may follow one of a [mm].
+[[nodiscard]] double depthAfter(const ForceLaw& law, double b, double gamma, double a_mm);
+
+/// The greatest last cut of the more compliant of two lanes whose radii may differ by s [mm];
+/// infinite where γ_1 = γ_2.
+[[nodiscard]] double lastCutOfSpread(const ForceLaw& law, double b, double stiffGamma,
+                                     double compliantGamma, double s_mm);
+
+/// The cut at which two lanes that cut alike end s apart [mm]; infinite where γ_1 = γ_2.
+[[nodiscard]] double steadyCutOfSpread(const ForceLaw& law, double b, double stiffGamma,
+                                       double compliantGamma, double s_mm);
+
+/// The greatest cut over the stock that is still lost, from 0 to `deepest_mm`, by rising stock, for
+/// a last cut of a* [mm] at most.
+[[nodiscard]] LimitPoints releaseCurve(const ForceLaw& law, double b, double gamma,
+                                       double lastCut_mm, double deepest_mm);
+
+/// What a curve is worth.
+enum class AccuracyProof {
+    proved,  ///< over the stock that a radius loses until the end of its cycle
+    estimate ///< for last cuts that are alike
+};
+
+struct AccuracyLimit {
+    double lastCut_mm = 0; ///< a*
+    LimitPoints curve;
+};
+
+/// Of a group of the series; nothing where the drawing and the project bound no last cut, the wheel
+/// head may retract, or nothing is proved.
+[[nodiscard]] std::optional<AccuracyLimit> accuracyLimit(const SimulationResult& result,
+                                                         const LimitSeries& series,
+                                                         const LimitGroup& group,
+                                                         AccuracyProof proof);
+
+/// The limit as it was published [PEREVERZEV1999, eq. 22]: in every pass γ·(P(a_max) − P(a_min)) ≤
+/// [δ], [δ] the radial runout of the drawing less the machine's, or the field of the diameter. For
+/// the passes of a group the a_max that their own a_min allows, over the stock, by rising stock.
+[[nodiscard]] LimitPoints publishedAccuracy(const SimulationResult& result,
+                                            const Trajectory& trajectory, const LimitSeries& series,
+                                            const LimitGroup& group);
+
+/// What the programme feeds in a revolution, or in a double stroke, over the stock: a step a stage.
+[[nodiscard]] LimitPoints programmedSteps(const SimulationResult& result, const LimitSeries& series,
+                                          const LimitGroup& group);
+
+} // namespace sparkout

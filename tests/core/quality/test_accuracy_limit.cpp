@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The limit of the feed by accuracy: its curve against the release it follows from, and its bound
+// against every cut of random plunge cycles.
+#include "core/quality/accuracy_limit.h"
+
+#include "core/process/profile.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
+#include "core/simulation/simulate.h"
+#include "tests/core/support/project_fixtures.h"
+#include "tests/core/support/random_cutting.h"
+#include "tests/core/support/rapidcheck_runs.h"
+#include "tests/registry.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace test_accuracy_limit {
+
+using namespace sparkout;
+using fixtures::between;
+using fixtures::close;
+using fixtures::pick;
+
+namespace {
+
+bool holds(const char* law, const std::function<void()>& check) {
+    return rc::check(law, check);
+}
+
+struct Drawn {
+    explicit Drawn(const Project& project)
+        : result(simulateUnchecked(project, &trajectory))
+        , series(makeLimitSeries(result, trajectory)) {}
+    Trajectory trajectory;
+    SimulationResult result;
+    LimitSeries series;
+};
+
+Project plungeOfThree() {
+    Project p = fixtures::plunge();
+    p.part->radii_per_section = 24;
+    p.part->initial_runout_mm = 0.03;
+    p.part->upper_deviation_um = 0;
+    p.part->lower_deviation_um = -16;
+    p.sections = 3;
+    p.machine->compliance_mm_per_n = std::vector<double>{4e-5, 2e-5, 7e-5};
+    p.cycle->stages = {fixtures::plungeStage(1.2, 0.15), fixtures::plungeStage(0.3, 0.05),
+                       fixtures::sparkStage(fixtures::count(7))};
+    return p;
+}
+
+double valueAt(const LimitPoints& curve, double stock) {
+    const auto after = std::ranges::upper_bound(curve, stock, {}, &LimitPoint::stock_mm);
+    if (after == curve.begin() || after == curve.end()) {
+        return after == curve.begin() ? curve.front().depth_mm : curve.back().depth_mm;
+    }
+    const LimitPoint &a = *(after - 1), &b = *after;
+    return a.depth_mm
+           + (stock - a.stock_mm) / (b.stock_mm - a.stock_mm) * (b.depth_mm - a.depth_mm);
+}
+
+double force(const ForceLaw& law, double b, double a) {
+    return b * (law.ks * a + law.kr * std::sqrt(a));
+}
+
+} // namespace
+
+class TestAccuracyLimit : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aReleaseIsThePassWithoutInfeed() {
+        QVERIFY(holds("σ", [] {
+            const ForceLaw law{between(100, 5000), between(0, 300), 0, 0};
+            const double b = between(1, 60), gamma = between(1e-6, 1e-3);
+            const double a = between(1e-5, 0.05);
+            const double next = depthAfter(law, b, gamma, a);
+            RC_ASSERT(close(next + gamma * force(law, b, next), gamma * force(law, b, a), 1e-12));
+            RC_ASSERT(next < a);
+            RC_ASSERT(close(depthBefore(law, b, gamma, next), a, 1e-9));
+        }));
+    }
+
+    /// Sharp grains: σ multiplies by r = α/(1 + α), the curve is that of a geometric series.
+    void theCurveOfSharpGrainsIsAGeometricSeries() {
+        const ForceLaw law{1000, 0, 0, 0};
+        const double b = 40, gamma = 5e-5, alpha = gamma * b * law.ks, r = alpha / (1 + alpha);
+        const double lastCut = 1e-3;
+        const LimitPoints curve = releaseCurve(law, b, gamma, lastCut, 0.2);
+        double stock = 0, a = lastCut;
+        for (int n = 0; stock < 0.2; ++n) {
+            QVERIFY(close(valueAt(curve, stock), a, 1e-9));
+            stock += a;
+            a /= r;
+        }
+        QCOMPARE(curve.back().stock_mm, 0.2);
+        for (std::size_t i = 1; i < curve.size(); ++i) {
+            QVERIFY(curve[i].stock_mm > curve[i - 1].stock_mm);
+            QVERIFY(curve[i].depth_mm >= curve[i - 1].depth_mm);
+        }
+    }
+
+    void theRootOfTheSpreadIsOne() {
+        QVERIFY(holds("spread", [] {
+            const ForceLaw law{between(100, 5000), between(0, 300), 0, 0};
+            const double b = between(1, 60), stiff = between(1e-6, 1e-4);
+            const double soft = stiff * between(1.05, 4), s = between(0.001, 0.02);
+            const double a = lastCutOfSpread(law, b, stiff, soft, s);
+            RC_ASSERT(a > 0);
+            RC_ASSERT(close(soft * force(law, b, a) - stiff * force(law, b, a + s), s, 1e-9));
+        }));
+        QVERIFY(std::isinf(lastCutOfSpread({1000, 10, 0, 0}, 40, 1e-5, 1e-5, 0.01)));
+    }
+
+    /// Whatever spread a cycle ends with, its last cuts obey the bound of that spread, and every
+    /// cut before obeys the curve that follows from its last cut.
+    void everyCutOfEveryPlungeObeysIt() {
+        QVERIFY(holds("bound", [] {
+            Project p = plungeOfThree();
+            const double stiff = between(5e-6, 1e-4);
+            p.machine->compliance_mm_per_n =
+                std::vector<double>{stiff * between(1, 3), stiff, stiff * between(1, 3)};
+            p.part->initial_runout_mm = between(0, 0.05);
+            p.part->radii_per_section = 8;
+            p.cycle->stages = {fixtures::plungeStage(between(0.3, 3), 0.12),
+                               fixtures::plungeStage(between(0.05, 1), 0.08)};
+            if (pick(0, 2) == 0) {
+                p.cycle->stages.push_back(fixtures::sparkStage(fixtures::count(pick(1, 20))));
+            }
+            const Drawn drawn(p);
+            RC_PRE(drawn.result.status == RunStatus::completed);
+            const ForceLaw law = forceLaw(p);
+            const double b = p.part->length_mm;
+            const auto& gammas = std::get<std::vector<double>>(p.machine->compliance_mm_per_n);
+            for (std::size_t j : {std::size_t{0}, std::size_t{2}}) {
+                const double gamma = gammas[j];
+                for (int k = 0; k < drawn.trajectory.radii; ++k) {
+                    const auto at = static_cast<std::size_t>(k);
+                    const double end = drawn.result.sections[j].radii_mm[at];
+                    const double spread = end - drawn.result.sections[1].radii_mm[at];
+                    RC_ASSERT(spread > -1e-12);
+                    std::vector<const Visit*> cuts;
+                    for (const Pass& pass : drawn.trajectory.passes) {
+                        if (pass.place.section == static_cast<int>(j)) {
+                            cuts.push_back(&drawn.trajectory.visits[pass.firstVisit + at]);
+                        }
+                    }
+                    const double last = cuts.back()->actual_mm;
+                    if (!(last > 0)) {
+                        continue;
+                    }
+                    if (gamma > 1.01 * stiff && spread > 1e-9) {
+                        RC_ASSERT(last
+                                  <= lastCutOfSpread(law, b, stiff, gamma, spread) * (1 + 1e-6));
+                    }
+                    const LimitPoints curve = releaseCurve(law, b, gamma, last, 0.3);
+                    for (const Visit* const visit : cuts) {
+                        const double left = std::max(visit->radius_mm - end, 0.0);
+                        // Straight between the points of a curve that may bend: a hundredth.
+                        RC_ASSERT(visit->actual_mm <= valueAt(curve, left) * 1.01 + 1e-9);
+                    }
+                }
+            }
+        }));
+    }
+
+    void theBoundOfASeriesComesFromDrawingAndCompliance() {
+        const Project project = plungeOfThree();
+        const Drawn drawn(project);
+        const ForceLaw law = forceLaw(project);
+        const double s = 0.008; // half of the field of 16 µm
+        const double softest = lastCutOfSpread(law, 40, 2e-5, 7e-5, s);
+        for (const LimitGroup& group : drawn.series.groups) {
+            const auto limit =
+                accuracyLimit(drawn.result, drawn.series, group, AccuracyProof::proved);
+            QVERIFY(limit.has_value());
+            const double gamma = std::vector<double>{4e-5, 2e-5, 7e-5}[std::size_t(group.section)];
+            const double wanted = std::min(lastCutOfSpread(law, 40, 2e-5, gamma, s), softest + s);
+            QVERIFY(close(limit->lastCut_mm, wanted, 1e-12));
+            QVERIFY(close(valueAt(limit->curve, 0), wanted, 1e-12));
+            // Of cuts that are alike, in all lanes.
+            const auto steady =
+                accuracyLimit(drawn.result, drawn.series, group, AccuracyProof::estimate);
+            QVERIFY(close(5e-5 * force(law, 40, steady->lastCut_mm), s, 1e-12));
+            QVERIFY(steady->lastCut_mm < limit->lastCut_mm);
+        }
+        Project rounder = project;
+        rounder.part->tolerance.total_runout_um = 4;
+        const Drawn strict(rounder);
+        const auto last = [](const Drawn& of) {
+            return accuracyLimit(of.result, of.series, of.series.groups[2], AccuracyProof::proved)
+                ->lastCut_mm;
+        };
+        QVERIFY(last(strict) < last(drawn));
+    }
+
+    void alikeSectionsHaveNoBoundUnlessRoughnessIsCalibrated() {
+        Project project = plungeOfThree();
+        project.machine->compliance_mm_per_n = std::vector<double>{2e-5, 2e-5, 2e-5};
+        const Drawn alike(project);
+        for (const AccuracyProof proof : {AccuracyProof::proved, AccuracyProof::estimate}) {
+            QVERIFY(!accuracyLimit(alike.result, alike.series, alike.series.groups.front(), proof));
+        }
+        project.part->tolerance.roughness_ra_um = 0.5;
+        project.wheel->roughness_factor = 3;
+        const Drawn rough(project);
+        const auto limit = accuracyLimit(rough.result, rough.series, rough.series.groups.front(),
+                                         AccuracyProof::proved);
+        QVERIFY(limit.has_value());
+        for (const DepthLimit& depth : depthLimits(project, 40, 0)) {
+            QVERIFY(depth.kind != ConstraintKind::roughness
+                    || close(depth.depth_mm, limit->lastCut_mm, 1e-12));
+        }
+    }
+
+    /// Passes of zones differ: nothing is proved of them.
+    void zonesHaveAnEstimateAlone() {
+        const Drawn zones(fixtures::traverse());
+        for (const LimitGroup& group : zones.series.groups) {
+            QVERIFY(!accuracyLimit(zones.result, zones.series, group, AccuracyProof::proved));
+        }
+    }
+
+    /// At the limit the pass has just the runout of the drawing.
+    void thePublishedLimitIsThatOfEachPass() {
+        Project project = plungeOfThree();
+        project.part->tolerance.radial_runout_um = 6;
+        const Drawn drawn(project);
+        const ForceLaw law = forceLaw(project);
+        const LimitGroup& group = drawn.series.groups[2];
+        const LimitPoints points =
+            publishedAccuracy(drawn.result, drawn.trajectory, drawn.series, group);
+        QCOMPARE(points.size(), group.cuts.size());
+        double least = HUGE_VAL;
+        for (const Pass& pass : drawn.trajectory.passes) {
+            if (pass.place.section == 2) { // the last one stays
+                least = HUGE_VAL;
+                for (int k = 0; k < drawn.trajectory.radii; ++k) {
+                    least = std::min(
+                        least, drawn.trajectory.visits[pass.firstVisit + std::size_t(k)].actual_mm);
+                }
+            }
+        }
+        QVERIFY(close(7e-5 * (force(law, 40, points.front().depth_mm) - force(law, 40, least)),
+                      0.006, 1e-6));
+    }
+
+    void programmedStepsAreThoseOfTheStages() {
+        const Drawn drawn(plungeOfThree());
+        const LimitPoints steps =
+            programmedSteps(drawn.result, drawn.series, drawn.series.groups.front());
+        QVERIFY(steps.size() >= 4);
+        QVERIFY(close(steps.back().depth_mm, 1.2 / 180, 1e-12));
+        QVERIFY(steps.front().depth_mm == 0);
+        QCOMPARE(steps.back().stock_mm, drawn.series.deepest_mm);
+    }
+};
+
+} // namespace test_accuracy_limit
+
+SPARKOUT_TEST(test_accuracy_limit, TestAccuracyLimit)
+#include "test_accuracy_limit.moc"
