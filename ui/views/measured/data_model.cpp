@@ -41,6 +41,22 @@ bool isOneOf(const Field& field, std::initializer_list<std::string_view> keys) {
     return std::ranges::find(keys, std::string_view(field.key)) != keys.end();
 }
 
+/// On two lines, broken at the space nearest to the middle.
+QString onTwoLines(QString text) {
+    constexpr qsizetype longLabel = 14;
+    if (text.size() <= longLabel) {
+        return text;
+    }
+    const qsizetype middle = text.size() / 2;
+    const qsizetype before = text.lastIndexOf(u' ', middle), after = text.indexOf(u' ', middle);
+    const qsizetype at =
+        after < 0 || (before >= 0 && middle - before < after - middle) ? before : after;
+    if (at > 0) {
+        text[at] = u'\n';
+    }
+    return text;
+}
+
 template <typename Item>
 void dropItems(std::vector<Item>& items, const std::vector<int>& falling) {
     for (const int row : falling) {
@@ -175,7 +191,8 @@ QVariant DataModel::head(int column, int role) const {
         return {};
     }
     const QString label = field.kind == Kind::samples ? tr("Samples") : inputText(field.label);
-    return *field.unit ? QStringLiteral("%1,\n%2").arg(label, unitText(field.unit)) : label;
+    return onTwoLines(*field.unit ? QStringLiteral("%1, %2").arg(label, unitText(field.unit))
+                                  : label);
 }
 
 DataModel::Choices DataModel::choices(const QModelIndex& cell) const {

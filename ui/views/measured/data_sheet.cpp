@@ -23,6 +23,12 @@
 
 namespace sparkout {
 
+namespace {
+
+constexpr int rowsMeasured = 50; ///< for the widths of columns: a list may have thousands
+
+} // namespace
+
 DataSheet::DataSheet(DataModel::List list, Document& document, Settings* settings, QWidget* parent)
     : QWidget(parent)
     , m_list(list)
@@ -50,6 +56,7 @@ DataSheet::DataSheet(DataModel::List list, Document& document, Settings* setting
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setResizeContentsPrecision(rowsMeasured);
     m_note->setTextFormat(Qt::PlainText);
     m_note->setWordWrap(true);
     auto* row = new QHBoxLayout;
@@ -68,6 +75,11 @@ DataSheet::DataSheet(DataModel::List list, Document& document, Settings* setting
             &DataSheet::showButtons);
     connect(m_model, &QAbstractItemModel::modelReset, this, &DataSheet::showButtons);
     retranslate();
+}
+
+void DataSheet::fitRows() {
+    m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height()
+                                                     + 2 * metrics::tight);
 }
 
 void DataSheet::addRow() {
@@ -126,6 +138,7 @@ void DataSheet::retranslate() {
     }
     tell(*m_add, tr("Add a row"), tr("Add a row at the end"));
     tell(*m_remove, tr("Remove"), tr("Remove the rows of the selected cells (Ctrl+Del)"));
+    fitRows();
     m_model->retranslate();
     m_table->retranslate();
     showButtons();

@@ -26,6 +26,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    void fitRows(); ///< to the size of the type
     void addRow();
     void removeRows();
     void showButtons();
