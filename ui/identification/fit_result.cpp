@@ -202,13 +202,13 @@ void FitResult::drawResiduals(int group) {
         return;
     }
     const FitResiduals& residuals = m_result.residuals[index];
-    const FitData data = fitDataOf(m_project, m_request.traces, m_request.withParts);
-    const auto of = std::ranges::find_if(data.groups, [&](const FitGroup& one) {
+    const FitData fitted = fitDataOf(m_project, m_request.traces, m_request.withParts);
+    const auto of = std::ranges::find_if(fitted.groups, [&](const FitGroup& one) {
         return one.source == residuals.source && one.trace == residuals.trace;
     });
     std::vector<double> at(residuals.values.size());
     std::iota(at.begin(), at.end(), 1.0);
-    const bool isTrace = of != data.groups.end() && of->time_s.size() == at.size();
+    const bool isTrace = of != fitted.groups.end() && of->time_s.size() == at.size();
     m_plot->setResiduals(isTrace ? of->time_s : at, residuals.values,
                          isTrace ? tr("Time of the trace, s") : tr("Number of the value"),
                          tr("Difference, %1").arg(FitWords::unit(residuals.source)));

@@ -98,8 +98,8 @@ void ParameterChoice::addRow(QGridLayout& grid, const Project& project,
     m_rows.push_back(row);
 }
 
-void ParameterChoice::propose(const FitData& data) {
-    const std::vector<FittedKind> kinds = proposedParameters(data);
+void ParameterChoice::propose(const FitData& measured) {
+    const std::vector<FittedKind> kinds = proposedParameters(measured);
     for (const Row& row : m_rows) {
         row.box->setChecked(!row.parameter.place
                             && std::ranges::find(kinds, row.parameter.kind) != kinds.end());

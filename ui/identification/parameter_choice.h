@@ -23,7 +23,7 @@ class ParameterChoice : public QGroupBox {
 public:
     explicit ParameterChoice(const Project& project, QWidget* parent = nullptr);
 
-    void propose(const FitData& data); ///< checks what such data can tell, unchecks the others
+    void propose(const FitData& measured); ///< checks what such data can tell, unchecks the others
     void uncheck(const FittedParameter& parameter);
     [[nodiscard]] std::vector<FittedParameter> parameters() const; ///< the checked ones
     /// Why the values known before cannot be taken; empty: they can.
