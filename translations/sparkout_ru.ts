@@ -16232,7 +16232,7 @@ good</source>
         </message>
         <message>
             <source>End the batch; what was done is kept and shown</source>
-            <translation>Прервать расчёт; сделанное сохраняется и показывается</translation>
+            <translation>Прервать расчёт партии; сделанное сохраняется и показывается</translation>
         </message>
         <message>
             <source>Import…</source>
