@@ -16876,7 +16876,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>End the batch; what was done is kept and shown</source>
-            <translation>Прервать расчёт; сделанное сохраняется и показывается</translation>
+            <translation>Прервать расчёт партии; сделанное сохраняется и показывается</translation>
         </message>
         <message>
             <source>Import…</source>

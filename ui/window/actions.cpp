@@ -219,8 +219,9 @@ void Actions::addRecentFiles(QMenu* menu) {
 
 QList<QAction*> Actions::addViews(int count) {
     for (int i = 0; i < count; ++i) {
-        const QKeySequence keys = // Ctrl+1 … Ctrl+9, Ctrl+0
-            i < 10 ? Qt::CTRL | Qt::Key(Qt::Key_0 + (i + 1) % 10) : QKeySequence();
+        const auto digit = Qt::Key(Qt::Key_0 + (i + 1) % 10);
+        const QKeySequence keys = // Ctrl+1 … Ctrl+9, Ctrl+0, Ctrl+Alt+1 …
+            i < 10 ? Qt::CTRL | digit : Qt::CTRL | Qt::ALT | digit;
         QAction* action = make("", u"", keys);
         m_views->addAction(action);
         m_showViews += action;

@@ -391,7 +391,9 @@ private slots:
         const auto& views = bench.window->views();
         for (std::size_t i = views.size(); i-- > 0;) {
             const auto digit = Qt::Key(Qt::Key_0 + (int(i) + 1) % 10); // 1 … 9, 0
-            QTest::keyClick(bench.window.get(), digit, Qt::ControlModifier);
+            const Qt::KeyboardModifiers with =
+                i < 10 ? Qt::ControlModifier : Qt::ControlModifier | Qt::AltModifier;
+            QTest::keyClick(bench.window.get(), digit, with);
             QCOMPARE(bench.window->viewTabs().currentView(), views[i]);
             QVERIFY(!views[i]->objectName().isEmpty());
             QVERIFY(bench.window->showView(views[i]->objectName()));

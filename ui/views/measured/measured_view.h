@@ -12,6 +12,7 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QScrollArea;
 class QSplitter;
 class QStackedWidget;
 
@@ -83,6 +84,7 @@ private:
     AdequacyModel* m_model;
     CopyTable* m_table = nullptr;
     QLabel* m_judgement;
+    QScrollArea* m_judged = nullptr; ///< it is scrolled in
     QSplitter* m_splitter;
     QStackedWidget* m_sheets;
     QComboBox* m_sheet;

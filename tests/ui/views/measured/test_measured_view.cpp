@@ -336,6 +336,7 @@ private slots:
             line->selectAll();
             QTest::keyClicks(line, text);
             QTest::keyClick(line, Qt::Key_Return);
+            QCoreApplication::processEvents(); // it is taken after the key
         };
         type(2, QStringLiteral("20"));
         type(3, QStringLiteral("-40,5")); // a comma is a decimal one in every language
