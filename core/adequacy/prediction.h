@@ -22,10 +22,10 @@ struct Quartiles {
 struct PredictedRange {
     double low = 0, high = 0; ///< that 95 % of the parts lie in; of corners, or as stated: all
     double mean = 0;
-    std::optional<double> deviation;    ///< not of corners, nor where nothing scatters
-    std::int64_t count = 0;             ///< parts of the batch; 0: as stated
-    double least = 0, most = 0;         ///< of all parts
-    std::optional<Quartiles> quartiles; ///< where there is a deviation
+    std::optional<double> deviation{};    ///< not of corners, nor where nothing scatters
+    std::int64_t count = 0;               ///< parts of the batch; 0: as stated
+    double least = 0, most = 0;           ///< of all parts
+    std::optional<Quartiles> quartiles{}; ///< where there is a deviation
 };
 
 /// The project whose batch predicts all that was measured: with a batch, and with limits where the
