@@ -148,8 +148,8 @@ Sections of a plunge and parts of a batch are counted from 0, as in the file; in
 its reports from 1.
 
 Exit status: 0 done; 1 the input is refused; 2 usage; 3 the cycle cannot reach size;
-4 a requirement fails (--check); 5 no cycle of the grid is feasible; 130 or 143 a batch, sweep,
-decision on phases or search for remedies ended by Ctrl+C or SIGTERM.
+4 a requirement fails (--check); 5 no cycle of the grid is feasible; 130 or 143 a batch,
+sweep or search for remedies ended by Ctrl+C or SIGTERM, or a decision on phases.
 
 A batch on a cluster, here with Slurm: batch.sbatch in resources/help.
 )";

@@ -174,6 +174,10 @@ std::string heuristicText(SearchMethod method) {
 std::string statusText(const GridSearchReport& report) {
     const SearchSummary& search = report.search;
     if (search.status == SearchStatus::proved) {
+        if (report.robust && report.robust->decided) {
+            return "the quickest of the grid that holds for the part, in the scenarios added and "
+                   "for every stock stated below, proved";
+        }
         return report.robust ? "the quickest of the grid that holds for the part and the stocks "
                                "added: proved for these, not for other phases of the stock"
                              : "the quickest of the grid, proved";

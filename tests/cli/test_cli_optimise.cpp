@@ -343,6 +343,25 @@ private slots:
         QVERIFY(answer.at("scenarios_added") > 0); // else the part as it is would have done
         QVERIFY(answer.at("nominal_time_min") == nominal.at("cycle_time_min"));
         QVERIFY(answer.at("cycle_time_min") >= nominal.at("cycle_time_min"));
+        const json& stocks = answer.at("decided_stock_mm"); // half an infeed on either side
+        const double stock_mm = file["part"]["stock_mm"];
+        QVERIFY(stocks.at(0) < stock_mm && stocks.at(1) > stock_mm);
+        QVERIFY(answer.at("fresh_phases").at("tried") == 0); // none was drawn
+        const std::string text = optimize({saved, "--robust"}).out;
+        QVERIFY2(text.find("holds for every stock per side of ") != std::string::npos,
+                 text.c_str());
+        QVERIFY(text.find("phases drawn afresh") == std::string::npos);
+    }
+
+    void underPositionControlAConfidenceIsStated() {
+        json file = shaft();
+        file["optimisation"]["radial_feed_mm"] = {0.001, 0.002, 0.004, 0.006};
+        file["gauge"]["control"] = "position";
+        const QString saved = save("position.sparkout", file);
+        const Outcome outcome = optimize({saved, "--robust", "--json"});
+        QCOMPARE(outcome.status, 0);
+        const json answer = json::parse(outcome.out);
+        QVERIFY(answer.at("decided_stock_mm").is_null());
         const json& fresh = answer.at("fresh_phases");
         QVERIFY(fresh.at("tried") == 500 && fresh.at("failed") == 0);
         const int candidate = fresh.at("candidate");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/identification/calibration_dialog.h"
 
+#include "core/measured/calibrated_inputs.h"
 #include "core/project/measured.h"
-#include "core/quality/calibrated_inputs.h"
 #include "ui/identification/cycle_fit_page.h"
 #include "ui/identification/wheel_page.h"
 #include "ui/kit/font_size.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/calibration_text.h"
 
+#include "core/measured/calibrated_inputs.h"
 #include "core/project/member.h"
-#include "core/quality/calibrated_inputs.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 

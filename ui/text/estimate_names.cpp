@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/estimate_names.h"
 
-#include "core/quality/calibrated_inputs.h"
+#include "core/measured/calibrated_inputs.h"
 #include "core/quality/estimates.h"
 #include "ui/text/texts.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Calibrate from measurements: fitted by clicks, taken as one edit, marked in the forms.
+#include "core/measured/calibrated_inputs.h"
 #include "core/project/machine.h"
 #include "core/project/measured.h"
-#include "core/quality/calibrated_inputs.h"
 #include "tests/registry.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/traced_project.h"

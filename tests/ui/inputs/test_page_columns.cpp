@@ -2,6 +2,7 @@
 // The rows of a page in one column and in two.
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
+#include "tests/ui/support/window_bench.h"
 #include "ui/inputs/editors/form_metrics.h"
 #include "ui/inputs/forms/form_page.h"
 #include "ui/inputs/forms/form_row.h"

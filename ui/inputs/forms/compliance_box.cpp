@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/forms/compliance_box.h"
 
+#include "core/measured/calibrated_inputs.h"
 #include "core/project/machine.h"
-#include "core/quality/calibrated_inputs.h"
 #include "core/study/operation.h"
 #include "ui/fields/calibrated_mark.h"
 #include "ui/fields/reason_label.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/forms/form_row.h"
 
+#include "core/measured/calibrated_inputs.h"
 #include "core/project/member.h"
-#include "core/quality/calibrated_inputs.h"
 #include "ui/fields/calibrated_mark.h"
 #include "ui/fields/number_field.h"
 #include "ui/fields/reset_mark.h"

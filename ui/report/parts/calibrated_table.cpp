@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/parts/calibrated_table.h"
 
+#include "core/measured/calibrated_inputs.h"
 #include "core/project/measured.h"
-#include "core/quality/calibrated_inputs.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/text/calibration_text.h"
 #include "ui/text/texts.h"

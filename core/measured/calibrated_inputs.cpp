@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/calibrated_inputs.h"
+#include "core/measured/calibrated_inputs.h"
 
 #include "core/project/machine.h"
 #include "core/project/member.h"

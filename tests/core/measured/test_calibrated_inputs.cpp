@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which inputs rest on a calibration: those that still have the value that was found.
-#include "core/quality/calibrated_inputs.h"
+#include "core/measured/calibrated_inputs.h"
 
 #include "core/identification/calibration.h"
 #include "core/project/machine.h"
