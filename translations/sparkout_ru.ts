@@ -2034,6 +2034,22 @@ med, µm</source>
             <source>Bushing with a bore, internal traverse</source>
             <translation>Втулка 50H7, внутреннее шлифование с осевой подачей</translation>
         </message>
+        <message>
+            <source>Shaft 30h6, measured batch of 50</source>
+            <translation>Вал 30h6, измеренная партия из 50</translation>
+        </message>
+        <message>
+            <source>Roughness binds the last cut</source>
+            <translation>Последний срез ограничен шероховатостью</translation>
+        </message>
+        <message>
+            <source>Self-sharpening binds the first stage</source>
+            <translation>Первая ступень ограничена самозатачиванием</translation>
+        </message>
+        <message>
+            <source>Accuracy binds the last feed</source>
+            <translation>Последняя подача ограничена точностью</translation>
+        </message>
     </context>
     <context>
         <name>Exercises</name>
@@ -15544,7 +15560,7 @@ good</source>
         </message>
         <message>
             <source>normal force</source>
-            <translation>радиальная сила</translation>
+            <translation>нормальная сила</translation>
         </message>
         <message>
             <source>without spark-out</source>

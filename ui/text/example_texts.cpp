@@ -23,6 +23,10 @@ namespace {
     QT_TRANSLATE_NOOP("Example", "Freshly dressed wheel"),
     QT_TRANSLATE_NOOP("Example", "Spindle of five surfaces"),
     QT_TRANSLATE_NOOP("Example", "Bushing with a bore, internal traverse"),
+    QT_TRANSLATE_NOOP("Example", "Shaft 30h6, measured batch of 50"),
+    QT_TRANSLATE_NOOP("Example", "Roughness binds the last cut"),
+    QT_TRANSLATE_NOOP("Example", "Self-sharpening binds the first stage"),
+    QT_TRANSLATE_NOOP("Example", "Accuracy binds the last feed"),
     // and the names of their kept runs
     QT_TRANSLATE_NOOP("Example", "Factory"),
     QT_TRANSLATE_NOOP("Example", "Optimal"),

@@ -280,7 +280,7 @@ QPen ConstraintsPlot::penOf(int key) const {
         return {toned(Tone::orange), 2, Qt::DashDotDotLine};
     }
     if (key == programmedKey) {
-        return style::line(Drawn::programmedFeed, toned(Drawn::programmedFeed));
+        return {toned(Drawn::programmedFeed), 3, Qt::DashLine};
     }
     const std::vector<ConstraintKind> kinds = depthLimitKinds();
     const auto place = static_cast<std::size_t>(

@@ -305,6 +305,7 @@ void FeedsView::showState() {
     m_section->setVisible(m_section->count() > 0);
     m_traces->setVisible(drawn() && !m_traces->isEmpty());
     m_traceExport->setVisible(!m_traces->isEmpty());
+    m_traces->tools()->setEnabled(drawn() && !m_traces->isEmpty());
     showSpan();
 }
 

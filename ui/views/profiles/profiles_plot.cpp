@@ -344,8 +344,13 @@ void ProfilesPlot::setTexts() {
     }
     if (m_caption) {
         QString text = caption();
-        if (metrics.horizontalAdvance(text) > width() - 8) {
-            text.replace(QStringLiteral("; "), QStringLiteral(";\n"));
+        for (const QChar end : {u';', u','}) { // a line for each part, where they have no room
+            const QStringList lines = text.split(u'\n');
+            if (std::ranges::any_of(lines, [&](const QString& line) {
+                    return metrics.horizontalAdvance(line) > width() - 8;
+                })) {
+                text.replace(end + QStringLiteral(" "), end + QStringLiteral("\n"));
+            }
         }
         m_caption->setText(text);
     }
