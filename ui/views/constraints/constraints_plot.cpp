@@ -274,13 +274,13 @@ QPen ConstraintsPlot::penOf(int key) const {
         return {ink(), 3, Qt::SolidLine};
     }
     if (key == accuracyKey || key == estimateKey) {
-        return {toned(Tone::purple), 2, key == accuracyKey ? Qt::SolidLine : Qt::DashDotLine};
+        return {toned(Tone::purple), 2.6, key == accuracyKey ? Qt::SolidLine : Qt::DashDotLine};
     }
     if (key == publishedKey) {
-        return {toned(Tone::orange), 2, Qt::DashDotDotLine};
+        return {toned(Tone::orange), 2.6, Qt::DashDotDotLine};
     }
     if (key == programmedKey) {
-        return {toned(Drawn::programmedFeed), 3, Qt::DashLine};
+        return {toned(Drawn::programmedFeed), 3, Qt::DotLine};
     }
     const std::vector<ConstraintKind> kinds = depthLimitKinds();
     const auto place = static_cast<std::size_t>(

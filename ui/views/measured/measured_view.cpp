@@ -66,7 +66,7 @@ MeasuredView::MeasuredView(Document& document, QWidget* parent, Settings* settin
     , m_runner(new BatchRunner(this)) {
     m_boxes->setMinimumSize(240, 120);
     addPage(*m_boxes);
-    constexpr int valueLines = 3;
+    constexpr int valueLines = 4;
     setUpReadout(*values(), valueLines);
     setUpNotice(*m_bar->state());
     setUpNotice(*m_judgement);
