@@ -90,8 +90,7 @@ private:
             return StiffnessTrialStatus::notMeasurable;
         }
         std::ranges::sort(places);
-        const auto last = std::ranges::unique(places);
-        places.erase(last.begin(), last.end());
+        places.erase(std::unique(places.begin(), places.end()), places.end());
         return places.size() < m_units.size() ? StiffnessTrialStatus::tooFewPlaces
                                               : StiffnessTrialStatus::found;
     }
