@@ -33,7 +33,7 @@ QString AdequacyModel::heading(int column) {
     case what: return tr("Quantity");
     case count: return tr("n");
     case mean: return tr("Mean ± 95 %, µm");
-    case predicted: return tr("Predicted, µm");
+    case range: return tr("Predicted, µm");
     case scatter: return tr("F");
     case inside: return tr("Inside");
     case verdict: return tr("Verdict");
@@ -46,7 +46,7 @@ QString AdequacyModel::text(const Project& project, const AdequacyRow& row, int 
     case what: return MeasuredText::name(project, row.measured);
     case count: return QString::number(row.measured.count);
     case mean: return MeasuredText::mean(row);
-    case predicted: return MeasuredText::predicted(row);
+    case range: return MeasuredText::predicted(row);
     case scatter: return MeasuredText::scatter(row);
     case inside: return MeasuredText::share(row);
     case verdict: return MeasuredText::briefVerdict(row.verdict);
@@ -81,7 +81,7 @@ QVariant AdequacyModel::head(int column, int role) const {
     case mean:
         return tr("Mean of the measured parts with Student's interval: the mean of endlessly many "
                   "such parts lies in it with 95 %");
-    case predicted:
+    case range:
         return tr("Range that 95 % of the parts of the batch lie in; of corners, all of them");
     case scatter:
         return tr("Variance of the measured parts over that of the batch, with what it stays "

@@ -14,7 +14,7 @@ namespace sparkout {
 class AdequacyModel : public TableModel {
     Q_OBJECT
 public:
-    enum Column { what, verdict, count, mean, predicted, scatter, inside, columnCount_ };
+    enum Column { what, verdict, count, mean, range, scatter, inside, columnCount_ };
 
     using TableModel::TableModel;
 
