@@ -353,7 +353,7 @@ void DataModel::addRow() {
     m_document.edit(std::move(project), {"Input", editName()});
 }
 
-void DataModel::removeRows(std::vector<int> rows) {
+void DataModel::takeAway(std::vector<int> rows) {
     if (rows.empty()) {
         return;
     }

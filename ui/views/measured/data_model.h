@@ -26,7 +26,7 @@ public:
     DataModel(List list, Document& document, QObject* parent = nullptr);
 
     void addRow(); ///< a copy of the last one, to be filled in
-    void removeRows(std::vector<int> rows);
+    void takeAway(std::vector<int> rows);
     /// What a cell may be chosen to be; empty: it is typed, or cannot be edited.
     using Choices = std::vector<std::pair<QString, int>>;
     [[nodiscard]] Choices choices(const QModelIndex& cell) const;

@@ -97,7 +97,7 @@ void DataSheet::removeRows() {
             rows.push_back(cell.row());
         }
     }
-    m_model->removeRows(std::move(rows));
+    m_model->takeAway(std::move(rows));
 }
 
 void DataSheet::keyPressEvent(QKeyEvent* event) {
