@@ -10,7 +10,6 @@ namespace sparkout {
 
 /// Whether the project can have all these parameters, and none is given twice: compliances only of
 /// places that have their own, no runout of a measured blank, no α and β of a wheel contact.
-[[nodiscard]] bool areApplicable(const Project& project,
-                                 const std::vector<FittedParameter>& parameters);
+[[nodiscard]] bool areApplicable(const Project& project, const std::vector<FittedParameter>& list);
 
 } // namespace sparkout

@@ -61,6 +61,7 @@ std::vector<std::vector<int>> tracesByFile(const std::vector<MeasuredTrace>& tra
         known->second.push_back(static_cast<int>(i));
     }
     std::vector<std::vector<int>> lists;
+    lists.reserve(files.size());
     for (auto& [file, list] : files) {
         lists.push_back(std::move(list));
     }

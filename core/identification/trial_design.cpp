@@ -192,6 +192,7 @@ private:
         problem.setSteps(trial.stepsByStage);
         trial.samples = data.count();
         std::vector<double> q;
+        q.reserve(all.size());
         for (const FittedParameter& parameter : all) {
             q.push_back(
                 parameter.kind == FittedKind::blank_runout ? FitProblem::coordinateOf(

@@ -17,8 +17,8 @@ namespace {
 /// Decides on one piece.
 class PieceJudge {
 public:
-    PieceJudge(const Project& project, PhasePiece piece, const std::stop_token& stop)
-        : m_project(project), m_stop(stop) {
+    PieceJudge(const Project& project, PhasePiece piece, std::stop_token stop)
+        : m_project(project), m_stop(std::move(stop)) {
         m_decided.piece = std::move(piece);
     }
 

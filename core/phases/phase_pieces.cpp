@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstddef>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -27,8 +26,8 @@ std::unique_ptr<CycleSteps> stepsOf(const Project& project, const std::stop_toke
 /// Follows the cycles of an interval of stocks, as offsets from that of the project.
 class PhaseWalk {
 public:
-    PhaseWalk(const Project& project, double from_mm, double to_mm, const std::stop_token& stop)
-        : m_project(project), m_stop(stop) {
+    PhaseWalk(Project project, double from_mm, double to_mm, std::stop_token stop)
+        : m_project(std::move(project)), m_stop(std::move(stop)) {
         const double runout = initialRunout(*m_project.part);
         const double share = runout / targetRadius(*m_project.part);
         constexpr double rounding_mm = 1e-12;
@@ -136,8 +135,8 @@ SimulationResult simulatePiece(const Project& project, const PhasePiece& piece, 
     const std::unique_ptr<CycleSteps> steps = stepsOf(made, stop);
     CycleLoop loop(made, steps->run());
     bool goesOn = true;
-    for (std::size_t stage = 0; stage < piece.counts.size(); ++stage) {
-        for (int i = 0; goesOn && i < piece.counts[stage]; ++i) {
+    for (const int count : piece.counts) {
+        for (int i = 0; goesOn && i < count; ++i) {
             goesOn = !steps->run().mustEnd() && steps->step(loop.next(steps->run()));
         }
         loop.endStage();
