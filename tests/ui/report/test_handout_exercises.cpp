@@ -271,7 +271,7 @@ private slots:
         const OutcomePtr guessed = exampleOutcome(path);
         Project measured = guessed->result.project;
         if (!measured.part->tolerance.roughness_ra_um || measured.wheel->roughness_factor != 1) {
-            return; // nothing is required, or it is calibrated
+            QSKIP("nothing is required of Ra, or it is calibrated");
         }
         measured.wheel->roughness_factor = 2.5;
         const auto roughnessRows = [](const OutcomePtr& outcome) {
