@@ -30,19 +30,21 @@ def merged(folders):
     return {name: others - {name} for name, others in out.items()}
 
 
-def reached(folders, name):
-    """All that a folder includes, directly or by others."""
-    found = set()
-    for other in folders[name]:
-        found |= {other} | reached(folders, other)
-    return found
+def reached(folders, name, known):
+    """All that a folder includes, directly or by others; known: of each folder asked before."""
+    if name not in known:
+        known[name] = set(folders[name])
+        for other in folders[name]:
+            known[name] |= reached(folders, other, known)
+    return known[name]
 
 
 def direct(folders):
     """Arrows to what no other arrow leads to."""
+    known = {}
     for name, others in folders.items():
         for other in sorted(others):
-            if not any(other in reached(folders, third) for third in others - {other}):
+            if not any(other in reached(folders, third, known) for third in others - {other}):
                 yield name, other
 
 

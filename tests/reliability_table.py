@@ -102,18 +102,21 @@ def collected(logs):
     """Of the sanitizers' tests the monkeys alone: the others repeat release tests with less."""
     found = {}
     release = lines_of(logs / "release-tests.log")
-    monkeys = [line for line in lines_of(logs / "sanitizer-tests.log") if line[0] == "22"]
+    foreign = "tests-under-ru_RU.UTF-8.log"
+    monkeys = [line for line in lines_of(logs / f"sanitizer-{foreign}") if line[0] == "22"]
     for number, *line in release + monkeys:
         if line not in found.setdefault(number, []):
             found[number].append(line)
-    russian = logs / "engine-and-window-tests-under-ru_RU.UTF-8.log"
-    if russian.exists():
+    failed = count = 0
+    for russian in sorted(logs.glob(f"*-{foreign}")):
         match = re.search(r"(\d+) tests failed out of (\d+)", russian.read_text(errors="replace"))
         if match:
-            failed, count = map(int, match.groups())
-            found.setdefault("27", []).append(
-                [str(count - failed), str(count), "FAIL" if failed else "PASS",
-                 "tests hold under ru_RU.UTF-8"])
+            failed += int(match[1])
+            count += int(match[2])
+    if count:
+        found.setdefault("27", []).append(
+            [str(count - failed), str(count), "FAIL" if failed else "PASS",
+             "tests hold under ru_RU.UTF-8"])
     mutants = logs / "mutants.log"
     if mutants.exists():
         match = re.search(r"^MUTATION (\d+) of (\d+) killed \(([\d.]+) %",

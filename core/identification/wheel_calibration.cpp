@@ -97,10 +97,10 @@ std::optional<RoughnessCalibration> roughnessFromParts(const Project& project) {
         for (const double value : logarithms) {
             squares += (value - mean) * (value - mean);
         }
-        constexpr double confidence = 0.95;
+        constexpr double level = 0.95;
         const Interval interval =
             studentInterval(mean, std::sqrt(squares / (n - 1)),
-                            static_cast<std::int64_t>(logarithms.size()), confidence);
+                            static_cast<std::int64_t>(logarithms.size()), level);
         found.interval95 = Interval{std::exp(interval.low), std::exp(interval.high)};
     }
     found.wheel = project.wheel->marking;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/measured/table_text.h"
 
+#include "core/digits.h"
 #include "core/measured/column_match.h"
 #include "core/printable.h"
 #include "core/trimmed.h"
@@ -16,10 +17,6 @@ namespace sparkout {
 namespace {
 
 constexpr std::string_view aroundCell = " \t\r"; ///< what is no part of a cell
-
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 /// What the first lines have of each character that could take a text apart.
 struct Marks {
@@ -39,8 +36,8 @@ Marks marksOf(std::string_view text) {
         bool quoted = false;
         for (std::size_t i = 0; i < line.size(); ++i) {
             quoted = quoted != (line[i] == '"');
-            const bool between =
-                i > 0 && i + 1 < line.size() && isDigit(line[i - 1]) && isDigit(line[i + 1]);
+            const bool between = i > 0 && i + 1 < line.size() && isDecimalDigit(line[i - 1])
+                                 && isDecimalDigit(line[i + 1]);
             marks.decimalCommas += line[i] == ',' && between && !quoted ? 1 : 0;
             marks.quotedCommas += line[i] == ',' && between && quoted ? 1 : 0;
             marks.decimalPoints += line[i] == '.' && between ? 1 : 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/wheel_marking.h"
 
+#include "core/digits.h"
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
 
@@ -35,10 +36,6 @@ std::string inLatin(std::string_view text) {
     }
     return out;
 }
-
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
 bool isLetter(char c) {
     return c >= 'A' && c <= 'Z';
 }
@@ -70,7 +67,7 @@ public:
         const char* begin = m_text.data() + m_at;
         const auto [end, error] =
             std::from_chars(begin, m_text.data() + m_text.size(), value, std::chars_format::fixed);
-        if (error != std::errc() || !isDigit(*begin)) {
+        if (error != std::errc() || !isDecimalDigit(*begin)) {
             return std::nullopt;
         }
         m_at += static_cast<std::size_t>(end - begin);
@@ -79,10 +76,10 @@ public:
     std::optional<int> wholeNumber(std::size_t mostDigits) {
         int value = 0;
         std::size_t digits = 0;
-        while (digits < mostDigits && isDigit(peek(digits))) {
+        while (digits < mostDigits && isDecimalDigit(peek(digits))) {
             value = 10 * value + (peek(digits++) - '0');
         }
-        if (digits == 0 || isDigit(peek(digits))) {
+        if (digits == 0 || isDecimalDigit(peek(digits))) {
             return std::nullopt;
         }
         m_at += digits;
@@ -127,7 +124,7 @@ void readSizes(Scanner& scan, WheelMarking& marking) {
 /// "25A" or "63C": one to three digits, one or two letters; a plain "A" or "C" too.
 bool readAbrasive(Scanner& scan, WheelMarking& marking) {
     scan.skipSpace();
-    for (int digits = 0; digits < 3 && isDigit(scan.peek()); ++digits) {
+    for (int digits = 0; digits < 3 && isDecimalDigit(scan.peek()); ++digits) {
         marking.abrasive += scan.peek();
         scan.take(std::string_view(&marking.abrasive.back(), 1));
     }

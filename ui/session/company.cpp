@@ -10,7 +10,7 @@ namespace sparkout {
 namespace {
 
 const QString logoKey = QStringLiteral("logo");
-constexpr qsizetype longestText = 200;
+constexpr qsizetype longestCompanyText = 200;
 
 constexpr std::array fields{
     CompanyField{"name", &Company::name, QT_TRANSLATE_NOOP("Company", "Company")},
@@ -53,8 +53,10 @@ QVariantMap Company::kept() const {
 Company Company::fromKept(const QVariantMap& kept) {
     Company made;
     for (const CompanyField& field : fields) {
-        made.*field.value =
-            kept.value(QString::fromLatin1(field.key)).toString().simplified().left(longestText);
+        made.*field.value = kept.value(QString::fromLatin1(field.key))
+                                .toString()
+                                .simplified()
+                                .left(longestCompanyText);
     }
     made.logo = QByteArray::fromBase64(kept.value(logoKey).toString().toLatin1());
     return made;

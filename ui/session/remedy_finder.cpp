@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 /// While a slider is dragged outcomes follow each other faster.
 constexpr auto calm = 60ms;
 /// Of slow cycles not all is tried.
-constexpr auto longest = 30s;
+constexpr auto longestSearch = 30s;
 constexpr auto betweenReports = 150ms;
 
 } // namespace
@@ -57,7 +57,7 @@ void RemedyFinder::start() {
         };
         RemedyOptions options;
         options.stop = either.get_token();
-        options.budget = longest;
+        options.budget = longestSearch;
         auto reported = std::chrono::steady_clock::now();
         options.progress = [&](const RemedyResult& result) {
             const auto now = std::chrono::steady_clock::now();

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int shownDigits = 6;
 constexpr int mostDecimals = 9;
-constexpr double smallestPlain = 1e-4; // below it decimals would be mostly zeros
+constexpr double smallestInSheet = 1e-4; // below it decimals would be mostly zeros
 constexpr double mostWhole = 1e15;
 
 /// Units that stand in heads of tables beside those of inputs and results.
@@ -86,7 +86,7 @@ int decimalsOf(const CsvTable& table, std::size_t column) {
     if (whole) {
         return 0;
     }
-    const bool extreme = size < smallestPlain || size >= mostWhole;
+    const bool extreme = size < smallestInSheet || size >= mostWhole;
     return extreme ? SheetColumn::scientific
                    : std::clamp(shownDigits - 1 - static_cast<int>(std::floor(std::log10(size))), 1,
                                 mostDecimals);

@@ -31,10 +31,12 @@ QByteArray digitsOf(std::size_t value) {
     return QByteArray::number(static_cast<quint64>(value));
 }
 
-/// Characters of a number as it is shown.
+/// Characters of a number as it is shown; the cell of one that is not finite stays empty.
 qsizetype widthOf(double value, const SheetColumn& column) {
-    const int before =
-        1 + std::max(0, static_cast<int>(std::floor(std::log10(std::max(std::abs(value), 1.0)))));
+    if (!std::isfinite(value)) {
+        return 0;
+    }
+    const int before = 1 + static_cast<int>(std::floor(std::log10(std::max(std::abs(value), 1.0))));
     return before + 2 + (column.decimals < 0 ? 8 : column.decimals);
 }
 

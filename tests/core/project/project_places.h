@@ -116,16 +116,18 @@ inline std::vector<json> wrongValues(Kind kind) {
         return {nullptr, true, 0, 1.5, json::array(), json{"a"}, json::object(), object};
     case Kind::numberList:
     case Kind::samples:
-        return {nullptr, true, 1, "1", json{"1"}, json{nullptr}, json{json{1}}, object};
+        return {nullptr, true, 1, "1", json{"1"}, json{nullptr}, json::array({json::array({1})}),
+                object};
     case Kind::optionalNumberList:
     case Kind::numberRows:
-        return {false, true, 1, "1", json{"1"}, json{nullptr}, json{json{"1"}}, object};
+        return {false, true, 1, "1", json{"1"}, json{nullptr}, json::array({json::array({"1"})}),
+                object};
     case Kind::object:
-        return {nullptr, true, 0, 1.5, "", json::array(), json{json::object()}, object};
+        return {nullptr, true, 0, 1.5, "", json::array(), json::array({json::object()}), object};
     case Kind::optionalObject:
-        return {false, true, 0, 1.5, "", json::array(), json{json::object()}, object};
+        return {false, true, 0, 1.5, "", json::array(), json::array({json::object()}), object};
     case Kind::objectList:
-        return {nullptr, true, 0, "", json{1}, json{nullptr}, json{json::array()}, object};
+        return {nullptr, true, 0, "", json{1}, json{nullptr}, json::array({json::array()}), object};
     case Kind::countOrWord: return {true, false, 1.5, "5", "none", json::array(), json{5}, object};
     case Kind::compliance:
         return {true, 1e-4, "1e-4", json{"1"}, json{nullptr}, json{true}, json::object(), object};
@@ -135,7 +137,7 @@ inline std::vector<json> wrongValues(Kind kind) {
                 "1",
                 json{"1"},
                 json{nullptr},
-                json{json{1}},
+                json::array({json::array({1})}),
                 json::object(),
                 json{{"from", 0.1}, {"to", "x"}, {"step", 1}}};
     case Kind::jsonText: return {nullptr, true, 0, 1.5, "{}", json::array(), json{1}, ""};
@@ -166,7 +168,7 @@ numbersOf(const Field& field) {
         return {{"/0", list}, {"/step", [](double x) {
                                    return json{{"from", 0.5}, {"to", 0.5}, {"step", x}};
                                }}};
-    case Kind::numberRows: return {{"/0/0", [=](double x) { return json{list(x)}; }}};
+    case Kind::numberRows: return {{"/0/0", [=](double x) { return json::array({list(x)}); }}};
     default: return {};
     }
 }

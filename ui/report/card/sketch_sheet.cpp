@@ -22,7 +22,7 @@ namespace sparkout::report {
 namespace {
 
 constexpr double outline = 0.35, doubled = 0.8, fine = 0.2, hatching = 0.15;
-constexpr double legendHeight = 7, edge = 3, leaderRoom = 14, lanePitch = 6.5;
+constexpr double legendBand = 7, edge = 3, leaderRoom = 14, lanePitch = 6.5;
 constexpr double leastPartHeight = 22, mostPartHeight = 62, mostPartWidth = 190;
 constexpr double overhang = 8;       ///< of the centre line
 constexpr double spareAbove = 0.4;   ///< of the height that is not needed
@@ -71,7 +71,7 @@ SketchSheet::SketchSheet(FormSheet& sheet, const QRectF& room, const Setup& setu
     const auto rows = static_cast<double>(std::min(count, tableRows) + 1);
     above = m_hasTable ? rows * tableRow + SketchCallout::circle_mm + 2 : above;
     const double lanes = m_hasTable ? 1 : static_cast<double>(count) + 2; // lengths, places, whole
-    const double below = lanes * lanePitch + overhang + legendHeight;
+    const double below = lanes * lanePitch + overhang + legendBand;
     const double height =
         std::clamp(m_room.height() - above - leaderRoom - below, leastPartHeight, mostPartHeight);
     const double largest = m_outline.largest_mm();
@@ -459,9 +459,9 @@ void SketchSheet::drawLegend() {
     if (!m_outline.isOuterKnown()) {
         signs << tr("outer form assumed");
     }
-    m_sheet.texts.push_back(fitted(
-        {m_room.left(), m_room.bottom() - legendHeight + 2, m_room.width(), legendHeight - 2},
-        tr("Signs: %1.").arg(signs.join(QStringLiteral("; "))), 7.5));
+    m_sheet.texts.push_back(
+        fitted({m_room.left(), m_room.bottom() - legendBand + 2, m_room.width(), legendBand - 2},
+               tr("Signs: %1.").arg(signs.join(QStringLiteral("; "))), 7.5));
 }
 
 QString SketchSheet::description(const Setup& setup) {

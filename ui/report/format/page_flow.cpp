@@ -22,7 +22,7 @@ namespace {
 
 // Sizes in tenths of a point, fonts in points.
 constexpr double bodySize = 9, smallSize = 7.5, headingSize = 11, titleSize = 15;
-constexpr double gap = 60, cellPad = 30, rowPad = 14, line = 5;
+constexpr double gap = 60, cellPad = 30, rowPad = 14, ruleWidth = 5;
 constexpr double cellRoom = 2 * cellPad + 2; ///< beside its text, and for rounding
 constexpr QColor rule(150, 150, 150), shade(236, 236, 236), printInk(0, 0, 0),
     printFaint(90, 90, 90);
@@ -418,7 +418,7 @@ void PageFlow::operator()(const Facts& facts) {
         add([row, y = m_y, half](QPainter& p) {
             for (std::size_t k = 0; k < 2; ++k) {
                 const double x = double(k) * half;
-                p.setPen(QPen(rule, line));
+                p.setPen(QPen(rule, ruleWidth));
                 p.drawRect(QRectF(x, y, half, row.height));
                 if (2 * k < row.boxes.size()) {
                     const TextBox& name = row.boxes[2 * k];
@@ -443,7 +443,7 @@ void PageFlow::addRow(const Row& row, const Columns& columns, const QColor& grou
     add([row, widths = columns.widths, y = m_y, ground](QPainter& p) {
         double x = 0;
         for (std::size_t c = 0; c < row.boxes.size(); ++c) {
-            p.setPen(QPen(rule, line));
+            p.setPen(QPen(rule, ruleWidth));
             p.setBrush(ground.isValid() ? QBrush(ground) : QBrush(Qt::NoBrush));
             p.drawRect(QRectF(x, y, widths[c], row.height));
             p.setPen(printInk);
@@ -703,7 +703,7 @@ void PageFlow::addMargins() {
             const double numberWidth = metrics.horizontalAdvance(number);
             p.drawText(QPointF(0, base), elided(origin, width - numberWidth - gap));
             p.drawText(QPointF(width - numberWidth, base), number);
-            p.setPen(QPen(rule, line));
+            p.setPen(QPen(rule, ruleWidth));
             p.drawLine(QPointF(0, top - gap / 2), QPointF(width, top - gap / 2));
             p.drawLine(QPointF(0, bottom + gap / 2), QPointF(width, bottom + gap / 2));
         });

@@ -13,11 +13,11 @@ namespace sparkout {
 
 namespace {
 
-constexpr double barShare = 0.7;     ///< of a row
-constexpr double roomBeside = 1.05;  ///< beside the longest bar
-constexpr double sharePointSize = 6; ///< [px]
-constexpr double whole = 100;        ///< [%]
-constexpr std::size_t leastRows = 5; ///< a single cause is no wall
+constexpr double barShare = 0.7;       ///< of a row
+constexpr double roomBeside = 1.05;    ///< beside the longest bar
+constexpr double sharePointSize = 6;   ///< [px]
+constexpr double whole = 100;          ///< [%]
+constexpr std::size_t leastCauses = 5; ///< a single cause is no wall
 
 } // namespace
 
@@ -72,7 +72,7 @@ void ParetoPlot::setBatch(BatchOutcomePtr outcome) {
 
 void ParetoPlot::fit() {
     const double most = empty() ? 1 : static_cast<double>(causes().front().count);
-    const auto rows = static_cast<double>(std::max(causes().size(), leastRows));
+    const auto rows = static_cast<double>(std::max(causes().size(), leastCauses));
     style::setSafeRange(*m_rect->axis(QCPAxis::atLeft), -0.5, rows - 0.5);
     style::setSafeRange(*m_rect->axis(QCPAxis::atBottom), 0, most * roomBeside);
     style::setSafeRange(*m_rect->axis(QCPAxis::atTop), 0, whole * roomBeside);

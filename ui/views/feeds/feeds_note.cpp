@@ -16,7 +16,7 @@ namespace sparkout {
 namespace {
 constexpr Zone zones[] = {Zone::rz1, Zone::nz, Zone::rz2};
 constexpr Step steps[] = {Step::e1, Step::e2, Step::e3, Step::e4, Step::e5};
-constexpr int textWidth = 460;
+constexpr int noteWidth = 460;
 } // namespace
 
 FeedsNote::FeedsNote(QWidget* parent)
@@ -40,7 +40,7 @@ FeedsNote::FeedsNote(QWidget* parent)
     grid->setColumnStretch(int(std::size(zones)) + 1, 1);
     m_text->setTextFormat(Qt::PlainText);
     m_text->setWordWrap(true);
-    m_text->setMinimumWidth(textWidth);
+    m_text->setMinimumWidth(noteWidth);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     connect(m_close, &QPushButton::clicked, this, &QDialog::close);
     layout->addWidget(m_steps);
