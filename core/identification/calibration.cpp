@@ -10,6 +10,7 @@
 #include "core/project/wheel.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -25,6 +26,20 @@ struct Found {
     double factor = 1;
     double error = 0;
 };
+
+/// To two digits of its standard error, which is of its logarithm; at least 3 and at most 9 digits.
+double roundedTo(double value, double error) {
+    constexpr double fewest = 3, most = 9;
+    const double digits =
+        error > 0 ? std::clamp(std::ceil(-std::log10(error)) + 2, fewest, most) : most;
+    char text[32];
+    const auto [end, failed] =
+        std::to_chars(text, text + sizeof text, value, std::chars_format::scientific,
+                      static_cast<int>(digits) - 1);
+    double rounded = value;
+    std::from_chars(text, end, rounded);
+    return rounded;
+}
 
 class Calibrator {
 public:
@@ -103,9 +118,8 @@ private:
         const Found found = productOf(at, signs);
         const auto input = numberInput(m_before, path);
         if (input && input->value) {
-            const double value = *input->value * found.factor;
-            setNumberInput(m_made, path, value);
-            record(path, value, found.error);
+            setNumberInput(m_made, path, *input->value * found.factor);
+            record(path, found.error);
         }
     }
 
@@ -142,23 +156,21 @@ private:
 
     void recordCompliance(const std::vector<Found>& places) {
         const GivenCompliance& given = m_made.machine->compliance_mm_per_n;
-        if (const auto* const zones = std::get_if<ZoneCompliance>(&given)) {
-            const std::string path = "/machine/compliance_mm_per_n/";
-            record(path + "rz1", zones->rz1, places[0].error);
-            record(path + "nz", zones->nz, places[1].error);
-            record(path + "rz2", zones->rz2, places[2].error);
+        const std::string path = "/machine/compliance_mm_per_n/";
+        if (std::holds_alternative<ZoneCompliance>(given)) {
+            record(path + "rz1", places[0].error);
+            record(path + "nz", places[1].error);
+            record(path + "rz2", places[2].error);
         } else if (const auto* const sections = std::get_if<std::vector<double>>(&given)) {
-            for (std::size_t i = 0; i < sections->size() && i < places.size(); ++i) {
-                record("/machine/compliance_mm_per_n/" + std::to_string(i), (*sections)[i],
-                       places[i].error);
+            const std::size_t count = std::min(sections->size(), places.size());
+            for (std::size_t i = 0; i < count; ++i) {
+                record(path + std::to_string(i), places[i].error);
             }
         } else {
-            for (const char* path :
+            for (const char* part :
                  {"/machine/stiffness_n_um/headstock", "/machine/stiffness_n_um/tailstock",
                   "/machine/stiffness_n_um/wheel_head", "/part/shaft/youngs_modulus_gpa"}) {
-                if (const auto input = numberInput(m_made, path); input && input->value) {
-                    record(path, *input->value, places.front().error);
-                }
+                record(part, places.front().error);
             }
         }
     }
@@ -166,19 +178,25 @@ private:
     void changeRunout() {
         const std::size_t at = find(FittedKind::blank_runout, {});
         if (at < m_result.values.size()) {
-            const double value = m_result.values[at].value;
-            m_made.part->initial_runout_mm = value;
-            record("/part/initial_runout_mm", value, m_result.values[at].error);
+            m_made.part->initial_runout_mm = m_result.values[at].value;
+            record("/part/initial_runout_mm", m_result.values[at].error);
         }
     }
 
-    void record(const std::string& path, double value, double error) {
+    /// That the input, if it is given, is from these data; of its digits those that say something.
+    void record(const std::string& path, double error) {
+        const auto input = numberInput(m_made, path);
+        if (!input || !input->value) {
+            return;
+        }
         constexpr double quantile = 1.959963984540054; // of the normal law, 97.5 %
+        const double value = *input->value, told = roundedTo(value, error);
+        setNumberInput(m_made, path, told);
         Calibration calibration;
         calibration.input = path;
-        calibration.value = value;
-        calibration.low = value * std::exp(-quantile * error);
-        calibration.high = value * std::exp(quantile * error);
+        calibration.value = told;
+        calibration.low = std::min(told, value * std::exp(-quantile * error));
+        calibration.high = std::max(told, value * std::exp(quantile * error));
         calibration.data = m_data;
         calibration.count = static_cast<int>(m_result.count);
         calibration.date = m_date;

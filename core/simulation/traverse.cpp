@@ -243,9 +243,7 @@ private:
         std::array<Step, zoneCount> steps{}; ///< by zone in a stroke, else the first
         int revolution = 1;
         PassFeed feed;
-        /// t_П when each zone is visited, of a stroke with a continuous infeed.
-        std::optional<std::array<double, zoneCount>> fedByZone = {};
-        const StrokeFeed* drift = nullptr; ///< that infeed
+        const StrokeFeed* drift = nullptr; ///< of a stroke with a continuous infeed
         bool there = true;                 ///< of a stroke: from the entry
     };
 
@@ -263,13 +261,8 @@ private:
             return true;
         };
         const auto stroke = [&](const std::array<Step, zoneCount>& steps, bool there) {
-            Pass next{Zone::rz1, true, steps, 1, {.base = fed}};
-            next.there = there;
-            if (feed.drifts()) {
-                next.fedByZone = fedInStroke(fed, feed, there);
-                next.drift = &feed;
-            }
-            const bool done = pass(next);
+            const bool done = pass(Pass{
+                Zone::rz1, true, steps, 1, {.base = fed}, feed.drifts() ? &feed : nullptr, there});
             fed = feed.after(fed, feed.perStroke_mm);
             return done;
         };
@@ -338,12 +331,13 @@ private:
                                     place(Zone::rz2, pass.steps[2])};
             const Run::PassInfo info{
                 .duration_s = duration, .axialFeed_mm_min = m_axialFeed, .radialFeed_mm = infeed};
-            if (!pass.fedByZone) {
+            if (!pass.drift) {
                 m_run.cut(0, zoneCount, *m_stroke, pass.feed, places.data(), info);
-            }
-            for (std::size_t zone = 0; pass.fedByZone && zone < zoneCount; ++zone) {
-                m_run.cut(zone, 1, *m_stroke, {.base = (*pass.fedByZone)[zone]}, &places[zone],
-                          info);
+            } else {
+                const auto fed = fedInStroke(pass.feed.base, *pass.drift, pass.there);
+                for (std::size_t zone = 0; zone < zoneCount; ++zone) {
+                    m_run.cut(zone, 1, *m_stroke, {.base = fed[zone]}, &places[zone], info);
+                }
             }
             if (m_inZone > 0) {
                 for (std::size_t i = 0; i < m_places.size(); ++i) {

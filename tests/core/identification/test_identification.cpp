@@ -342,6 +342,15 @@ private slots:
         QCOMPARE(calibrations[2].input, std::string("/wheel/dullness"));
         QVERIFY(std::abs(calibrations[2].value - truth.wheel->dullness) < 1e-8);
         QVERIFY(*calibrations[2].low <= calibrations[2].value);
+        QCOMPARE(made.wheel->dullness, calibrations[2].value); // of exact data to nine digits
+        QVERIFY(std::abs(std::remainder(calibrations[2].value, 1e-11)) < 1e-15);
+        Identification rough = result;
+        for (std::vector<double>& row : rough.covariance) {
+            std::ranges::fill(row, 0);
+        }
+        rough.covariance[1][1] = 1e-4; // of beta: one per cent, so four digits
+        const Project rounded = withCalibration(project, rough, "x", "y");
+        QCOMPARE(rounded.wheel->dullness, 0.007);
         QCOMPARE(calibrations[2].data, std::string("test.csv"));
         QCOMPARE(calibrations[2].count, static_cast<int>(result.count));
         QVERIFY(project.measured->calibrations.empty());
