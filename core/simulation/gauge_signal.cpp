@@ -15,6 +15,10 @@ GaugeSignal::GaugeSignal(const Project& project, bool endsCycle)
     , m_endsCycle(endsCycle && project.gauge->control == Control::gauge) {}
 
 void GaugeSignal::read(double time_s, double remaining_mm) {
+    if (m_change_s == 0) { // the last one counts at once
+        m_readings.assign(1, {time_s, remaining_mm});
+        return;
+    }
     m_readings.push_back({time_s, remaining_mm});
     const auto first = std::find_if(m_readings.begin(), m_readings.end(), [&](const Reading& each) {
         return each.time_s > time_s - m_change_s + delaySlack_s;
@@ -25,6 +29,9 @@ void GaugeSignal::read(double time_s, double remaining_mm) {
 }
 
 double GaugeSignal::knownBy(double least_mm, double delay_s) const {
+    if (delay_s == 0) {
+        return least_mm + stageSlack_mm - m_readings.back().remaining_mm;
+    }
     const auto oldEnough = [&](const Reading& each) {
         return each.time_s <= m_readings.back().time_s - delay_s + delaySlack_s;
     };

@@ -50,6 +50,7 @@ bool isLifted(const CompliantPoint& point) {
 Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory* trajectory,
          std::stop_token stop)
     : m_project(project)
+    , m_isShaft(project.part->surface == Surface::external)
     , m_blank(makeBlank(*project.part))
     , m_diameters(wholeDiameters(m_blank))
     , m_radii(project.part->radii_per_section)
@@ -197,21 +198,23 @@ void Run::record(std::size_t point, const CutWidth& width, const PassFeed& feed,
     trajectory.passes.push_back({place, m_result.time_s, info.duration_s, width.width_mm,
                                  info.axialFeed_mm_min, info.radialFeed_mm,
                                  trajectory.visits.size()});
+    const auto count = static_cast<std::size_t>(m_radii);
+    const double duration_s = info.duration_s, width_mm = width.width_mm;
     const bool stroke = info.axialFeed_mm_min > 0;
-    for (int k = 0; k < m_radii; ++k) {
-        const std::size_t lane =
-            point * static_cast<std::size_t>(m_radii) + static_cast<std::size_t>(k);
-        const double share = m_lanes.share[lane];
-        const double u = m_lanes.root[lane];
-        Visit visit;
-        visit.time_s = m_result.time_s + info.duration_s * (stroke ? 1.0 : share);
-        visit.programmed_mm = feed.at(share);
-        visit.actual_mm = u * u;
-        visit.accumulated_mm =
-            m_lanes.depth_mm[lane] - m_blank.depth_mm[static_cast<std::size_t>(k)];
-        visit.radius_mm = finalRadius(m_lanes.depth_mm[lane]);
-        visit.normalForce_n = m_law.normal(width.width_mm, u);
-        trajectory.visits.push_back(visit);
+    const double* const shares = m_lanes.share.data() + point * count;
+    const double* const roots = m_lanes.root.data() + point * count;
+    const double* const depths_mm = m_lanes.depth_mm.data() + point * count;
+    const double* const blank_mm = m_blank.depth_mm.data();
+    trajectory.visits.resize(trajectory.visits.size() + count);
+    Visit* const visits = trajectory.visits.data() + trajectory.passes.back().firstVisit;
+    for (std::size_t k = 0; k < count; ++k) {
+        const double share = shares[k], u = roots[k], depth_mm = depths_mm[k];
+        visits[k] = {.time_s = m_result.time_s + duration_s * (stroke ? 1.0 : share),
+                     .programmed_mm = feed.at(share),
+                     .actual_mm = u * u,
+                     .accumulated_mm = depth_mm - blank_mm[k],
+                     .radius_mm = finalRadius(depth_mm),
+                     .normalForce_n = m_law.normal(width_mm, u)};
     }
 }
 
@@ -378,7 +381,7 @@ SimulationResult Run::finish(const std::vector<int>& stepsByStage, std::size_t g
     m_watch.put(m_result, m_lanes);
     foldZoneSections();
     m_result.remainingStock_mm = remaining(gaugePoint);
-    const double side = m_project.part->surface == Surface::external ? 1 : -1;
+    const double side = m_isShaft ? 1 : -1;
     m_result.gaugeReading_mm = 2 * (m_blank.targetRadius_mm + side * m_result.remainingStock_mm);
     return std::move(m_result);
 }

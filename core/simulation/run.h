@@ -135,14 +135,14 @@ private:
         }
     }
     [[nodiscard]] double radiusAt(double depth_mm) const {
-        return m_project.part->surface == Surface::external
-                   ? m_blank.firstTouchRadius_mm - depth_mm
-                   : m_blank.firstTouchRadius_mm + depth_mm;
+        return m_isShaft ? m_blank.firstTouchRadius_mm - depth_mm
+                         : m_blank.firstTouchRadius_mm + depth_mm;
     }
     [[nodiscard]] SectionResult sectionResult(std::size_t point, Zone zone) const;
     void foldZoneSections();
 
     const Project& m_project;
+    bool m_isShaft; ///< not a bore
     Blank m_blank;
     std::vector<std::size_t> m_diameters; ///< k of those that no gap interrupts; empty: all
     int m_radii;
