@@ -29,7 +29,7 @@ void GaugeSignal::read(double time_s, double remaining_mm) {
 }
 
 double GaugeSignal::knownBy(double least_mm, double delay_s) const {
-    if (delay_s == 0) {
+    if (delay_s == 0 && !m_readings.empty()) {
         return least_mm + stageSlack_mm - m_readings.back().remaining_mm;
     }
     const auto oldEnough = [&](const Reading& each) {

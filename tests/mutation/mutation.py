@@ -206,6 +206,7 @@ class Build:
         copies = {}
         for file, (text, mutants) in sources.items():
             copies[str(ROOT / file)] = self.put(f"source/{file}", mutated_text(text, mutants, header))
+        including = self.including([file for file in sources if file.endswith(".h")])
         commands = json.loads((self.folder / "compile_commands.json").read_text())
         compiles, objects = [], set()
         for entry in commands:
@@ -217,17 +218,21 @@ class Build:
                                  lambda m: f'#include "{copies.get(m[1], m[1])}"', text)
                 if changed != text:
                     unit = self.put(f"unity/{source.relative_to(self.folder)}", changed)
-            if unit is None:
-                continue
             words = shlex.split(entry["command"])
             out = words[words.index("-o") + 1]
-            if out not in needed:
+            headers = including.get(out, [])
+            if unit is None and headers:
+                unit = source
+            if unit is None or out not in needed:
                 continue
+            # A mutated header is found before the one it is a copy of.
+            words[1:1] = [f"-I{self.scratch / 'source'}"] if headers else []
             words[words.index("-o") + 1] = str(self.scratch / out)
             words[words.index("-c") + 1] = str(unit)
             words.append("-w")
             objects.add(out)
-            inputs = [unit, *(c for f, c in copies.items() if f in text), self.folder / out]
+            inputs = [unit, *(c for f, c in copies.items() if f in text or f in headers),
+                      self.folder / out]
             if self.is_older(self.scratch / out, inputs):
                 (self.scratch / out).parent.mkdir(parents=True, exist_ok=True)
                 compiles.append(words)
@@ -259,6 +264,22 @@ class Build:
         for program in programs:
             if program not in objects:
                 fail(f"{program} holds none of the mutants")
+
+    def including(self, headers):
+        """The given headers that each object includes, by ninja's log of what it was made from."""
+        found, wanted = {}, {str(ROOT / header) for header in headers}
+        if not wanted:
+            return found
+        listed = subprocess.run(["ninja", "-C", str(self.folder), "-t", "deps"], text=True,
+                                check=True, stdout=subprocess.PIPE).stdout
+        for line in listed.splitlines():
+            if line.startswith(" "):
+                path = str((self.folder / line.strip()).resolve())
+                if path in wanted:
+                    found.setdefault(made, []).append(path)
+            else:
+                made = line.partition(":")[0]
+        return found
 
     @staticmethod
     def is_older(target, inputs):
