@@ -9,7 +9,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr float failingShare = 0.15F; ///< of the colour's opacity
+constexpr float areaOpacity = 0.15F; ///< of the colour's opacity
 
 } // namespace
 
@@ -18,7 +18,7 @@ FailingLayer::FailingLayer(QCPAxisRect& rect)
 
 QColor FailingLayer::area() const {
     QColor area = m_colour;
-    area.setAlphaF(area.alphaF() * failingShare);
+    area.setAlphaF(area.alphaF() * areaOpacity);
     return area;
 }
 

@@ -167,7 +167,9 @@ QString PhaseBar::remark() const {
             .arg(PhaseText::millimetres(range().from_mm), PhaseText::millimetres(range().to_mm));
     }
     if (m_phases && !m_stale) {
-        return PhaseText::verdict(m_phases->decision);
+        const QString share = PhaseText::share(*m_project, m_phases->decision);
+        return PhaseText::verdict(m_phases->decision)
+               + (share.isEmpty() ? QString() : u'\n' + share);
     }
     if (busy()) {
         return m_phases ? tr("Of the inputs before the last edit; those of now are being decided.")

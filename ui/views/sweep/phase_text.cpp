@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/sweep/phase_text.h"
 
+#include "core/batch/factor_law.h"
+#include "core/phases/failing_share.h"
+#include "core/project/given_factors.h"
 #include "core/units.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
@@ -17,7 +20,8 @@ namespace sparkout {
 namespace {
 
 constexpr qsizetype mostRangesNamed = 3, mostReasonsNamed = 2;
-constexpr int stockDigits = 5;
+constexpr int stockDigits = 5, percentDigits = 3;
+constexpr double leastShareNamed = 1e-6;
 constexpr double neighbours_mm = 1e-6; ///< neighbours overlap by less
 
 bool lies(double stock_mm, double from_mm, double to_mm) {
@@ -105,6 +109,24 @@ QString PhaseText::verdict(const PhaseDecision& decision) {
                           more > 0 ? tr(" (further ranges: %1)").arg(more) : QString(), why);
     }
     return lines.join(u'\n');
+}
+
+QString PhaseText::share(const Project& project, const PhaseDecision& decision) {
+    const std::vector<GivenFactor> factors = givenFactors(project);
+    const auto stock = std::ranges::find(factors, FactorKind::stock, &GivenFactor::kind);
+    if (stock == factors.end() || stock->isLaw()) {
+        return {};
+    }
+    const FailingShare shares =
+        failingShare(decision, [&stock](double stock_mm) { return factorRank(*stock, stock_mm); });
+    const auto percent = [](double share) { return printedNumber(100 * share, percentDigits); };
+    const QString failing = tr("Of the parts of the batch %1 % fail by their stock alone.")
+                                .arg(percent(shares.failing));
+    return shares.undecided < leastShareNamed
+               ? failing
+               : failing + u' '
+                     + tr("The stock of %1 % lies outside the range.")
+                           .arg(percent(shares.undecided));
 }
 
 QString PhaseText::steps(const DecidedPiece& decided) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/phases/phase_decision.h"
+#include "core/project/project.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -19,6 +20,8 @@ public:
     static QString undecidable(); ///< under position control, and what can be done instead
     /// That it holds for every stock, or for which it fails, a line for what fails.
     static QString verdict(const PhaseDecision& decision);
+    /// What of the batch fails by its stock alone; empty where no law of it gives the stock.
+    static QString share(const Project& project, const PhaseDecision& decision);
     /// Of one stock of the range: steps, time, diameters, whether it holds.
     static QString stock(const PhaseDecision& decision, double stock_mm);
     static QString steps(const DecidedPiece& decided);        ///< "12 + 5 + 3"

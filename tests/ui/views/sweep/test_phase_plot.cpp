@@ -2,6 +2,7 @@
 // Size against stock in the view "Sweep": chosen, given a range and stopped with mouse and keys;
 // what is drawn, said and tabulated is what the engine decides and what single cycles come to.
 #include "core/phases/phase_decision.h"
+#include "core/project/batch.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/part.h"
@@ -173,6 +174,35 @@ private slots:
             QCOMPARE(std::get<QString>(table.rows[i].back()) == QStringLiteral("holds"),
                      decided.pieces[i].holdsWhole());
         }
+    }
+
+    /// Of a uniform stock the length that fails over the length of the distribution.
+    void theShareOfTheBatchIsStated() {
+        Project project = narrow();
+        Factors factors;
+        const StockRange range = usualPhases(project);
+        const double beyond_mm = (range.to_mm - range.from_mm) / 2;
+        factors.stock_mm = Factor{};
+        factors.stock_mm->uniform = std::vector{range.from_mm - beyond_mm, range.to_mm + beyond_mm};
+        project.batch = Batch{};
+        project.batch->factors = factors;
+        Bench bench(project);
+        QVERIFY(bench.settled());
+        double failing_mm = 0;
+        for (const QCPRange& each : bench.view.phases()->failing()) {
+            failing_mm += each.size();
+        }
+        QVERIFY(failing_mm > 0);
+        const QString failing = QString::number(100 * failing_mm / (4 * beyond_mm), 'g', 3);
+        QVERIFY2(bench.notice().contains(
+                     QStringLiteral("Of the parts of the batch %1 % fail by their stock alone. The "
+                                    "stock of 50 % lies outside the range.")
+                         .arg(failing)),
+                 qPrintable(bench.notice() + failing));
+        project.batch.reset();
+        bench.edit(project);
+        QVERIFY(bench.settled());
+        QVERIFY(!bench.notice().contains(QStringLiteral("batch")));
     }
 
     /// The picture against single cycles, at stocks within each piece.
