@@ -7978,12 +7978,12 @@ Reloading takes that version; your changes stay in Undo.</source>
     <context>
         <name>PhaseText</name>
         <message>
-            <source>Of the parts of the batch %1 % fail by their stock alone.</source>
-            <translation>Из деталей партии только из-за припуска не годны %1 %.</translation>
+            <source>Of the parts of the batch %1 fail by their stock alone.</source>
+            <translation>Из деталей партии только из-за припуска не годны %1.</translation>
         </message>
         <message>
-            <source>The stock of %1 % lies outside the range.</source>
-            <translation>У %1 % припуск вне диапазона.</translation>
+            <source>The stock of %1 lies outside the range.</source>
+            <translation>У %1 припуск вне диапазона.</translation>
         </message>
         <message>
             <source>The phases of the stock are being decided</source>

@@ -119,14 +119,15 @@ QString PhaseText::share(const Project& project, const PhaseDecision& decision) 
     }
     const FailingShare shares =
         failingShare(decision, [&stock](double stock_mm) { return factorRank(*stock, stock_mm); });
-    const auto percent = [](double share) { return printedNumber(100 * share, percentDigits); };
-    const QString failing = tr("Of the parts of the batch %1 % fail by their stock alone.")
-                                .arg(percent(shares.failing));
+    const auto percent = [](double share) {
+        return printedNumber(100 * share, percentDigits) + QStringLiteral("\u00a0%");
+    };
+    const QString failing =
+        tr("Of the parts of the batch %1 fail by their stock alone.").arg(percent(shares.failing));
     return shares.undecided < leastShareNamed
                ? failing
                : failing + u' '
-                     + tr("The stock of %1 % lies outside the range.")
-                           .arg(percent(shares.undecided));
+                     + tr("The stock of %1 lies outside the range.").arg(percent(shares.undecided));
 }
 
 QString PhaseText::steps(const DecidedPiece& decided) {

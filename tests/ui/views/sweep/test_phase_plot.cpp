@@ -194,11 +194,12 @@ private slots:
         }
         QVERIFY(failing_mm > 0);
         const QString failing = QString::number(100 * failing_mm / (4 * beyond_mm), 'g', 3);
-        QVERIFY2(bench.notice().contains(
-                     QStringLiteral("Of the parts of the batch %1 % fail by their stock alone. The "
-                                    "stock of 50 % lies outside the range.")
-                         .arg(failing)),
-                 qPrintable(bench.notice() + failing));
+        QVERIFY2(
+            bench.notice().contains(
+                QStringLiteral("Of the parts of the batch %1\u00a0% fail by their stock alone. The "
+                               "stock of 50\u00a0% lies outside the range.")
+                    .arg(failing)),
+            qPrintable(bench.notice() + failing));
         project.batch.reset();
         bench.edit(project);
         QVERIFY(bench.settled());
