@@ -18,6 +18,7 @@
 #include "core/identification/trial_design.h"
 #include "core/identification/wheel_calibration.h"
 #include "core/measured/measured_table.h"
+#include "core/phases/failing_share.h"
 #include "core/phases/phase_decision.h"
 #include "core/project/batch.h"
 #include "core/project/cycle.h"

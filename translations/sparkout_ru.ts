@@ -7976,6 +7976,73 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
     </context>
     <context>
+        <name>PhaseText</name>
+        <message>
+            <source>Of the parts of the batch %1 fail by their stock alone.</source>
+            <translation>Из деталей партии только из-за припуска не годны %1.</translation>
+        </message>
+        <message>
+            <source>The stock of %1 lies outside the range.</source>
+            <translation>У %1 припуск вне диапазона.</translation>
+        </message>
+        <message>
+            <source>The phases of the stock are being decided</source>
+            <translation>Рассчитываются фазы припуска</translation>
+        </message>
+        <message>
+            <source>Pieces: %1</source>
+            <translation>Участков: %1</translation>
+        </message>
+        <message>
+            <source>Under position control the phases of the stock cannot be decided: the first step meets the part somewhere within its infeed. Vary the stock in a sweep, or let it scatter in a batch.</source>
+            <translation>При управлении по положению о фазах припуска решить нельзя: первый шаг встречает деталь где-то в пределах своей подачи. Варьируйте припуск или задайте его рассеяние в партии.</translation>
+        </message>
+        <message>
+            <source>Holds for every stock per side from %1 to %2 mm.</source>
+            <translation>Годен при любом припуске на сторону от %1 до %2 мм.</translation>
+        </message>
+        <message>
+            <source>from %1 to %2</source>
+            <translation>от %1 до %2</translation>
+        </message>
+        <message>
+            <source>Fails for stocks per side %1 mm%2: %3.</source>
+            <translation>Не годен при припусках на сторону %1 мм%2: %3.</translation>
+        </message>
+        <message>
+            <source> (further ranges: %1)</source>
+            <translation> (ещё диапазонов: %1)</translation>
+        </message>
+        <message>
+            <source>Other stocks fail by other requirements: see the table of the plot.</source>
+            <translation>При других припусках нарушены другие требования: см. таблицу графика.</translation>
+        </message>
+        <message>
+            <source>holds</source>
+            <translation>годен</translation>
+        </message>
+        <message>
+            <source>holds from %1 to %2 mm, else fails: %3</source>
+            <translation>годен от %1 до %2 мм, иначе нет: %3</translation>
+        </message>
+        <message>
+            <source>fails: %1</source>
+            <translation>не годен: %1</translation>
+        </message>
+        <message>
+            <source>Stock %1 mm: steps %2, %3 min</source>
+            <translation>Припуск %1 мм: шагов %2, %3 мин</translation>
+        </message>
+        <message>
+            <source>, diameters %1…%2 µm from nominal</source>
+            <translation>, диаметры %1…%2 мкм от номинала</translation>
+        </message>
+        <message>
+            <source>every requirement holds</source>
+            <translation>выполнены все требования</translation>
+        </message>
+    </context>
+    <context>
         <name>SweepText</name>
         <message>
             <source>Machining time</source>
@@ -13596,6 +13663,116 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>sparkout::PhaseBar</name>
+        <message>
+            <source>The range has to go upwards: it begins at %1 mm and ends at %2 mm.</source>
+            <translation>Диапазон должен возрастать: он начинается с %1 мм и кончается на %2 мм.</translation>
+        </message>
+        <message>
+            <source>Of the inputs before the last edit; those of now are being decided.</source>
+            <translation>По данным до последней правки; текущие рассчитываются.</translation>
+        </message>
+        <message>
+            <source>Of the inputs before the last edit. Press “Run” for those of now.</source>
+            <translation>По данным до последней правки. Для текущих нажмите «Рассчитать».</translation>
+        </message>
+        <message>
+            <source>Stopped before anything was decided. Press “Run”.</source>
+            <translation>Остановлено, прежде чем что-либо решено. Нажмите «Рассчитать».</translation>
+        </message>
+        <message>
+            <source>Least stock per side decided; empty: half the largest infeed below</source>
+            <translation>Наименьший припуск на сторону; пусто: на половину наибольшей подачи за шаг ниже</translation>
+        </message>
+        <message>
+            <source>Greatest stock per side decided; empty: half the largest infeed above</source>
+            <translation>Наибольший припуск на сторону; пусто: на половину наибольшей подачи за шаг выше</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>Рассчитать</translation>
+        </message>
+        <message>
+            <source>Decide the phases of the range; that runs by itself after an edit</source>
+            <translation>Рассчитать фазы диапазона; после правки это делается само</translation>
+        </message>
+        <message>
+            <source>Stop</source>
+            <translation>Стоп</translation>
+        </message>
+        <message>
+            <source>End the run; what was decided before is kept</source>
+            <translation>Прервать расчёт; рассчитанное раньше остаётся</translation>
+        </message>
+        <message>
+            <source>What was decided</source>
+            <translation>Что рассчитано</translation>
+        </message>
+        <message>
+            <source>Progress of the decision</source>
+            <translation>Ход расчёта фаз</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::PhasePlot</name>
+        <message>
+            <source>From stock per side, mm</source>
+            <translation>Припуск на сторону от, мм</translation>
+        </message>
+        <message>
+            <source>To stock per side, mm</source>
+            <translation>Припуск на сторону до, мм</translation>
+        </message>
+        <message>
+            <source>Steps of stage %1</source>
+            <translation>Шагов ступени %1</translation>
+        </message>
+        <message>
+            <source>Time, min</source>
+            <translation>Время, мин</translation>
+        </message>
+        <message>
+            <source>Least deviation of the diameter, µm</source>
+            <translation>Наименьшее отклонение диаметра, мкм</translation>
+        </message>
+        <message>
+            <source>Largest deviation of the diameter, µm</source>
+            <translation>Наибольшее отклонение диаметра, мкм</translation>
+        </message>
+        <message>
+            <source>Verdict</source>
+            <translation>Заключение</translation>
+        </message>
+        <message>
+            <source>largest diameter</source>
+            <translation>наибольший диаметр</translation>
+        </message>
+        <message>
+            <source>smallest diameter</source>
+            <translation>наименьший диаметр</translation>
+        </message>
+        <message>
+            <source>tolerance field</source>
+            <translation>поле допуска</translation>
+        </message>
+        <message>
+            <source>stocks that fail</source>
+            <translation>цикл не годен</translation>
+        </message>
+        <message>
+            <source>stated stock</source>
+            <translation>заданный припуск</translation>
+        </message>
+        <message>
+            <source>Stock per side, mm</source>
+            <translation>Припуск на сторону, мм</translation>
+        </message>
+        <message>
+            <source>Deviation of the diameter from nominal, µm</source>
+            <translation>Отклонение диаметра от номинала, мкм</translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::SweepAxisBox</name>
         <message>
             <source>Choose an input to vary</source>
@@ -13722,6 +13899,30 @@ target, µm</source>
     </context>
     <context>
         <name>sparkout::SweepView</name>
+        <message>
+            <source>Point at a stock to read the steps, the time and the size of its cycle.</source>
+            <translation>Наведите указатель на припуск, чтобы прочитать шаги, время и размер его цикла.</translation>
+        </message>
+        <message>
+            <source>The inputs are refused; the phases of the stock are those of the last accepted ones.</source>
+            <translation>Исходные данные отклонены; фазы припуска — по последним принятым.</translation>
+        </message>
+        <message>
+            <source>Size against stock</source>
+            <translation>Размер от припуска</translation>
+        </message>
+        <message>
+            <source>What is shown</source>
+            <translation>Что показано</translation>
+        </message>
+        <message>
+            <source>Results over one or two inputs, or, exactly, the size over the stock of the blank</source>
+            <translation>Результаты от одной или двух величин или, точно, размер от припуска заготовки</translation>
+        </message>
+        <message>
+            <source>Inputs varied</source>
+            <translation>Варьирование величин</translation>
+        </message>
         <message>
             <source>Sweep</source>
             <translation>Варьирование</translation>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stocks of an interval by what their cycles do: a closed form, and stocks run one by one.
+#include "core/phases/failing_share.h"
 #include "core/phases/phase_decision.h"
 
 #include "core/process/profile.h"
@@ -204,6 +205,46 @@ private slots:
             }
         }
         QVERIFY(changes > 0);
+    }
+
+    /// Of a uniform stock the share is a length over a length; where ranges overlap once.
+    void theShareThatFailsIsThatOfTheDistribution() {
+        const auto uniform = [](double from, double to) {
+            return [=](double x) { return std::clamp((x - from) / (to - from), 0.0, 1.0); };
+        };
+        PhaseDecision made;
+        made.isDecided = true;
+        made.range = {0.1, 0.2};
+        for (const StockRange& stocks : {StockRange{0.11, 0.12}, StockRange{0.119, 0.13},
+                                         StockRange{0.125, 0.127}, StockRange{0.15, 0.16}}) {
+            made.failing.push_back({stocks, RunStatus::completed, {}});
+        }
+        FailingShare shares = failingShare(made, uniform(0.1, 0.2));
+        QVERIFY(std::abs(shares.failing - 0.3) < fine_mm && std::abs(shares.undecided) < fine_mm);
+        shares = failingShare(made, uniform(0.125, 0.325));
+        QVERIFY(std::abs(shares.failing - 0.075) < fine_mm);
+        QVERIFY(std::abs(shares.undecided - 0.625) < fine_mm);
+        // Of a project as many stocks run one by one, each for its share.
+        Project project = samples::project("smallest-plunge");
+        project.gauge->control = Control::gauge;
+        const StockRange range = usualPhases(project);
+        const PhaseDecision wide = decidePhases(project, range);
+        const DeviationRange& size = wide.pieces.front().high.deviations[0];
+        constexpr double umPerMm = 1000;
+        project.part->lower_deviation_um = size.least_mm * umPerMm - 1;
+        const PhaseDecision decision = decidePhases(project, range);
+        constexpr int count = 2000;
+        int failed = 0;
+        for (int i = 0; i < count; ++i) {
+            Project single = project;
+            single.part->stock_mm =
+                range.from_mm + (i + 0.5) / count * (range.to_mm - range.from_mm);
+            failed += holdsAll(simulateUnchecked(single)) ? 0 : 1;
+        }
+        shares = failingShare(decision, uniform(range.from_mm, range.to_mm));
+        QVERIFY(failed > 0 && failed < count);
+        const auto ends = static_cast<double>(2 * decision.failing.size());
+        QVERIFY(std::abs(shares.failing - double(failed) / count) <= ends / count);
     }
 
     void whatIsNotDecided() {

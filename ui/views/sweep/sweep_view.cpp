@@ -10,6 +10,8 @@
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/run_bar.h"
 #include "ui/text/names.h"
+#include "ui/views/sweep/phase_bar.h"
+#include "ui/views/sweep/phase_plot.h"
 #include "ui/views/sweep/sweep_axis_box.h"
 #include "ui/views/sweep/sweep_curves.h"
 #include "ui/views/sweep/sweep_map.h"
@@ -33,16 +35,20 @@ namespace {
 
 constexpr int valueLines = 3;
 constexpr const char* usualInput = "/wheel/dullness";
+constexpr std::size_t curvesPage = 0, mapPage = 1, phasesPage = 2;
 
 } // namespace
 
 SweepView::SweepView(QWidget* parent, Settings* settings)
     : PlotView(QStringLiteral("sweep"), parent, settings)
+    , m_subject(new QComboBox(this))
+    , m_entry(new SearchCombo(this))
+    , m_side(new QComboBox(this))
+    , m_phaseBar(new PhaseBar(this))
     , m_axes{new SweepAxisBox(0, this), new SweepAxisBox(1, this)}
     , m_curves(new SweepCurves(this))
     , m_map(new SweepMap(this))
-    , m_entry(new SearchCombo(this))
-    , m_side(new QComboBox(this))
+    , m_phases(new PhasePlot(this))
     , m_point(new QSpinBox(this))
     , m_bar(new RunBar(QStringLiteral("sweep"), this, SweepText::progress))
     , m_take(new QAction(this))
@@ -55,19 +61,24 @@ SweepView::SweepView(QWidget* parent, Settings* settings)
         subject.own = {m_take};
         addPage(*plot, std::move(subject));
     }
+    m_phases->setMinimumSize(240, 120);
+    addPage(*m_phases);
     setUpReadout(*values(), valueLines);
     setUpNotice(*m_bar->state());
     m_point->setKeyboardTracking(false);
     disableUntilDrawn({m_point, m_entry, m_side});
     constexpr int letters = 30; // wide, the text on the run beside the buttons
     m_bar->layOut({}, {m_point, m_takeButton}, letters);
-    QVBoxLayout* const column = addColumn({m_axes[0], m_axes[1], m_toolBar = buildTools(), m_bar,
-                                           notice(), m_add, legend(), pages(), values()},
-                                          pages());
+    QVBoxLayout* const column =
+        addColumn({m_toolBar = buildTools(), m_phaseBar, m_axes[0], m_axes[1], m_bar, notice(),
+                   m_add, legend(), pages(), values()},
+                  pages());
     column->setAlignment(m_add, Qt::AlignLeft);
     column->addStretch(0);
     nameObjects({{m_curves, "sweepCurves"},
                  {m_map, "sweepMap"},
+                 {m_phases, "sweepPhases"},
+                 {m_subject, "sweepSubject"},
                  {m_entry, "sweepResult"},
                  {m_side, "sweepSide"},
                  {m_point, "sweepPoint"},
@@ -81,13 +92,15 @@ SweepView::SweepView(QWidget* parent, Settings* settings)
 QWidget* SweepView::buildTools() {
     auto* bar = new QWidget(this);
     auto* row = rowIn<ToolRow>(bar);
-    addBoxes(*row, {m_entry, m_side});
+    addBoxes(*row, {m_subject, m_entry, m_side});
     row->addStretch(1);
     addPageButtons(*row);
     return bar;
 }
 
 void SweepView::connectParts() {
+    connect(m_subject, &QComboBox::currentIndexChanged, this, &SweepView::chooseSubject);
+    connect(m_phaseBar, &PhaseBar::changed, this, &SweepView::takePhases);
     connect(m_entry, &QComboBox::currentIndexChanged, this, &SweepView::chooseEntry);
     connect(m_side, &QComboBox::currentIndexChanged, this, &SweepView::chooseEntry);
     for (SweepPlot* plot : sweepPlots()) {
@@ -148,6 +161,18 @@ void SweepView::chooseEntry() {
     tools()->navigation().forgetViews();
 }
 
+bool SweepView::showsPhases() const {
+    return m_subject->currentIndex() == 1;
+}
+
+void SweepView::chooseSubject() {
+    if (good()) {
+        follow(false);
+    }
+    showFront();
+    showState();
+}
+
 void SweepView::choosePoint(std::optional<std::size_t> point) {
     m_chosen = m_sweep ? point : std::nullopt;
     const QSignalBlocker blocker(m_point);
@@ -165,7 +190,22 @@ void SweepView::showOutcome() {
 }
 
 void SweepView::takeOutcome(const OutcomePtr&) {
-    const bool asked = std::exchange(m_asked, false);
+    follow(std::exchange(m_asked, false));
+}
+
+bool SweepView::busy() const {
+    return m_runner->running() || m_phaseBar->busy();
+}
+
+/// Only what is shown runs by itself.
+void SweepView::follow(bool asked) {
+    if (showsPhases()) {
+        m_phaseBar->follow(good()->result.project);
+    }
+    followSweep(asked);
+}
+
+void SweepView::followSweep(bool asked) {
     const Project& project = good()->result.project;
     for (SweepAxisBox* box : m_axes) {
         box->show(project);
@@ -174,12 +214,13 @@ void SweepView::takeOutcome(const OutcomePtr&) {
     noteStale();
     const bool runs = m_running && m_runner->running() && sameSweep(*m_running, project);
     if (!project.sweep) {
-        forget();
+        forgetSweep();
     } else if (!m_refused.empty()) {
         m_runner->drop();
     } else if (stale() && !runs) {
         m_runner->drop();
-        if (asked || RunBar::areQuick(pointsOf(project), good()->result.visits)) {
+        const bool quick = RunBar::areQuick(pointsOf(project), good()->result.visits);
+        if (asked || (quick && !showsPhases())) {
             runSweep();
         }
     }
@@ -187,6 +228,11 @@ void SweepView::takeOutcome(const OutcomePtr&) {
 }
 
 void SweepView::forget() {
+    m_phaseBar->forget();
+    forgetSweep();
+}
+
+void SweepView::forgetSweep() {
     m_runner->drop();
     m_sweep.reset();
     noteStale();
@@ -221,6 +267,14 @@ void SweepView::takeSweep(const SweepOutcomePtr& outcome) {
     }
     showState();
     emit sweepShown();
+}
+
+void SweepView::takePhases() {
+    if (m_phases->phases() != m_phaseBar->phases()) {
+        m_phases->setPhases(m_phaseBar->phases());
+    }
+    showState();
+    replotFront();
 }
 
 void SweepView::edit(const std::function<Project(Project)>& edit, const EditText& text) {
@@ -300,41 +354,55 @@ void SweepView::showEntry() {
         other->setSweep(shown ? m_sweep : nullptr, shown ? chosenEntry() : SweepEntry{},
                         m_side->currentIndex() == 1);
     }
-    showPage(&plot() == m_map ? 1 : 0);
+    showFront();
     showState();
 }
 
+void SweepView::showFront() {
+    showPage(showsPhases() ? phasesPage : &plot() == m_map ? mapPage : curvesPage);
+}
+
 bool SweepView::drawn() const {
-    return m_sweep && !m_entries.empty();
+    return showsPhases() ? m_phaseBar->phases() != nullptr : m_sweep && !m_entries.empty();
 }
 
 bool SweepView::faint() const {
-    return m_sweep && (stale() || refused());
+    return showsPhases() ? m_phaseBar->phases() && (m_phaseBar->stale() || refused())
+                         : m_sweep && (stale() || refused());
 }
 
 const Project* SweepView::shownProject() const {
+    if (showsPhases()) {
+        return m_phaseBar->phases() ? &m_phaseBar->phases()->project : nullptr;
+    }
     return m_sweep ? &m_sweep->result.project : nullptr;
 }
 
 void SweepView::showState() {
     PlotView::showState();
-    const bool has = good() && good()->result.project.sweep;
+    const bool sweeps = good() && !showsPhases();
+    const bool has = sweeps && good()->result.project.sweep;
     const bool accepted = latest() && latest()->ran();
     for (SweepAxisBox* box : m_axes) {
-        box->setVisible(good() != nullptr);
+        box->setVisible(sweeps);
         box->setEnabled(accepted);
     }
     m_axes[1]->setVisible(has);
-    m_add->setVisible(good() && !has);
+    m_add->setVisible(sweeps && !has);
     m_add->setEnabled(accepted);
     m_bar->setVisible(has);
-    m_toolBar->setVisible(has);
-    m_bar->showRunning(busy(), has && m_refused.empty() && !refused());
+    m_toolBar->setVisible(good() != nullptr);
+    m_entry->setVisible(has);
+    m_side->setVisible(has);
+    m_phaseBar->setVisible(good() && showsPhases());
+    m_phaseBar->showState(accepted);
+    m_bar->showRunning(m_runner->running(), has && m_refused.empty() && !refused());
     m_bar->state()->setText(m_sweep ? SweepText::run(m_sweep->result) : QString());
     m_take->setEnabled(drawn() && m_chosen && accepted);
     m_takeButton->setEnabled(m_take->isEnabled());
     readOut();
     plot().setAccessibleDescription(m_bar->state()->text());
+    m_phases->setAccessibleDescription(m_phaseBar->remark());
 }
 
 // --- texts --------------------------------------------------------------------------------------
@@ -348,16 +416,27 @@ QString SweepView::title() const {
 }
 
 QString SweepView::hint() const {
+    if (showsPhases()) {
+        return tr("Point at a stock to read the steps, the time and the size of its cycle.");
+    }
     return m_sweep && m_chosen ? SweepText::point(m_sweep->result, *m_chosen, chosenEntry())
                                : tr("Point at a place to read its values; a click chooses it.");
 }
 
 QString SweepView::keptText() const {
+    if (showsPhases()) {
+        return m_phaseBar->phases() ? tr("The inputs are refused; the phases of the stock are "
+                                         "those of the last accepted ones.")
+                                    : refusedText();
+    }
     return m_sweep ? tr("The inputs are refused; the sweep is that of the last accepted ones.")
                    : refusedText();
 }
 
 QString SweepView::remark() const {
+    if (showsPhases()) {
+        return m_phaseBar->remark();
+    }
     if (!good()->result.project.sweep) {
         return tr(
             "What does a dull wheel do, a soft tailstock, a longer dwell? Choose an input "
@@ -368,15 +447,17 @@ QString SweepView::remark() const {
         return tr("The sweep cannot be run:") + QLatin1Char('\n') + Names::refusal(m_refused, 2);
     }
     if (m_sweep && stale()) {
-        return busy() ? tr("Of the inputs before the last edit; the new sweep is being run.")
-                      : tr("Of the inputs before the last edit. Press “Run” for those of now.");
+        return m_runner->running()
+                   ? tr("Of the inputs before the last edit; the new sweep is being run.")
+                   : tr("Of the inputs before the last edit. Press “Run” for those of now.");
     }
     if (m_sweep) {
         return sweepRemark();
     }
-    return busy() ? QString()
-                  : tr("This sweep takes a while: press “Run”. It can be stopped at any time and "
-                       "keeps what was done.");
+    return m_runner->running()
+               ? QString()
+               : tr("This sweep takes a while: press “Run”. It can be stopped at any time and "
+                    "keeps what was done.");
 }
 
 QString SweepView::sweepRemark() const {
@@ -396,7 +477,8 @@ QString SweepView::sweepRemark() const {
 }
 
 QStringList SweepView::subheading() const {
-    return {m_entry->currentText(), m_bar->state()->text()};
+    return showsPhases() ? QStringList{m_subject->currentText()} + m_phaseBar->remark().split(u'\n')
+                         : QStringList{m_entry->currentText(), m_bar->state()->text()};
 }
 
 void SweepView::nameParts() {
@@ -406,16 +488,21 @@ void SweepView::nameParts() {
     m_bar->progress()->setAccessibleName(tr("Progress of the sweep"));
     m_curves->setAccessibleName(tr("Curves over the varied input"));
     m_map->setAccessibleName(tr("Map over the two varied inputs"));
+    m_phases->setAccessibleName(tr("Size against stock"));
+    tell(*m_subject, tr("What is shown"),
+         tr("Results over one or two inputs, or, exactly, the size over the stock of the blank"));
     tell(*m_entry, tr("Result shown"), tr("The result that is shown over the varied inputs"));
     tell(*m_side, tr("Values or margins"),
          tr("The values themselves, or how far they are from their limits: above 0 the requirement "
             "holds"));
     tell(*m_point, tr("Point chosen"),
          tr("The point whose values can be taken; a click in the plot chooses one, too"));
+    fillChoice(*m_subject, {tr("Inputs varied"), tr("Size against stock")});
     fillChoice(*m_side, {tr("Values"), tr("Margins")});
     m_point->setPrefix(tr("point "));
     m_point->setSpecialValueText(tr("no point"));
     nameButtons();
+    m_phaseBar->retranslate();
     for (SweepAxisBox* box : m_axes) {
         box->retranslate();
         box->show(good() ? good()->result.project : Project());

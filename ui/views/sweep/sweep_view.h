@@ -19,6 +19,8 @@ class QSpinBox;
 
 namespace sparkout {
 
+class PhaseBar;
+class PhasePlot;
 class RunBar;
 class SweepAxisBox;
 class SweepCurves;
@@ -27,7 +29,8 @@ class SweepPlot;
 
 /// The view "Sweep": one or two inputs varied over a range and any result over them, as curves or
 /// as a map. A quick sweep runs by itself when the inputs change, another one on demand; results of
-/// other inputs are drawn faint. The values of a point can be taken into the project.
+/// other inputs are drawn faint. The values of a point can be taken into the project. Or, instead
+/// of a sweep, the phases of the stock: size against stock.
 class SweepView : public PlotView {
     Q_OBJECT
 public:
@@ -36,7 +39,8 @@ public:
     [[nodiscard]] SweepCurves* curves() const { return m_curves; }
     [[nodiscard]] SweepMap* map() const { return m_map; }
     [[nodiscard]] const SweepOutcomePtr& sweep() const { return m_sweep; }
-    [[nodiscard]] bool busy() const override { return m_runner->running(); }
+    [[nodiscard]] PhasePlot* phases() const { return m_phases; }
+    [[nodiscard]] bool busy() const override;
     [[nodiscard]] bool stale() const { return m_stale; } ///< what is shown is of other inputs
 
     [[nodiscard]] QString title() const override;
@@ -70,7 +74,13 @@ private:
     [[nodiscard]] std::array<SweepPlot*, 2> sweepPlots() const;
     [[nodiscard]] SweepPlot& plot() const; ///< in sight
     void chooseEntry();
+    void chooseSubject();
+    [[nodiscard]] bool showsPhases() const; ///< else a sweep
 
+    void follow(bool asked); ///< good() is another, or something else of it is shown
+    void followSweep(bool asked);
+    void takePhases();
+    void forgetSweep();
     void noteStale();
     void runSweep();
     void takeSweep(const SweepOutcomePtr& outcome);
@@ -81,15 +91,19 @@ private:
     void fillEntries();
     void showSweep();
     void showEntry();
+    void showFront();
     void showPresent();
     [[nodiscard]] QString sweepRemark() const; ///< on what is shown
     [[nodiscard]] SweepEntry chosenEntry() const;
 
+    QComboBox* m_subject;        ///< a sweep, or the phases of the stock
+    QComboBox *m_entry, *m_side; ///< the result; its values or margins
+    PhaseBar* m_phaseBar;
     std::array<SweepAxisBox*, 2> m_axes;
     SweepCurves* m_curves;
     SweepMap* m_map;
-    QComboBox *m_entry, *m_side; ///< the result; its values or margins
-    QSpinBox* m_point;           ///< chosen, from 1; 0: none
+    PhasePlot* m_phases;
+    QSpinBox* m_point; ///< chosen, from 1; 0: none
     RunBar* m_bar;
     QWidget* m_toolBar = nullptr;
     QAction* m_take;
