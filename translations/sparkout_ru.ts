@@ -13757,7 +13757,7 @@ target, µm</source>
         </message>
         <message>
             <source>stocks that fail</source>
-            <translation>цикл не годен</translation>
+            <translation>негодные припуски</translation>
         </message>
         <message>
             <source>stated stock</source>
