@@ -16,7 +16,7 @@ if(SPARKOUT_SANITIZE)
     target_compile_options(sparkout_options INTERFACE
         -fsanitize=address$<$<NOT:$<BOOL:$<TARGET_PROPERTY:WITHOUT_UBSAN>>>:,undefined>
         -fno-sanitize=null,alignment,object-size -fno-sanitize-recover=all
-        -fno-omit-frame-pointer)
+        -fno-omit-frame-pointer -w) # the release build and the preset `lint` warn
     target_link_options(sparkout_options INTERFACE -fsanitize=address,undefined)
 else()
     target_compile_options(sparkout_options INTERFACE -fstack-protector-strong -fcf-protection)

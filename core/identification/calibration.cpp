@@ -183,20 +183,20 @@ private:
         }
     }
 
-    /// That the input, if it is given, is from these data; of its digits those that say something.
+    /// That the input, if it is given, is from these data; of its digits those that mean something.
     void record(const std::string& path, double error) {
         const auto input = numberInput(m_made, path);
         if (!input || !input->value) {
             return;
         }
         constexpr double quantile = 1.959963984540054; // of the normal law, 97.5 %
-        const double value = *input->value, told = roundedTo(value, error);
-        setNumberInput(m_made, path, told);
+        const double fitted = *input->value, value = roundedTo(fitted, error);
+        setNumberInput(m_made, path, value);
         Calibration calibration;
         calibration.input = path;
-        calibration.value = told;
-        calibration.low = std::min(told, value * std::exp(-quantile * error));
-        calibration.high = std::max(told, value * std::exp(quantile * error));
+        calibration.value = value;
+        calibration.low = std::min(value, fitted * std::exp(-quantile * error));
+        calibration.high = std::max(value, fitted * std::exp(quantile * error));
         calibration.data = m_data;
         calibration.count = static_cast<int>(m_result.count);
         calibration.date = m_date;

@@ -128,6 +128,17 @@ void addFailing(const DecidedPiece& decided, std::vector<FailingStocks>& failing
 
 } // namespace
 
+std::vector<StockRange> PhaseDecision::failingRanges() const {
+    std::vector<StockRange> ranges;
+    for (const FailingStocks& each : failing) { // neighbouring pieces overlap
+        if (ranges.empty() || each.stocks.from_mm > ranges.back().to_mm) {
+            ranges.push_back(each.stocks);
+        }
+        ranges.back().to_mm = std::max(ranges.back().to_mm, each.stocks.to_mm);
+    }
+    return ranges;
+}
+
 bool canDecidePhases(const Project& project) {
     return project.gauge->control == Control::gauge;
 }

@@ -58,6 +58,8 @@ struct PhaseDecision {
     std::vector<DecidedPiece> pieces;   ///< in rising order, all of the range
     std::vector<FailingStocks> failing; ///< in rising order; none: it holds for every stock
     [[nodiscard]] bool holds() const { return isDecided && failing.empty(); }
+    /// What fails, whatever the reason: in rising order, none next to another.
+    [[nodiscard]] std::vector<StockRange> failingRanges() const;
 };
 
 /// Whether the phases of a valid project can be decided: under gauge control.

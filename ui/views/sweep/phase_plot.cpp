@@ -20,7 +20,6 @@ namespace {
 
 constexpr double phaseRoom = 0.05; ///< beside and above what is drawn
 constexpr int phaseFieldAlpha = 60;
-constexpr double sameStock_mm = 1e-6;
 constexpr double pieceEnd = std::numeric_limits<double>::quiet_NaN();
 
 } // namespace
@@ -77,12 +76,8 @@ void PhasePlot::fill() {
             line(*m_smallest, each.piece, low->least_mm, high->least_mm);
         }
     }
-    for (const FailingStocks& each : m_phases->decision.failing) { // neighbours are hatched as one
-        if (!failing.empty() && each.stocks.from_mm <= failing.back().upper + sameStock_mm) {
-            failing.back().upper = std::max(failing.back().upper, each.stocks.to_mm);
-        } else {
-            failing.emplace_back(each.stocks.from_mm, each.stocks.to_mm);
-        }
+    for (const StockRange& each : m_phases->decision.failingRanges()) {
+        failing.emplace_back(each.from_mm, each.to_mm);
     }
     m_failing->setRanges(std::move(failing));
     const Part& part = *m_phases->project.part;

@@ -22,7 +22,6 @@ namespace {
 constexpr qsizetype mostRangesNamed = 3, mostReasonsNamed = 2;
 constexpr int stockDigits = 5, percentDigits = 3;
 constexpr double leastShareNamed = 1e-6;
-constexpr double neighbours_mm = 1e-6; ///< neighbours overlap by less
 
 bool lies(double stock_mm, double from_mm, double to_mm) {
     return from_mm <= stock_mm && stock_mm <= to_mm;
@@ -35,12 +34,12 @@ bool sameReason(const FailingStocks& a, const FailingStocks& b) {
                    && a.worst->section == b.worst->section && a.worst->stage == b.worst->stage));
 }
 
-/// Ranges of neighbouring pieces that fail by the same are one.
+/// Ranges of neighbouring pieces, which overlap, are one where they fail by the same.
 std::vector<FailingStocks> joinedRanges(const std::vector<FailingStocks>& failing) {
     std::vector<FailingStocks> joined;
     for (const FailingStocks& each : failing) {
         if (!joined.empty() && sameReason(joined.back(), each)
-            && each.stocks.from_mm <= joined.back().stocks.to_mm + neighbours_mm) {
+            && each.stocks.from_mm <= joined.back().stocks.to_mm) {
             joined.back().stocks.to_mm = std::max(joined.back().stocks.to_mm, each.stocks.to_mm);
         } else {
             joined.push_back(each);
