@@ -218,12 +218,12 @@ int candidateOf(const GridSearchReport& report) {
     return isRefined(report) ? report.refined->candidate : report.robust->candidate;
 }
 
-/// The stocks for each of which the answer was decided to hold.
-std::optional<StockRange> decidedStocks(const GridSearchReport& report) {
+/// The cases for each of which the answer was decided to hold.
+std::optional<PhaseCases> decidedCases(const GridSearchReport& report) {
     if (!report.robust || !report.robust->decided) {
         return std::nullopt;
     }
-    return usualPhases(withAnswer(report));
+    return phaseCases(withAnswer(report));
 }
 
 std::string robustText(const GridSearchReport& report, double best_s) {
@@ -233,10 +233,15 @@ std::string robustText(const GridSearchReport& report, double best_s) {
                              + " stocks added in " + std::to_string(robust.rounds)
                              + " rounds; costs "
                              + fixed((best_s / robust.nominalTime_s - 1) * 100, 1) + " % of time\n";
-    if (const auto decided = decidedStocks(report)) {
+    if (const auto decided = decidedCases(report)) {
         constexpr int digits = 6; // nm
         return cost + "decided              holds for every stock per side of "
-               + fixed(decided->from_mm, digits) + "…" + fixed(decided->to_mm, digits) + " mm\n";
+               + fixed(decided->stocks.from_mm, digits) + "…" + fixed(decided->stocks.to_mm, digits)
+               + " mm"
+               + (decided->corners > 0 ? ", with the other inputs as they are and at each of the "
+                                             + std::to_string(decided->corners)
+                                             + " corners of the batch's other factors\n"
+                                       : ", with the other inputs as they are\n");
     }
     return cost + "confidence           held in all of " + std::to_string(robust.freshPhases)
            + " phases of the stock drawn afresh, as cycle no. " + std::to_string(candidate)
@@ -336,9 +341,11 @@ std::string optimiseJson(const GridSearchReport& report) {
              phases > 0 ? ordered_json(mostFailing(phases, candidate)) : ordered_json(nullptr)},
             {"confidence", 0.95},
             {"cycles_that_failed", report.robust->freshFailures}};
-        const auto decided = decidedStocks(report);
+        const auto decided = decidedCases(report);
         root["decided_stock_mm"] =
-            decided ? ordered_json{decided->from_mm, decided->to_mm} : ordered_json(nullptr);
+            decided ? ordered_json{decided->stocks.from_mm, decided->stocks.to_mm}
+                    : ordered_json(nullptr);
+        root["decided_corners"] = decided ? ordered_json(decided->corners) : ordered_json(nullptr);
         root["nominal_time_min"] = minutes(report.robust->nominalTime_s);
     }
     return root.dump(2) + '\n';

@@ -5790,6 +5790,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>It holds for every stock of %1…%2 mm per side, with the other inputs as they are: decided, not sampled.</source>
             <translation>Цикл выдерживает требования при любом припуске на сторону от %1 до %2 мм, если прочие данные не меняются: это решено точно, а не по выборке.</translation>
         </message>
+        <message>
+            <source>It holds for every stock of %1…%2 mm per side, with the other inputs as they are and at each of the %3 corners of the batch&apos;s other factors: decided, not sampled.</source>
+            <translation>Годен при любом припуске %1…%2 мм на сторону, как при заданных остальных исходных данных, так и в каждом из %3 сочетаний крайних значений остальных факторов партии: решено точно, а не по выборке.</translation>
+        </message>
     </context>
     <context>
         <name>PageText</name>
@@ -8040,6 +8044,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>every requirement holds</source>
             <translation>выполнены все требования</translation>
+        </message>
+        <message>
+            <source>The range has more than %1 pieces: type a narrower one.</source>
+            <translation>В диапазоне больше %1 участков: задайте более узкий.</translation>
         </message>
     </context>
     <context>

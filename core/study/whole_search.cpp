@@ -217,7 +217,7 @@ private:
         }
         for (FoundCycle& found : m_outcome->found) {
             if (found.candidate > 0 && canDecidePhases(m_outcome->project)) {
-                found.decided = usualPhases(withFound(m_outcome->project, found));
+                found.decided = phaseCases(withFound(m_outcome->project, found));
             }
         }
         const GraceStop grace(m_stop); // for both

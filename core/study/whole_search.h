@@ -3,8 +3,8 @@
 
 #include "core/issue.h"
 #include "core/optimisation/optimise.h"
+#include "core/optimisation/phase_cases.h"
 #include "core/optimisation/variants.h"
-#include "core/phases/phase_decision.h"
 #include "core/project/cycle.h"
 
 #include <array>
@@ -35,8 +35,8 @@ struct FoundCycle {
     bool isBest = false;            ///< of the whole grid, as far as it was searched
     bool isBestOfItsNumber = false; ///< of stages
     int candidate = 0; ///< its number among those tried on fresh phases, from 1; 0: not tried
-    /// Of a robust search under gauge control the stocks per side for each of which it holds.
-    std::optional<StockRange> decided{};
+    /// Of a robust search under gauge control the cases for each of which it holds.
+    std::optional<PhaseCases> decided{};
 };
 
 /// A project with the cycle and the machine's settings that were found.

@@ -212,10 +212,17 @@ QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double>
     return joined(lines, QStringLiteral(" "));
 }
 
-QString OptimiseText::decided(const StockRange& stocks) {
-    return tr("It holds for every stock of %1…%2 mm per side, with the other inputs as they are: "
-              "decided, not sampled.")
-        .arg(Names::significant(stocks.from_mm, 5), Names::significant(stocks.to_mm, 5));
+QString OptimiseText::decided(const PhaseCases& cases) {
+    const QString from = Names::significant(cases.stocks.from_mm, 5),
+                  to = Names::significant(cases.stocks.to_mm, 5);
+    return cases.corners > 0
+               ? tr("It holds for every stock of %1…%2 mm per side, with the other inputs as they "
+                    "are and at each of the %3 corners of the batch's other factors: decided, not "
+                    "sampled.")
+                     .arg(from, to, QLocale().toString(cases.corners))
+               : tr("It holds for every stock of %1…%2 mm per side, with the other inputs as they "
+                    "are: decided, not sampled.")
+                     .arg(from, to);
 }
 
 QString OptimiseText::sampled(int candidate) {

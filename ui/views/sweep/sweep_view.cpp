@@ -270,8 +270,9 @@ void SweepView::takeSweep(const SweepOutcomePtr& outcome) {
 }
 
 void SweepView::takePhases() {
-    if (m_phases->phases() != m_phaseBar->phases()) {
-        m_phases->setPhases(m_phaseBar->phases());
+    const PhaseOutcomePtr& phases = m_phaseBar->phases();
+    if (m_phases->phases() != phases) {
+        m_phases->setPhases(phases && phases->decision.isDecided ? phases : nullptr);
     }
     showState();
     replotFront();
