@@ -4,6 +4,7 @@
 #include "app/io/cli_report.h"
 #include "core/format/project_file.h"
 #include "core/optimisation/cost.h"
+#include "core/optimisation/levels.h"
 #include "core/optimisation/limit.h"
 #include "core/optimisation/search_names.h"
 #include "core/project/cycle.h"
@@ -250,6 +251,49 @@ std::string robustText(const GridSearchReport& report, double best_s) {
            + " % of the phases fail\n";
 }
 
+/// Where the answer of the grid stands at its edge, and whether the levels followed it.
+std::string levelsText(const GridSearchReport& report) {
+    std::string text;
+    if (report.rounds > 1) {
+        text += "levels               added " + std::to_string(report.rounds - 1)
+                + " times around the answer\n";
+    }
+    if (report.areLevelsCutShort) {
+        text += "levels               stopped while further ones were searched; the answer is that "
+                "of the grid before\n";
+    }
+    for (const LevelEdge& edge : report.edges) {
+        text += "edge                 " + std::string(edge.feed->key) + " of stage "
+                + std::to_string(edge.stage + 1) + " is the " + (edge.isMost ? "greatest" : "least")
+                + " level, " + numberText(edge.level)
+                + (edge.isLimit ? ": no more is allowed\n"
+                   : edge.limit ? "; allowed is " + numberText(*edge.limit) + '\n'
+                                : "; smaller ones are allowed\n");
+    }
+    return text;
+}
+
+ordered_json levelsJson(const GridSearchReport& report) {
+    ordered_json levels = ordered_json::object();
+    for (const StageFeed& feed : report.searched.operation->feeds) {
+        levels[feed.key] = levelValues((*report.searched.optimisation).*feed.levels);
+    }
+    return levels;
+}
+
+ordered_json edgesJson(const GridSearchReport& report) {
+    ordered_json edges = ordered_json::array();
+    for (const LevelEdge& edge : report.edges) {
+        edges.push_back({{"feed", edge.feed->key},
+                         {"stage", edge.stage + 1},
+                         {"side", edge.isMost ? "greatest" : "least"},
+                         {"level", edge.level},
+                         {"allowed", edge.limit ? ordered_json(*edge.limit) : ordered_json(0)},
+                         {"is_allowed_end", edge.isLimit}});
+    }
+    return edges;
+}
+
 } // namespace
 
 std::string optimiseText(const GridSearchReport& report) {
@@ -274,6 +318,7 @@ std::string optimiseText(const GridSearchReport& report) {
     }
     text += "least margin         " + fixed(leastMargin(report) * 100, 1) + " %\n";
     text += "binding              " + bindingText(report) + '\n';
+    text += levelsText(report);
     const long long judged = report.robust ? report.robust->evaluations : search.evaluations;
     const long long visits = report.robust ? report.robust->visits : search.visits;
     return text + "search               " + gridText(search.gridSize) + " cycles in the grid, "
@@ -316,6 +361,9 @@ std::string optimiseJson(const GridSearchReport& report) {
                            {"cycles_run", report.refined->runs}};
     }
     root["grid_size"] = search.gridSize;
+    root["level_rounds"] = report.rounds;
+    root["levels"] = levelsJson(report);
+    root["edges"] = edgesJson(report);
     root["visits"] = report.robust ? report.robust->visits : search.visits;
     ordered_json cuts = ordered_json::object();
     for (const auto& [count, name] : cutsOf(search)) {

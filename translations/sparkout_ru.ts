@@ -4952,6 +4952,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>(T_o + T_a)·(1 + service/100)</source>
             <translation>(T_о + T_в)·(1 + обслуживание/100)</translation>
         </message>
+        <message>
+            <source>Levels follow the answer</source>
+            <translation>Уровни уточняются по ответу</translation>
+        </message>
+        <message>
+            <source>Levels of the feeds are added around the answer, and beyond it where it stands at the edge of its grid and the machine lets it pass; then the grid is searched again.</source>
+            <translation>Уровни подач добавляются вокруг ответа, а если он стоит на краю сетки и станок допускает больше, то и за краем; затем поиск повторяется.</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>
@@ -5793,6 +5801,38 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>It holds for every stock of %1…%2 mm per side, with the other inputs as they are and at each of the %3 corners of the batch&apos;s other factors: decided, not sampled.</source>
             <translation>Годен при любом припуске %1…%2 мм на сторону, как при заданных остальных исходных данных, так и в каждом из %3 сочетаний крайних значений остальных факторов партии: решено точно, а не по выборке.</translation>
+        </message>
+        <message>
+            <source>rounds of levels: %1</source>
+            <translation>кругов с новыми уровнями: %1</translation>
+        </message>
+        <message>
+            <source>Levels were added around the answer; rounds: %1.</source>
+            <translation>Вокруг ответа добавлены уровни; кругов поиска: %1.</translation>
+        </message>
+        <message>
+            <source>Stopped while further levels were searched: the answer is that of the grid before.</source>
+            <translation>Остановлено при поиске с новыми уровнями: ответ дан по предыдущей сетке.</translation>
+        </message>
+        <message>
+            <source>Stage %1: “%2” has the greatest level, %3;</source>
+            <translation>Ступень %1: «%2» на наибольшем уровне, %3;</translation>
+        </message>
+        <message>
+            <source>Stage %1: “%2” has the least level, %3;</source>
+            <translation>Ступень %1: «%2» на наименьшем уровне, %3;</translation>
+        </message>
+        <message>
+            <source>the machine or the stage&apos;s limits allow no other.</source>
+            <translation>станок или пределы ступени дальше не пускают.</translation>
+        </message>
+        <message>
+            <source>allowed is %1.</source>
+            <translation>допускается %1.</translation>
+        </message>
+        <message>
+            <source>smaller ones are allowed.</source>
+            <translation>допускаются и меньшие.</translation>
         </message>
     </context>
     <context>

@@ -6,6 +6,7 @@
 #include "core/optimisation/phase_cases.h"
 #include "core/optimisation/variants.h"
 #include "core/project/cycle.h"
+#include "core/study/search_levels.h"
 
 #include <array>
 #include <functional>
@@ -59,6 +60,10 @@ struct SearchOutcome {
     Issues batchIssues; ///< why the batch that the cycle must hold for cannot be run
     bool robust = false;
     bool refines = false;                ///< looked between the levels too
+    Project searched;                    ///< the project with the levels of the last round
+    int rounds = 1;                      ///< of SearchLevels
+    bool areLevelsCutShort = false;      ///< a further round was stopped
+    std::vector<LevelEdge> edges;        ///< of its grid that the best of the grid reaches
     std::vector<SearchedNumber> numbers; ///< of stages, as listed; fewer when it was stopped
     std::vector<FoundCycle> found;       ///< the quickest first
     double limit_s = 0;                  ///< of the stepless cycle
@@ -93,6 +98,7 @@ struct SearchWish {
 struct SearchState {
     FoundBy looksFor = FoundBy::search;
     int stages = 0;                    ///< the number that is searched now
+    int round = 1;                     ///< of SearchLevels
     std::optional<double> best_s = {}; ///< quickest so far
     double bound_s = 0;                ///< no cycle with so many stages is quicker
     long long evaluations = 0;         ///< of these

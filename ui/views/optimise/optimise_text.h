@@ -34,6 +34,8 @@ private:
     static QString decided(const PhaseCases& cases);
     static QString sampled(int candidate); ///< of fresh phases
     static QString bindingOf(const SearchOutcome& outcome);
+    /// Where the best of the grid stands at its edge, and whether the levels followed it.
+    static QString levelsOf(const SearchOutcome& outcome);
 };
 
 } // namespace sparkout
