@@ -424,4 +424,21 @@
             </translation>
         </message>
     </context>
+    <context>
+        <name>StateGridText</name>
+        <message numerus="yes">
+            <source>takes %1 min in %n stage(s)</source>
+            <translation>
+                <numerusform>takes %1 min in %n stage</numerusform>
+                <numerusform>takes %1 min in %n stages</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>The rule goes wrong in %n state(s), first in %1: %2.</source>
+            <translation>
+                <numerusform>The rule goes wrong in %n state, first in %1: %2.</numerusform>
+                <numerusform>The rule goes wrong in %n states, first in %1: %2.</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

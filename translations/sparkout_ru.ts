@@ -944,6 +944,10 @@ med, µm</source>
             <source>Answers</source>
             <translation>Ответы</translation>
         </message>
+        <message>
+            <source>Dynamic programming</source>
+            <translation>Динамическое программирование</translation>
+        </message>
     </context>
     <context>
         <name>Measured</name>
@@ -1416,6 +1420,355 @@ med, µm</source>
         <message>
             <source>of total runout</source>
             <translation>полного биения</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::StateGridBar</name>
+        <message>
+            <source>Pause</source>
+            <translation>Пауза</translation>
+        </message>
+        <message>
+            <source>Play the filling of the grid</source>
+            <translation>Показать заполнение сетки</translation>
+        </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%1 из %2</translation>
+        </message>
+        <message>
+            <source>Of the inputs before the last edit; the grid of now is being filled.</source>
+            <translation>По исходным данным до последней правки; новая сетка заполняется.</translation>
+        </message>
+        <message>
+            <source>Of the inputs before the last edit. Press “Run” for those of now.</source>
+            <translation>По исходным данным до последней правки. Нажмите «Рассчитать» для нынешних.</translation>
+        </message>
+        <message>
+            <source>Stopped before the grid was filled. Press “Run”.</source>
+            <translation>Остановлено до заполнения сетки. Нажмите «Рассчитать».</translation>
+        </message>
+        <message>
+            <source>levels </source>
+            <translation>уровней </translation>
+        </message>
+        <message>
+            <source>stages ≤ </source>
+            <translation>ступеней ≤ </translation>
+        </message>
+        <message>
+            <source>Levels that the stock is divided into</source>
+            <translation>Число уровней, на которые разделён припуск</translation>
+        </message>
+        <message>
+            <source>Stages that a cycle of the grid may have, within the gauge&apos;s commands</source>
+            <translation>Наибольшее число ступеней цикла сетки, не более числа команд прибора</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>Рассчитать</translation>
+        </message>
+        <message>
+            <source>Fill the grid and have the answer proved; that runs by itself after an edit</source>
+            <translation>Заполнить сетку и доказать ответ; после правки это выполняется само</translation>
+        </message>
+        <message>
+            <source>Stop</source>
+            <translation>Остановить</translation>
+        </message>
+        <message>
+            <source>End the run; what is known is kept</source>
+            <translation>Прервать расчёт; известное сохраняется</translation>
+        </message>
+        <message>
+            <source>What was filled</source>
+            <translation>Что заполнено</translation>
+        </message>
+        <message>
+            <source>Progress of the grid and its proof</source>
+            <translation>Ход заполнения сетки и доказательства</translation>
+        </message>
+        <message>
+            <source>To the blank</source>
+            <translation>К заготовке</translation>
+        </message>
+        <message>
+            <source>One state back</source>
+            <translation>На одно состояние назад</translation>
+        </message>
+        <message>
+            <source>The next state</source>
+            <translation>Следующее состояние</translation>
+        </message>
+        <message>
+            <source>To the end of the way back</source>
+            <translation>К концу обратного хода</translation>
+        </message>
+        <message>
+            <source>State that is looked at</source>
+            <translation>Рассматриваемое состояние</translation>
+        </message>
+        <message>
+            <source>Number of the state looked at</source>
+            <translation>Номер рассматриваемого состояния</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::StateGridPlot</name>
+        <message>
+            <source>Wrong: %1</source>
+            <translation>Ошибка: %1</translation>
+        </message>
+        <message>
+            <source>Level n</source>
+            <translation>Уровень n</translation>
+        </message>
+        <message>
+            <source>Stock left per side, mm</source>
+            <translation>Оставшийся припуск на сторону, мм</translation>
+        </message>
+        <message>
+            <source>Feed m</source>
+            <translation>Подача m</translation>
+        </message>
+        <message>
+            <source>Radial feed, mm per double stroke</source>
+            <translation>Радиальная подача, мм на двойной ход</translation>
+        </message>
+        <message>
+            <source>Radial feed, mm/min</source>
+            <translation>Радиальная подача, мм/мин</translation>
+        </message>
+        <message>
+            <source>Axial feed, mm/min</source>
+            <translation>Осевая подача, мм/мин</translation>
+        </message>
+        <message>
+            <source>T, min</source>
+            <translation>T, мин</translation>
+        </message>
+        <message>
+            <source>m*</source>
+            <translation>m*</translation>
+        </message>
+        <message>
+            <source>Moves struck out</source>
+            <translation>Вычеркнутые ходы</translation>
+        </message>
+        <message>
+            <source>Where the rule is wrong</source>
+            <translation>Где правило ошибается</translation>
+        </message>
+        <message>
+            <source>path back along m*</source>
+            <translation>обратный ход по m*</translation>
+        </message>
+        <message>
+            <source>proven quickest cycle</source>
+            <translation>доказанный кратчайший цикл</translation>
+        </message>
+        <message>
+            <source>the rule is wrong here</source>
+            <translation>здесь правило ошибается</translation>
+        </message>
+        <message>
+            <source>no admissible move</source>
+            <translation>нет допустимого хода</translation>
+        </message>
+        <message>
+            <source>moves into the state (× struck out)</source>
+            <translation>ходы в состояние (× вычеркнут)</translation>
+        </message>
+        <message>
+            <source>m: radial feed, mm per double stroke · axial feed, mm/min</source>
+            <translation>m: радиальная подача, мм на дв. ход · осевая подача, мм/мин</translation>
+        </message>
+        <message>
+            <source>m: radial feed, mm/min</source>
+            <translation>m: радиальная подача, мм/мин</translation>
+        </message>
+    </context>
+    <context>
+        <name>StateGridSheet</name>
+        <message>
+            <source>State</source>
+            <translation>Состояние</translation>
+        </message>
+        <message>
+            <source>Stock left, mm</source>
+            <translation>Осталось припуска, мм</translation>
+        </message>
+        <message>
+            <source>Feed</source>
+            <translation>Подача</translation>
+        </message>
+        <message>
+            <source>T, min</source>
+            <translation>T, мин</translation>
+        </message>
+        <message>
+            <source>Moves struck out</source>
+            <translation>Вычеркнутые ходы</translation>
+        </message>
+        <message>
+            <source>Where the rule is wrong</source>
+            <translation>Где правило ошибается</translation>
+        </message>
+        <message>
+            <source>A cell [n, m] holds the least time T[n,m] in which n levels of stock are removed, the last with feed m, and m*, the feed before it: T[n,m] = min over m&apos; of (T[n−1,m&apos;] + τ), T[0,0] = 0, over the moves that break no requirement. The least time of the last level is that of the cycle; its feeds are read back along m*.</source>
+            <translation>В клетке [n, m] записаны наименьшее время T[n,m], за которое снимаются n уровней припуска, последний с подачей m, и m* — номер подачи перед ним: T[n,m] = min по m&apos; (T[n−1,m&apos;] + τ), T[0,0] = 0, по ходам, не нарушающим требований. Наименьшее время последнего уровня — время цикла; его подачи читаются обратным ходом по m*.</translation>
+        </message>
+        <message>
+            <source>The grid of dynamic programming: T in minutes and m*</source>
+            <translation>Координатная сетка динамического программирования: T в минутах и m*</translation>
+        </message>
+    </context>
+    <context>
+        <name>StateGridText</name>
+        <message>
+            <source>Proving: %1</source>
+            <translation>Доказательство: %1</translation>
+        </message>
+        <message>
+            <source>Level %1 of %2</source>
+            <translation>Уровень %1 из %2</translation>
+        </message>
+        <message>
+            <source>The search lists no feeds for this grid. Add them on the page Search.</source>
+            <translation>В поиске нет подач для этой сетки. Добавьте их на странице «Поиск».</translation>
+        </message>
+        <message>
+            <source>The levels of stock are gauged: the grid is of cycles under gauge control. This project is under position control; the page Gauge changes that.</source>
+            <translation>Уровни припуска контролирует прибор: сетка состоит из циклов с управлением по прибору. В этом проекте управление по положению; оно меняется на странице «Прибор».</translation>
+        </message>
+        <message>
+            <source>Levels: %1, feeds: %2, stages at most: %3</source>
+            <translation>Уровней: %1, подач: %2, ступеней не более: %3</translation>
+        </message>
+        <message>
+            <source>Published rule: %1 min; stages %2.</source>
+            <translation>Опубликованное правило: %1 мин; ступени %2.</translation>
+        </message>
+        <message>
+            <source>The published rule finds no cycle: no move into the last level is admissible.</source>
+            <translation>Опубликованное правило не находит цикла: ни один ход на последний уровень не допустим.</translation>
+        </message>
+        <message>
+            <source>more than 9·10¹⁸</source>
+            <translation>более 9·10¹⁸</translation>
+        </message>
+        <message>
+            <source>Proved: none of the %1 cycles of the grid holds every requirement.</source>
+            <translation>Доказано: ни один из циклов сетки (%1) не выполняет всех требований.</translation>
+        </message>
+        <message>
+            <source>Proven quickest of the %1 cycles of the grid: %2 min; stages %3.</source>
+            <translation>Доказанный кратчайший из циклов сетки (%1): %2 мин; ступени %3.</translation>
+        </message>
+        <message>
+            <source>none of the %1 cycles is below %2 min</source>
+            <translation>ни один из циклов (%1) не короче %2 мин</translation>
+        </message>
+        <message>
+            <source>The proof was stopped: best so far %1 min, %2.</source>
+            <translation>Доказательство прервано: лучший пока %1 мин, %2.</translation>
+        </message>
+        <message>
+            <source>The proof was stopped: no cycle found so far, %1.</source>
+            <translation>Доказательство прервано: цикл пока не найден, %1.</translation>
+        </message>
+        <message>
+            <source>struck out, although the proven cycle reaches it after %1 min</source>
+            <translation>вычеркнуто, хотя доказанный цикл достигает его через %1 мин</translation>
+        </message>
+        <message>
+            <source>its time is not the least: the proven cycle reaches it after %1 min</source>
+            <translation>его время не наименьшее: доказанный цикл достигает его через %1 мин</translation>
+        </message>
+        <message>
+            <source>the way kept is not the one to go on from: the proven cycle reaches it after %1 min and goes on; the way kept, with the same feeds from here on, %2</source>
+            <translation>запомнен не тот путь, который следует продолжать: доказанный цикл достигает состояния через %1 мин и продолжается; запомненный путь с теми же дальнейшими подачами %2</translation>
+        </message>
+        <message>
+            <source>does not reach the size</source>
+            <translation>не достигает размера</translation>
+        </message>
+        <message>
+            <source>breaks: %1</source>
+            <translation>нарушает: %1</translation>
+        </message>
+        <message numerus="yes">
+            <source>takes %1 min in %n stage(s)</source>
+            <translation>
+                <numerusform>длится %1 мин за %n ступень</numerusform>
+                <numerusform>длится %1 мин за %n ступени</numerusform>
+                <numerusform>длится %1 мин за %n ступеней</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>The rule goes wrong in %n state(s), first in %1: %2.</source>
+            <translation>
+                <numerusform>Правило ошибается в %n состоянии, впервые в %1: %2.</numerusform>
+                <numerusform>Правило ошибается в %n состояниях, впервые в %1: %2.</numerusform>
+                <numerusform>Правило ошибается в %n состояниях, впервые в %1: %2.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The rule is right on this grid.</source>
+            <translation>На этой сетке правило верно.</translation>
+        </message>
+        <message>
+            <source>The rule is right: there is none to find.</source>
+            <translation>Правило верно: искать нечего.</translation>
+        </message>
+        <message>
+            <source>too many stages</source>
+            <translation>слишком много ступеней</translation>
+        </message>
+        <message>
+            <source>feed rises</source>
+            <translation>подача растёт</translation>
+        </message>
+        <message>
+            <source>level not reached</source>
+            <translation>уровень не достигнут</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>a cause and how many moves</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>no admissible move</source>
+            <translation>нет допустимого хода</translation>
+        </message>
+        <message>
+            <source>T = %1 min, from the blank</source>
+            <translation>T = %1 мин, от заготовки</translation>
+        </message>
+        <message>
+            <source>T = %1 min = %2 + %3, m* = %4</source>
+            <translation>T = %1 мин = %2 + %3, m* = %4</translation>
+        </message>
+        <message>
+            <source>; not quicker: %1</source>
+            <translation>; не быстрее: %1</translation>
+        </message>
+        <message>
+            <source>; struck out: %1</source>
+            <translation>; вычеркнуто: %1</translation>
+        </message>
+        <message>
+            <source>The blank: T[0, 0] = 0. Nothing is filled yet.</source>
+            <translation>Заготовка: T[0, 0] = 0. Ещё ничего не заполнено.</translation>
+        </message>
+        <message>
+            <source>State %1: %2 mm left, feed %3</source>
+            <translation>Состояние %1: осталось %2 мм, подача %3</translation>
+        </message>
+        <message>
+            <source>The way back. %1</source>
+            <translation>Обратный ход. %1</translation>
         </message>
     </context>
     <context>
@@ -2778,6 +3131,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Actual feed under its limits</source>
             <translation>Фактическая подача и её ограничения</translation>
+        </message>
+        <message>
+            <source>Grid of dynamic programming</source>
+            <translation>Сетка динамического программирования</translation>
         </message>
     </context>
     <context>
@@ -12270,6 +12627,18 @@ target, µm</source>
         <message>
             <source>Go on from the quickest cycle between the levels of the grid, in the machine&apos;s steps: every cycle is run in full, but that none is quicker is not proved</source>
             <translation>Искать дальше от самого быстрого цикла между уровнями сетки, с дискретностью станка: каждый цикл просчитывается целиком, но что быстрее нет, не доказывается</translation>
+        </message>
+        <message>
+            <source>The inputs are refused; the grid is that of the last accepted ones.</source>
+            <translation>Исходные данные не приняты; сетка — по последним принятым.</translation>
+        </message>
+        <message>
+            <source>Dynamic programming</source>
+            <translation>Динамическое программирование</translation>
+        </message>
+        <message>
+            <source>Grid of dynamic programming</source>
+            <translation>Сетка динамического программирования</translation>
         </message>
     </context>
     <context>
