@@ -17538,24 +17538,12 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>найдено</translation>
         </message>
         <message>
-            <source>95 % interval</source>
-            <translation>95 %-й интервал</translation>
-        </message>
-        <message>
             <source>The wheel head&apos;s stiffness is not known: %1 N/µm is put in, to be measured with the indicator on the wheel head.</source>
             <translation>Жёсткость шлифовальной бабки неизвестна: подставлено %1 Н/мкм; измерьте её, установив индикатор на шлифовальную бабку.</translation>
         </message>
         <message>
             <source>The compliance given goes; γ then follows from stiffness and shaft.</source>
             <translation>Заданная податливость убирается; γ тогда вычисляется по жёсткости и валу.</translation>
-        </message>
-        <message>
-            <source>Compliance γ, mm/N</source>
-            <translation>Податливость γ, мм/Н</translation>
-        </message>
-        <message>
-            <source>at, mm of the ground length</source>
-            <translation>место, мм длины шлифования</translation>
         </message>
         <message>
             <source>then</source>
@@ -17576,6 +17564,18 @@ The size alone gives α and β, that is the compliance with the force together; 
                 <numerusform>%n показания; отклонения от найденной жёсткости: СКО %1 мкм.</numerusform>
                 <numerusform>%n показаний; отклонения от найденной жёсткости: СКО %1 мкм.</numerusform>
             </translation>
+        </message>
+        <message>
+            <source>γ, mm/N</source>
+            <translation>γ, мм/Н</translation>
+        </message>
+        <message>
+            <source>x, mm</source>
+            <translation>x, мм</translation>
+        </message>
+        <message>
+            <source>95 %</source>
+            <translation>95 %</translation>
         </message>
     </context>
     <context>
@@ -17637,20 +17637,8 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Опытов нет: %1.</translation>
         </message>
         <message>
-            <source>Feed</source>
-            <translation>Подача</translation>
-        </message>
-        <message>
-            <source>Spark-out</source>
-            <translation>Выхаживание</translation>
-        </message>
-        <message>
             <source>Recorded</source>
             <translation>Запись</translation>
-        </message>
-        <message>
-            <source>Time, s</source>
-            <translation>Время, с</translation>
         </message>
         <message>
             <source>without spark-out</source>
@@ -17695,6 +17683,32 @@ The size alone gives α and β, that is the compliance with the force together; 
                 <numerusform>затем %n оборота выхаживания</numerusform>
                 <numerusform>затем %n оборотов выхаживания</numerusform>
             </translation>
+        </message>
+        <message>
+            <source>Feed,
+%1</source>
+            <translation>Подача,
+%1</translation>
+        </message>
+        <message>
+            <source>Spark-
+out</source>
+            <translation>Выха-
+живание</translation>
+        </message>
+        <message>
+            <source>Time,
+s</source>
+            <translation>Время,
+с</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <translation>да</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <translation>нет</translation>
         </message>
     </context>
     <context>

@@ -158,8 +158,8 @@ QWidget* StiffnessPage::buildReadings() {
     QHeaderView* const heads = m_table->horizontalHeader();
     heads->setSectionResizeMode(QHeaderView::Stretch);
     int widest = 0; // all alike
-    for (int column = 0; column < m_model->columnCount(); ++column) {
-        widest = std::max(widest, heads->sectionSizeHint(column));
+    for (int section = 0; section < m_model->columnCount(); ++section) {
+        widest = std::max(widest, heads->sectionSizeHint(section));
     }
     m_table->setMinimumWidth(
         m_model->columnCount() * widest + m_table->verticalHeader()->sizeHint().width()
@@ -263,8 +263,13 @@ Project StiffnessPage::calibrated() const {
         places.insert(reading.position_mm);
     }
     const auto count = static_cast<int>(places.size());
+    StiffnessTrial rounded = m_trial; // no more digits than readings tell
+    constexpr int digits = 4;
+    for (FoundStiffness& found : rounded.found) {
+        found.n_um = QString::number(found.n_um, 'g', digits).toDouble();
+    }
     return withStiffness(
-        m_project, m_trial, tr("stiffness trial at %n place(s)", nullptr, count).toStdString(),
+        m_project, rounded, tr("stiffness trial at %n place(s)", nullptr, count).toStdString(),
         QDate::currentDate().toString(Qt::ISODate).toStdString(), asked.readings.size());
 }
 
@@ -294,7 +299,7 @@ void StiffnessPage::showFound() {
              isFound ? FitWords::number(found->n_um) : tr("not measured"),
              isFound && found->interval95 ? FitWords::interval(*found->interval95) : dash});
     }
-    m_found->setCells({tr("Stiffness, N/µm"), tr("now"), tr("found"), tr("95 % interval")}, rows);
+    m_found->setCells({tr("Stiffness, N/µm"), tr("now"), tr("found"), tr("95 %")}, rows);
     m_found->show();
     QStringList words{tr("%n reading(s); those less what the stiffness gives: RMS %1 µm.", nullptr,
                          static_cast<int>(m_trial.residuals_um.size()))
@@ -334,8 +339,7 @@ void StiffnessPage::showCompliance(const Project& after) {
                         i < now.size() ? FitWords::number(now[i].gamma_mm_n) : QStringLiteral("—"),
                         FitWords::number(then[i].gamma_mm_n)});
     }
-    m_compliance->setCells(
-        {tr("Compliance γ, mm/N"), tr("at, mm of the ground length"), tr("now"), tr("then")}, rows);
+    m_compliance->setCells({tr("γ, mm/N"), tr("x, mm"), tr("now"), tr("then")}, rows);
     m_compliance->show();
 }
 

@@ -186,9 +186,8 @@ void TrialPage::start() {
 }
 
 QStringList TrialPage::cellsOf(const Trial& trial) const {
-    const Field& feed = *tableOf<Stage>().find(m_project.operation->radial().key);
-    QStringList cells{tr("%1 %2").arg(FitWords::number(trial.radialFeed), unitText(feed.unit)),
-                      FitWords::trial(wordsOf(trial.sparkOut)),
+    QStringList cells{FitWords::number(trial.radialFeed),
+                      trial.sparkOut == TrialSparkOut::none ? tr("no") : tr("yes"),
                       FitWords::trial(wordsOf(trial.record)), Names::fixed(trial.duration_s, 0)};
     for (const FittedParameter& parameter : m_requested.parameters) {
         const auto found =
@@ -215,9 +214,12 @@ void TrialPage::showDesign() {
         m_words->setText(tr("No trials: %1.").arg(FitWords::trial(wordsOf(m_design->status))));
         return;
     }
-    QStringList head{tr("Feed"), tr("Spark-out"), tr("Recorded"), tr("Time, s")};
+    const Field& feed = *tableOf<Stage>().find(m_project.operation->radial().key);
+    QStringList head{tr("Feed,\n%1").arg(unitText(feed.unit)), tr("Spark-\nout"), tr("Recorded"),
+                     tr("Time,\ns")};
     for (const FittedParameter& parameter : m_requested.parameters) {
-        head << FitWords::parameter(m_project, parameter);
+        QString name = FitWords::parameter(m_project, parameter);
+        head << name.replace(name.indexOf(u' '), 1, QChar(u'\n'));
     }
     const int record = m_record->currentData().toInt();
     std::vector<QStringList> rows;
