@@ -441,4 +441,38 @@
             </translation>
         </message>
     </context>
+    <context>
+        <name>sparkout::StiffnessPage</name>
+        <message numerus="yes">
+            <source>stiffness trial at %n place(s)</source>
+            <translation>
+                <numerusform>stiffness trial at %n place</numerusform>
+                <numerusform>stiffness trial at %n places</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n reading(s); those less what the stiffness gives: RMS %1 µm.</source>
+            <translation>
+                <numerusform>%n reading; less what the stiffness gives: RMS %1 µm.</numerusform>
+                <numerusform>%n readings; those less what the stiffness gives: RMS %1 µm.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::TrialPage</name>
+        <message numerus="yes">
+            <source>then %n double stroke(s) of spark-out</source>
+            <translation>
+                <numerusform>then %n double stroke of spark-out</numerusform>
+                <numerusform>then %n double strokes of spark-out</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>then %n revolution(s) of spark-out</source>
+            <translation>
+                <numerusform>then %n revolution of spark-out</numerusform>
+                <numerusform>then %n revolutions of spark-out</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

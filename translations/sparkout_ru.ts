@@ -835,6 +835,14 @@ med, µm</source>
             <source>interrupted surface</source>
             <translation>прерывистая поверхность</translation>
         </message>
+        <message>
+            <source>no length of a wear flat</source>
+            <translation>длина площадки износа не задана</translation>
+        </message>
+        <message>
+            <source>a wear flat of a given length</source>
+            <translation>длина площадки износа задана</translation>
+        </message>
     </context>
     <context>
         <name>CouplingCurves</name>
@@ -3045,6 +3053,14 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Elastic balance of one radius</source>
             <translation>Упругий баланс для одного радиуса</translation>
+        </message>
+        <message>
+            <source>In the sources K_1 = b·k_s and K_2 = b·k_r with axial feed, K_3 and K_4 in plunge.</source>
+            <translation>В источниках К_1 = b·k_s и К_2 = b·k_r с осевой подачей, К_3 и К_4 — при врезании.</translation>
+        </message>
+        <message>
+            <source>In the sources K_3 = b·k_s and K_4 = b·k_r.</source>
+            <translation>В источниках К_3 = b·k_s и К_4 = b·k_r.</translation>
         </message>
     </context>
     <context>
@@ -5317,6 +5333,66 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Levels of the feeds are added around the answer, and beyond it where it stands at the edge of its grid and the machine lets it pass; then the grid is searched again.</source>
             <translation>Уровни подач добавляются вокруг ответа, а если он стоит на краю сетки и станок допускает больше, то и за краем; затем поиск повторяется.</translation>
         </message>
+        <message>
+            <source>Contact factor</source>
+            <translation>Коэффициент контакта</translation>
+        </message>
+        <message>
+            <source>Factor of the number of cutting grains in the contact, of the conditions of grinding; to be calibrated.</source>
+            <translation>Коэффициент числа режущих зёрен в контакте, зависит от условий шлифования; подлежит калибровке.</translation>
+        </message>
+        <message>
+            <source>Cutting grains per length</source>
+            <translation>Режущих зёрен на длине</translation>
+        </message>
+        <message>
+            <source>Cutting grains on a millimetre of the wheel&apos;s circumference; they set the thickness of a chip.</source>
+            <translation>Режущих зёрен на миллиметре окружности круга; от них зависит толщина среза одним зерном.</translation>
+        </message>
+        <message>
+            <source>Shear angle</source>
+            <translation>Угол сдвига</translation>
+        </message>
+        <message>
+            <source>Angle of the plane in which a grain&apos;s chip shears.</source>
+            <translation>Угол плоскости, в которой сдвигается стружка одного зерна.</translation>
+        </message>
+        <message>
+            <source>Width of a grain&apos;s cut</source>
+            <translation>Ширина среза зерном</translation>
+        </message>
+        <message>
+            <source>chips make up the metal removed</source>
+            <translation>срезы вместе — снятый металл</translation>
+        </message>
+        <message>
+            <source>Width of the cut of one grain. Where it is not given, it is such that the chips together are the metal removed.</source>
+            <translation>Ширина среза одним зерном. Если не задана, она такова, что срезы зёрен вместе составляют снятый металл.</translation>
+        </message>
+        <message>
+            <source>Length of a wear flat</source>
+            <translation>Длина площадки износа</translation>
+        </message>
+        <message>
+            <source>from the dullness</source>
+            <translation>по затуплению</translation>
+        </message>
+        <message>
+            <source>Length of the wear flat of one grain; with it the dullness follows from the recipe.</source>
+            <translation>Длина площадки износа одного зерна; с ней затупление следует из рецептуры.</translation>
+        </message>
+        <message>
+            <source>Force by the wheel&apos;s recipe</source>
+            <translation>Сила по рецептуре круга</translation>
+        </message>
+        <message>
+            <source>by the law&apos;s coefficients</source>
+            <translation>по коэффициентам закона силы</translation>
+        </message>
+        <message>
+            <source>The cutting force from grain size and structure, summed over the grains in contact, in place of the law that takes all chips together for the metal removed.</source>
+            <translation>Сила резания по зернистости и структуре, суммированная по зёрнам в контакте, вместо закона, в котором срезы вместе составляют снятый металл.</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>
@@ -6863,6 +6939,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>circles of the minimum zone</source>
             <translation>окружности минимальной зоны</translation>
         </message>
+        <message>
+            <source>maximum inscribed circle</source>
+            <translation>максимальная вписанная окружность</translation>
+        </message>
+        <message>
+            <source>minimum circumscribed circle</source>
+            <translation>минимальная описанная окружность</translation>
+        </message>
     </context>
     <context>
         <name>ProfilesTable</name>
@@ -6958,6 +7042,18 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>%1: outer circle of the minimum zone from target, µm</source>
             <translation>%1: наружная окружность минимальной зоны от целевого, мкм</translation>
         </message>
+        <message>
+            <source>%1: maximum inscribed circle from target, µm</source>
+            <translation>%1: максимальная вписанная окружность от целевого, мкм</translation>
+        </message>
+        <message>
+            <source>%1: minimum circumscribed circle from target, µm</source>
+            <translation>%1: минимальная описанная окружность от целевого, мкм</translation>
+        </message>
+        <message>
+            <source>%1: angle, °</source>
+            <translation>%1: угол, °</translation>
+        </message>
     </context>
     <context>
         <name>ProfilesText</name>
@@ -7041,6 +7137,18 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>; cylindricity %1 µm, total runout %2 µm, taper %3 µm</source>
             <translation>; отклонение от цилиндричности %1 мкм, полное радиальное биение %2 мкм, конусообразность %3 мкм</translation>
+        </message>
+        <message>
+            <source>Measured radii: %1</source>
+            <translation>Измерено радиусов: %1</translation>
+        </message>
+        <message>
+            <source>Gaussian filter %1 UPR</source>
+            <translation>фильтр Гаусса %1 волн/об</translation>
+        </message>
+        <message>
+            <source>not filtered</source>
+            <translation>без фильтра</translation>
         </message>
     </context>
     <context>
@@ -7961,6 +8069,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>FIPS 180-4, secure hash standard</source>
             <translation>FIPS 180-4, стандарт безопасного хеширования</translation>
         </message>
+        <message>
+            <source>sizes of F grits after FEPA 42-D-1986</source>
+            <translation>размеры зёрен F по FEPA 42-D-1986</translation>
+        </message>
     </context>
     <context>
         <name>Struct</name>
@@ -8123,6 +8235,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Measurements</source>
             <translation>Измерения</translation>
+        </message>
+        <message>
+            <source>Force by the wheel&apos;s recipe</source>
+            <translation>Сила по рецептуре круга</translation>
         </message>
     </context>
     <context>
@@ -8736,6 +8852,38 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>tangential force that the drive allows, per width</source>
             <translation>тангенциальная сила, которую допускает привод, на единицу ширины</translation>
         </message>
+        <message>
+            <source>cutting grains on a square millimetre of the contact</source>
+            <translation>режущих зёрен на квадратном миллиметре контакта</translation>
+        </message>
+        <message>
+            <source>width of the cut of one grain</source>
+            <translation>ширина среза одним зерном</translation>
+        </message>
+        <message>
+            <source>chips of the grains over the metal removed</source>
+            <translation>отношение срезов зёрен к снятому металлу</translation>
+        </message>
+        <message>
+            <source>dullness: share of wear flats</source>
+            <translation>затупление: доля площадок износа</translation>
+        </message>
+        <message>
+            <source>the sources&apos; name of b·k_s with axial feed</source>
+            <translation>b·k_s с осевой подачей, как в источниках</translation>
+        </message>
+        <message>
+            <source>the sources&apos; name of b·k_r with axial feed</source>
+            <translation>b·k_r с осевой подачей, как в источниках</translation>
+        </message>
+        <message>
+            <source>the sources&apos; name of b·k_s in plunge</source>
+            <translation>b·k_s при врезании, как в источниках</translation>
+        </message>
+        <message>
+            <source>the sources&apos; name of b·k_r in plunge</source>
+            <translation>b·k_r при врезании, как в источниках</translation>
+        </message>
     </context>
     <context>
         <name>TableFile</name>
@@ -9099,6 +9247,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>kW/A</source>
             <translation>кВт/А</translation>
+        </message>
+        <message>
+            <source>N/mm^0.5</source>
+            <translation>Н/мм^0,5</translation>
         </message>
     </context>
     <context>
@@ -12933,6 +13085,38 @@ target, µm</source>
             <source>%1: outer circle of the minimum zone</source>
             <translation>%1: наружная окружность минимальной зоны</translation>
         </message>
+        <message>
+            <source>%1: maximum inscribed circle</source>
+            <translation>%1: максимальная вписанная окружность</translation>
+        </message>
+        <message>
+            <source>%1: circle about its centre, outside</source>
+            <translation>%1: окружность с тем же центром, снаружи</translation>
+        </message>
+        <message>
+            <source>%1: circle about its centre, inside</source>
+            <translation>%1: окружность с тем же центром, внутри</translation>
+        </message>
+        <message>
+            <source>%1: minimum circumscribed circle</source>
+            <translation>%1: минимальная описанная окружность</translation>
+        </message>
+        <message>
+            <source>Measured</source>
+            <translation>Измерено</translation>
+        </message>
+        <message>
+            <source>no circle is held</source>
+            <translation>окружность не определена</translation>
+        </message>
+        <message>
+            <source>Measured profile %1: %2</source>
+            <translation>Измеренный профиль %1: %2</translation>
+        </message>
+        <message>
+            <source>Measured: %1</source>
+            <translation>Измерено: %1</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::ProfilesView</name>
@@ -13142,10 +13326,6 @@ target, µm</source>
             <translation>Логарифм.</translation>
         </message>
         <message>
-            <source>Reference circles of the roundness (ISO 12181): LSCI, the least-squares circle, or MZCI, the two circles of the minimum zone</source>
-            <translation>Базовые окружности круглости (ISO 12181): МНК — средняя окружность, мин. зона — две окружности минимальной зоны</translation>
-        </message>
-        <message>
             <source>Amplitudes on a logarithmic axis</source>
             <translation>Амплитуды по логарифмической оси</translation>
         </message>
@@ -13153,6 +13333,42 @@ target, µm</source>
             <source>Profiles</source>
             <comment>the view&apos;s tab</comment>
             <translation>Профили</translation>
+        </message>
+        <message>
+            <source>MICI</source>
+            <translation>вписанная</translation>
+        </message>
+        <message>
+            <source>MCCI</source>
+            <translation>описанная</translation>
+        </message>
+        <message>
+            <source>%1 UPR</source>
+            <translation>%1 волн/об</translation>
+        </message>
+        <message>
+            <source>Measured</source>
+            <translation>Измеренный</translation>
+        </message>
+        <message>
+            <source>&amp;Read a measured profile…</source>
+            <translation>&amp;Прочитать измеренный профиль…</translation>
+        </message>
+        <message>
+            <source>&amp;Take it away</source>
+            <translation>&amp;Убрать его</translation>
+        </message>
+        <message>
+            <source>Reference circles of the roundness (ISO 12181): LSCI, the least-squares circle; MZCI, the two circles of the minimum zone; MICI, the maximum inscribed, or MCCI, the minimum circumscribed circle</source>
+            <translation>Базовые окружности круглости (ISO 12181): МНК — средняя окружность, мин. зона — две окружности минимальной зоны, вписанная — максимальная вписанная, описанная — минимальная описанная окружность</translation>
+        </message>
+        <message>
+            <source>Gaussian filter of the cross-sections (ISO 16610-21): waves up to about so many undulations per revolution stay, as roundness machines state them</source>
+            <translation>Фильтр Гаусса для поперечных сечений (ISO 16610-21): остаются волны примерно до стольких на оборот, как указывают кругломеры</translation>
+        </message>
+        <message>
+            <source>A profile recorded by a roundness machine, beside the predicted ones: a table of the angle in ° and the radius in mm or its deviation in µm</source>
+            <translation>Профиль, записанный кругломером, рядом с расчётными: таблица из угла в ° и радиуса в мм или его отклонения в мкм</translation>
         </message>
     </context>
     <context>
@@ -16665,6 +16881,14 @@ The size alone gives α and β, that is the compliance with the force together; 
             <source>Calibrated: %1. Undo takes it back.</source>
             <translation>Откалибровано: %1. Отменить можно командой «Отменить».</translation>
         </message>
+        <message>
+            <source>Stiffness trial</source>
+            <translation>Опыт на жёсткость</translation>
+        </message>
+        <message>
+            <source>Which trial</source>
+            <translation>Какой опыт</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::TracesPlot</name>
@@ -17536,6 +17760,391 @@ The size alone gives α and β, that is the compliance with the force together; 
             <source>Measured</source>
             <comment>the view&apos;s tab</comment>
             <translation>Измерения</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::StiffnessModel</name>
+        <message>
+            <source>“%1” is not a number.</source>
+            <translation>«%1» — не число.</translation>
+        </message>
+        <message>
+            <source>The place is missing.</source>
+            <translation>Не указано место.</translation>
+        </message>
+        <message>
+            <source>The load must be above 0 N.</source>
+            <translation>Нагрузка должна быть больше 0 Н.</translation>
+        </message>
+        <message>
+            <source>Row %1: %2</source>
+            <translation>Строка %1: %2</translation>
+        </message>
+        <message>
+            <source>%1, row %2</source>
+            <translation>%1, строка %2</translation>
+        </message>
+        <message>
+            <source>Place, mm</source>
+            <translation>Место, мм</translation>
+        </message>
+        <message>
+            <source>Load, N</source>
+            <translation>Нагрузка, Н</translation>
+        </message>
+        <message>
+            <source>Deflection, µm</source>
+            <translation>Отжатие, мкм</translation>
+        </message>
+    </context>
+    <context>
+        <name>StiffnessSheet</name>
+        <message>
+            <source>Clamp the part between the centres as for grinding. Wheel and drives are at rest, the wheel does not touch the part.</source>
+            <translation>Установите деталь в центрах, как для шлифования. Круг и приводы неподвижны, круг детали не касается.</translation>
+        </message>
+        <message>
+            <source>Clamp the part in the chuck as for grinding. Wheel and drives are at rest, the wheel does not touch the part.</source>
+            <translation>Закрепите деталь в патроне, как для шлифования. Круг и приводы неподвижны, круг детали не касается.</translation>
+        </message>
+        <message>
+            <source>Set an indicator that reads 1 µm or finer on the bed, against the part, opposite to the wheel, at the first place: %1 mm from the headstock&apos;s end of the shaft.</source>
+            <translation>Установите на станину индикатор с ценой деления не грубее 1 мкм, против круга, наконечником на деталь в первом месте: %1 мм от конца вала у передней бабки.</translation>
+        </message>
+        <message>
+            <source>Load the part there radially, from the side of the wheel, by a dynamometer: once to %1 N and back, to take the play out. Zero the indicator without load.</source>
+            <translation>Нагрузите деталь в этом месте радиально, со стороны круга, через динамометр: один раз до %1 Н и обратно, чтобы выбрать зазоры. Без нагрузки установите индикатор на нуль.</translation>
+        </message>
+        <message>
+            <source>Read the deflection at %1 N and at %2 N. Unload; the indicator must come back to zero. Read both once more.</source>
+            <translation>Снимите отжатие при %1 Н и при %2 Н. Разгрузите; индикатор должен вернуться к нулю. Снимите оба отсчёта ещё раз.</translation>
+        </message>
+        <message>
+            <source>Do the same at the other places: %1 mm.</source>
+            <translation>Сделайте то же в других местах: %1 мм.</translation>
+        </message>
+        <message>
+            <source> and </source>
+            <translation> и </translation>
+        </message>
+        <message>
+            <source>For the wheel head, too, set the indicator on the wheel head instead of the bed, load between wheel head and part, and choose so below.</source>
+            <translation>Чтобы найти и шлифовальную бабку, установите индикатор на неё вместо станины, нагружайте между шлифовальной бабкой и деталью и укажите это у показаний.</translation>
+        </message>
+        <message>
+            <source>Enter the deflections. Two places tell headstock and tailstock, the third tells whether the readings agree.</source>
+            <translation>Введите отжатия. Два места дают переднюю и заднюю бабки, третье показывает, согласны ли показания.</translation>
+        </message>
+        <message>
+            <source>Project:</source>
+            <translation>Проект:</translation>
+        </message>
+        <message>
+            <source>Part:</source>
+            <translation>Деталь:</translation>
+        </message>
+        <message>
+            <source>Machine:</source>
+            <translation>Станок:</translation>
+        </message>
+        <message>
+            <source>Date, name:</source>
+            <translation>Дата, фамилия:</translation>
+        </message>
+        <message>
+            <source>Place, mm</source>
+            <translation>Место, мм</translation>
+        </message>
+        <message>
+            <source>Load, N</source>
+            <translation>Нагрузка, Н</translation>
+        </message>
+        <message>
+            <source>Deflection, µm</source>
+            <translation>Отжатие, мкм</translation>
+        </message>
+        <message>
+            <source>Once more, µm</source>
+            <translation>Повторно, мкм</translation>
+        </message>
+        <message>
+            <source>Stiffness trial</source>
+            <translation>Опыт на жёсткость</translation>
+        </message>
+        <message>
+            <source>Print the sheet</source>
+            <translation>Печать листа</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::StiffnessPage</name>
+        <message>
+            <source>Stiffness found</source>
+            <translation>Найденная жёсткость</translation>
+        </message>
+        <message>
+            <source>Compliance along the part</source>
+            <translation>Податливость вдоль детали</translation>
+        </message>
+        <message>
+            <source>&amp;Take over the stiffness</source>
+            <translation>&amp;Принять жёсткости</translation>
+        </message>
+        <message>
+            <source>&amp;Print the sheet…</source>
+            <translation>Пе&amp;чать листа…</translation>
+        </message>
+        <message>
+            <source>These steps and a table to write the readings into, on one page</source>
+            <translation>Эти шаги и таблица для записи показаний на одной странице</translation>
+        </message>
+        <message>
+            <source>on the bed</source>
+            <translation>на станине</translation>
+        </message>
+        <message>
+            <source>on the wheel head</source>
+            <translation>на шлифовальной бабке</translation>
+        </message>
+        <message>
+            <source>&amp;Indicator:</source>
+            <translation>&amp;Индикатор:</translation>
+        </message>
+        <message>
+            <source>Readings of the trial</source>
+            <translation>Показания опыта</translation>
+        </message>
+        <message>
+            <source>Type the deflections, or paste a table of place, load and deflection with Ctrl+V</source>
+            <translation>Введите отжатия или вставьте таблицу из места, нагрузки и отжатия: Ctrl+V</translation>
+        </message>
+        <message>
+            <source>Gives the machine the stiffness found, as one edit that can be undone, marks it as calibrated, and lets γ follow from it</source>
+            <translation>Даёт станку найденные жёсткости одной правкой, которую можно отменить, отмечает их как откалиброванные, и γ вычисляется по ним</translation>
+        </message>
+        <message>
+            <source>Inputs of the project are missing or wrong: first mend what the messages name.</source>
+            <translation>В проекте не хватает исходных данных или они неверны: сначала исправьте то, что названо в сообщениях.</translation>
+        </message>
+        <message>
+            <source>Enter the deflections: what they tell stands here at once.</source>
+            <translation>Введите отжатия: что из них следует, сразу появится здесь.</translation>
+        </message>
+        <message>
+            <source>Nothing can be found: %1.</source>
+            <translation>Найти ничего нельзя: %1.</translation>
+        </message>
+        <message>
+            <source>Nothing can be found: %1 (%2).</source>
+            <translation>Найти ничего нельзя: %1 (%2).</translation>
+        </message>
+        <message>
+            <source>not measured</source>
+            <translation>не измерена</translation>
+        </message>
+        <message>
+            <source>Stiffness, N/µm</source>
+            <translation>Жёсткость, Н/мкм</translation>
+        </message>
+        <message>
+            <source>now</source>
+            <translation>сейчас</translation>
+        </message>
+        <message>
+            <source>found</source>
+            <translation>найдено</translation>
+        </message>
+        <message>
+            <source>The wheel head&apos;s stiffness is not known: %1 N/µm is put in, to be measured with the indicator on the wheel head.</source>
+            <translation>Жёсткость шлифовальной бабки неизвестна: подставлено %1 Н/мкм; измерьте её, установив индикатор на шлифовальную бабку.</translation>
+        </message>
+        <message>
+            <source>The compliance given goes; γ then follows from stiffness and shaft.</source>
+            <translation>Заданная податливость убирается; γ тогда вычисляется по жёсткости и валу.</translation>
+        </message>
+        <message>
+            <source>then</source>
+            <translation>станет</translation>
+        </message>
+        <message numerus="yes">
+            <source>stiffness trial at %n place(s)</source>
+            <translation>
+                <numerusform>опыт на жёсткость в %n месте</numerusform>
+                <numerusform>опыт на жёсткость в %n местах</numerusform>
+                <numerusform>опыт на жёсткость в %n местах</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n reading(s); those less what the stiffness gives: RMS %1 µm.</source>
+            <translation>
+                <numerusform>%n показание; отклонения от найденной жёсткости: СКО %1 мкм.</numerusform>
+                <numerusform>%n показания; отклонения от найденной жёсткости: СКО %1 мкм.</numerusform>
+                <numerusform>%n показаний; отклонения от найденной жёсткости: СКО %1 мкм.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>γ, mm/N</source>
+            <translation>γ, мм/Н</translation>
+        </message>
+        <message>
+            <source>x, mm</source>
+            <translation>x, мм</translation>
+        </message>
+        <message>
+            <source>95 %</source>
+            <translation>95 %</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::TrialPage</name>
+        <message>
+            <source>Trials by what they tell</source>
+            <translation>Опыты по их информативности</translation>
+        </message>
+        <message>
+            <source>&amp;Compare trials</source>
+            <translation>&amp;Сравнить опыты</translation>
+        </message>
+        <message>
+            <source>&amp;Stop</source>
+            <translation>С&amp;топ</translation>
+        </message>
+        <message>
+            <source>What the trial is for</source>
+            <translation>Что узнать в опыте</translation>
+        </message>
+        <message>
+            <source>anything</source>
+            <translation>что угодно</translation>
+        </message>
+        <message>
+            <source>&amp;Can be recorded:</source>
+            <translation>Можно &amp;записать:</translation>
+        </message>
+        <message>
+            <source>Progress</source>
+            <translation>Ход расчёта</translation>
+        </message>
+        <message>
+            <source>Inputs of the project are missing or wrong: first mend what the messages name.</source>
+            <translation>В проекте не хватает исходных данных или они неверны: сначала исправьте то, что названо в сообщениях.</translation>
+        </message>
+        <message>
+            <source>No parameter is chosen.</source>
+            <translation>Параметры не выбраны.</translation>
+        </message>
+        <message>
+            <source>Trials are being run …</source>
+            <translation>Опыты рассчитываются…</translation>
+        </message>
+        <message>
+            <source>%1 %2</source>
+            <translation>%1 %2</translation>
+        </message>
+        <message>
+            <source>not told</source>
+            <translation>не определяется</translation>
+        </message>
+        <message>
+            <source>Before the machine grinds a trial, this compares 24 of them: a third, one and three times the feed of the first stage, without and with a spark-out, by what is recorded. The best one narrows the chosen parameters down most.</source>
+            <translation>Прежде чем шлифовать опытную деталь, здесь сравниваются 24 опыта: подача первой ступени, втрое меньше и втрое больше, без выхаживания и с ним, по тому, что записывается. Лучший опыт точнее всех определяет выбранные параметры.</translation>
+        </message>
+        <message>
+            <source>No trials: %1.</source>
+            <translation>Опытов нет: %1.</translation>
+        </message>
+        <message>
+            <source>Recorded</source>
+            <translation>Запись</translation>
+        </message>
+        <message>
+            <source>without spark-out</source>
+            <translation>без выхаживания</translation>
+        </message>
+        <message>
+            <source>All the stock at %1 %2, %3, about %4 s; record: %5.</source>
+            <translation>Весь припуск на подаче %1 %2, %3, около %4 с; записать: %5.</translation>
+        </message>
+        <message>
+            <source>None of the trials records this.</source>
+            <translation>Ни один из опытов этого не записывает.</translation>
+        </message>
+        <message>
+            <source>The trial that tells most:</source>
+            <translation>Самый информативный опыт:</translation>
+        </message>
+        <message>
+            <source>The chosen trial:</source>
+            <translation>Выбранный опыт:</translation>
+        </message>
+        <message>
+            <source>It cannot tell: %1.</source>
+            <translation>Он не определяет: %1.</translation>
+        </message>
+        <message>
+            <source>The intervals are those expected at 95 % about the present inputs, for %1 values a second with a scatter of %2 µm, %3 kW or %4 % of the greatest force. Then import the trace and calibrate on the page Cycle.</source>
+            <translation>Интервалы — ожидаемые 95 %-е около нынешних исходных данных, при %1 отсчётах в секунду с разбросом %2 мкм, %3 кВт или %4 % наибольшей силы. Затем импортируйте запись и калибруйте на странице «Цикл».</translation>
+        </message>
+        <message numerus="yes">
+            <source>then %n double stroke(s) of spark-out</source>
+            <translation>
+                <numerusform>затем %n двойной ход выхаживания</numerusform>
+                <numerusform>затем %n двойных хода выхаживания</numerusform>
+                <numerusform>затем %n двойных ходов выхаживания</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>then %n revolution(s) of spark-out</source>
+            <translation>
+                <numerusform>затем %n оборот выхаживания</numerusform>
+                <numerusform>затем %n оборота выхаживания</numerusform>
+                <numerusform>затем %n оборотов выхаживания</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Feed,
+%1</source>
+            <translation>Подача,
+%1</translation>
+        </message>
+        <message>
+            <source>Spark-
+out</source>
+            <translation>Выха-
+живание</translation>
+        </message>
+        <message>
+            <source>Time,
+s</source>
+            <translation>Время,
+с</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <translation>да</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <translation>нет</translation>
+        </message>
+    </context>
+    <context>
+        <name>MeasuredSection</name>
+        <message>
+            <source>A table of two columns is needed: the angle in °, and the radius in mm or the deviation from it in µm.</source>
+            <translation>Нужна таблица из двух столбцов: угол в ° и радиус в мм или отклонение от него в мкм.</translation>
+        </message>
+        <message>
+            <source>Read a measured profile</source>
+            <translation>Чтение измеренного профиля</translation>
+        </message>
+        <message>
+            <source>Tables (*.csv *.txt *.tsv *.dat);;All files (*)</source>
+            <translation>Таблицы (*.csv *.txt *.tsv *.dat);;Все файлы (*)</translation>
+        </message>
+        <message>
+            <source>The profile was not read</source>
+            <translation>Профиль не прочитан</translation>
         </message>
     </context>
 </TS>

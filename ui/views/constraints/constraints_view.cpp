@@ -328,6 +328,11 @@ void ConstraintsView::showSheet() {
         }
         if (const auto sheet = constraintSheet(good()->result, good()->accuracy, *about)) {
             text << QString() << formulaText(*sheet);
+            if (const QString names =
+                    sourceCoefficients(*sheet, good()->result.project.operation->travels);
+                !names.isEmpty()) {
+                text << names;
+            }
         }
         if (const QString estimates = EstimateNames::behind(good()->result.project, about->kind);
             !estimates.isEmpty()) {
