@@ -2333,6 +2333,10 @@ med, µm</source>
             <source>Import measurements</source>
             <translation>Импорт измерений</translation>
         </message>
+        <message>
+            <source>Mass from the steps of the shaft</source>
+            <translation>Масса по ступеням вала</translation>
+        </message>
     </context>
     <context>
         <name>EstimateNames</name>
@@ -2410,6 +2414,58 @@ med, µm</source>
         <message>
             <source>Accuracy binds the last feed</source>
             <translation>Последняя подача ограничена точностью</translation>
+        </message>
+        <message>
+            <source>Bore 40H7</source>
+            <translation>Отверстие 40H7</translation>
+        </message>
+        <message>
+            <source>Shaft 40k6</source>
+            <translation>Вал 40k6</translation>
+        </message>
+        <message>
+            <source>Shaft 30h6</source>
+            <translation>Вал 30h6</translation>
+        </message>
+        <message>
+            <source>Shaft 38.74h6</source>
+            <translation>Вал 38,74h6</translation>
+        </message>
+        <message>
+            <source>Shaft 25h6</source>
+            <translation>Вал 25h6</translation>
+        </message>
+        <message>
+            <source>Shaft 50h6</source>
+            <translation>Вал 50h6</translation>
+        </message>
+        <message>
+            <source>Bushing 50H7</source>
+            <translation>Втулка 50H7</translation>
+        </message>
+        <message>
+            <source>Spindle</source>
+            <translation>Шпиндель</translation>
+        </message>
+        <message>
+            <source>Journal 35h6 A</source>
+            <translation>Шейка 35h6 А</translation>
+        </message>
+        <message>
+            <source>Bearing seat 40k6 B</source>
+            <translation>Посадочная шейка 40k6 Б</translation>
+        </message>
+        <message>
+            <source>Bearing seat 40k6 C</source>
+            <translation>Посадочная шейка 40k6 В</translation>
+        </message>
+        <message>
+            <source>Journal 35h7 D</source>
+            <translation>Шейка 35h7 Г</translation>
+        </message>
+        <message>
+            <source>Coupling seat 30n6 E</source>
+            <translation>Шейка под муфту 30n6 Д</translation>
         </message>
     </context>
     <context>
@@ -5393,6 +5449,82 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>The cutting force from grain size and structure, summed over the grains in contact, in place of the law that takes all chips together for the metal removed.</source>
             <translation>Сила резания по зернистости и структуре, суммированная по зёрнам в контакте, вместо закона, в котором срезы вместе составляют снятый металл.</translation>
         </message>
+        <message>
+            <source>Operation card</source>
+            <translation>Операционная карта</translation>
+        </message>
+        <message>
+            <source>What the head of the operation card has beside the inputs of the cycle.</source>
+            <translation>Что стоит в заголовке операционной карты помимо исходных данных цикла.</translation>
+        </message>
+        <message>
+            <source>The number of the drawing.</source>
+            <translation>Номер чертежа.</translation>
+        </message>
+        <message>
+            <source>Document number</source>
+            <translation>Обозначение документа</translation>
+        </message>
+        <message>
+            <source>Designation of the operation card.</source>
+            <translation>Обозначение операционной карты.</translation>
+        </message>
+        <message>
+            <source>Operation number</source>
+            <translation>Номер операции</translation>
+        </message>
+        <message>
+            <source>Number of the operation in the part&apos;s route.</source>
+            <translation>Номер операции в маршруте изготовления детали.</translation>
+        </message>
+        <message>
+            <source>Letter</source>
+            <translation>Литера</translation>
+        </message>
+        <message>
+            <source>Letter of the document by GOST 3.1102, for example A.</source>
+            <translation>Литера, присвоенная документу по ГОСТ 3.1102, например А.</translation>
+        </message>
+        <message>
+            <source>NC program</source>
+            <translation>Программа ЧПУ</translation>
+        </message>
+        <message>
+            <source>Designation of the program of the numerical control.</source>
+            <translation>Обозначение управляющей программы ЧПУ.</translation>
+        </message>
+        <message>
+            <source>Mass of the part</source>
+            <translation>Масса детали</translation>
+        </message>
+        <message>
+            <source>Mass by the drawing, or by the steps of the shaft as solid steel.</source>
+            <translation>Масса по чертежу или по ступеням вала как сплошной стали.</translation>
+        </message>
+        <message>
+            <source>Profile and sizes</source>
+            <translation>Профиль и размеры заготовки</translation>
+        </message>
+        <message>
+            <source>Profile and sizes of the blank, for example round bar ⌀50 × 325.</source>
+            <translation>Профиль и размеры заготовки, например круг ⌀50 × 325.</translation>
+        </message>
+        <message>
+            <source>Mass of the blank</source>
+            <translation>Масса заготовки</translation>
+        </message>
+        <message>
+            <source>Mass of the blank that the part is made of.</source>
+            <translation>Масса заготовки, из которой делают деталь.</translation>
+        </message>
+        <message>
+            <source>not given</source>
+            <translation>не задано</translation>
+        </message>
+        <message>
+            <source>Designation of the part</source>
+            <translation>Обозначение изделия</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>
@@ -8240,6 +8372,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Force by the wheel&apos;s recipe</source>
             <translation>Сила по рецептуре круга</translation>
         </message>
+        <message>
+            <source>Operation card</source>
+            <translation>Операционная карта</translation>
+        </message>
     </context>
     <context>
         <name>StudiesShown</name>
@@ -9251,6 +9387,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>N/mm^0.5</source>
             <translation>Н/мм^0,5</translation>
+        </message>
+        <message>
+            <source>kg</source>
+            <translation>кг</translation>
         </message>
     </context>
     <context>
@@ -12635,6 +12775,22 @@ target, µm</source>
         <message>
             <source>A dozen levels of each feed about the present cycle, and steps of stock</source>
             <translation>Около двенадцати уровней каждой подачи вокруг текущего цикла и шаги припуска</translation>
+        </message>
+        <message>
+            <source>The mass by the steps of the shaft</source>
+            <translation>Масса по ступеням вала</translation>
+        </message>
+        <message>
+            <source>By the steps of the shaft, as solid steel of 7850 kg/m³: about %1 kg. An estimate.</source>
+            <translation>По ступеням вала, сплошная сталь 7850 кг/м³: около %1 кг. Оценка.</translation>
+        </message>
+        <message>
+            <source>Take the estimate</source>
+            <translation>Принять оценку</translation>
+        </message>
+        <message>
+            <source>Without chamfers, keyways and bores; the drawing&apos;s mass goes before it</source>
+            <translation>Без фасок, пазов и отверстий; масса по чертежу важнее</translation>
         </message>
     </context>
     <context>
@@ -18145,6 +18301,72 @@ s</source>
         <message>
             <source>The profile was not read</source>
             <translation>Профиль не прочитан</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::FormSection</name>
+        <message>
+            <source>Form by zone</source>
+            <translation>Форма по зонам</translation>
+        </message>
+        <message>
+            <source>Form by zone, µm</source>
+            <translation>Форма по зонам, мкм</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::FormModel</name>
+        <message>
+            <source>Roundness</source>
+            <translation>Откл. от круглости</translation>
+        </message>
+        <message>
+            <source>Cylindricity</source>
+            <translation>Откл. от цилиндричности</translation>
+        </message>
+        <message>
+            <source>Total runout</source>
+            <translation>Полное биение</translation>
+        </message>
+        <message>
+            <source>Taper</source>
+            <translation>Конусообразность</translation>
+        </message>
+        <message>
+            <source>Crown</source>
+            <translation>Бочкообразность</translation>
+        </message>
+        <message>
+            <source>Minimum zone, of the least round section of the zone.</source>
+            <translation>Минимальная зона, по наименее круглому сечению зоны.</translation>
+        </message>
+        <message>
+            <source>Minimum zone, over all sections of the zone.</source>
+            <translation>Минимальная зона, по всем сечениям зоны.</translation>
+        </message>
+        <message>
+            <source>About the centre axis, over all sections, with the machine&apos;s own.</source>
+            <translation>Относительно оси центров, по всем сечениям, вместе с биением станка.</translation>
+        </message>
+        <message>
+            <source>Mean radius at the zone&apos;s last section less that at its first, of the straight line through them.</source>
+            <translation>Средний радиус последнего сечения зоны за вычетом первого, по прямой через них.</translation>
+        </message>
+        <message>
+            <source>Mean radius in the zone&apos;s middle less that at its ends: above 0 a barrel, below it a saddle.</source>
+            <translation>Средний радиус в середине зоны за вычетом радиуса на концах: больше 0 — бочка, меньше — седло.</translation>
+        </message>
+        <message>
+            <source>%1, %2: %3 µm</source>
+            <translation>%1, %2: %3 мкм</translation>
+        </message>
+        <message>
+            <source>%1, µm</source>
+            <translation>%1, мкм</translation>
+        </message>
+        <message>
+            <source>Quantity</source>
+            <translation>Величина</translation>
         </message>
     </context>
 </TS>

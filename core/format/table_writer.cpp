@@ -80,21 +80,27 @@ ordered_json fieldJson(const Field& field, const void* owner) {
     return nullptr;
 }
 
+/// Whether a member that older files lack has its default.
+bool isDefault(const Field& field, const void* owner, const ordered_json& value,
+               const StructInfo& table) {
+    const bool holdsSparse = field.kind == Kind::object || field.kind == Kind::objectList;
+    return holdsSparse ? value.empty() : field.same(owner, table.defaults);
+}
+
 } // namespace
 
 ordered_json writeByTable(const StructInfo& table, const void* owner,
                           const std::vector<std::string>& skip) {
     ordered_json object = ordered_json::object();
     for (const Field& field : table.fields) {
-        // The table's defaults are written in full: reference page and schema read them.
-        const bool isDefault = field.sparse && owner != table.defaults
-                               && (field.kind == Kind::objectList // empty unless given
-                                       ? field.size(owner) == 0
-                                       : field.same(owner, table.defaults));
-        if (isDefault || std::find(skip.begin(), skip.end(), field.key) != skip.end()) {
+        if (std::find(skip.begin(), skip.end(), field.key) != skip.end()) {
             continue;
         }
         ordered_json value = fieldJson(field, owner);
+        // The table's defaults are written in full: reference page and schema read them.
+        if (field.sparse && owner != table.defaults && isDefault(field, owner, value, table)) {
+            continue;
+        }
         if (!value.is_null() || !fieldJson(field, table.defaults).is_null()) {
             object[field.key] = std::move(value);
         }

@@ -20,8 +20,8 @@ public:
     void walkProject() {
         for (const Field& field : tableOf<Project>().fields) {
             const std::string_view key = field.key;
-            if (key != "batch" && key != "optimisation" && key != "sweep" && key != "measured"
-                && key != "runs") {
+            if (key != "card" && key != "batch" && key != "optimisation" && key != "sweep"
+                && key != "measured" && key != "runs") {
                 walkField(field, &m_project, {});
             }
         }

@@ -20,8 +20,8 @@ struct NumberInput {
     std::optional<double> value; ///< nothing: not given
 };
 
-/// All that a cycle of the project reads, in the order of the tables. Those of batch, search, sweep
-/// and kept runs it does not.
+/// All that a cycle of the project reads, in the order of the tables. Those of operation card,
+/// batch, search, sweep and kept runs it does not.
 [[nodiscard]] std::vector<NumberInput> numberInputs(const Project& project);
 
 /// The one at a path; nothing when there is none.

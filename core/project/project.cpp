@@ -2,6 +2,7 @@
 #include "core/project/project.h"
 
 #include "core/project/batch.h"
+#include "core/project/card_entries.h"
 #include "core/project/conditions.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
@@ -17,6 +18,7 @@
 namespace sparkout {
 
 template class Indirect<Batch>;
+template class Indirect<CardEntries>;
 template class Indirect<Cycle>;
 template class Indirect<Gauge>;
 template class Indirect<Machine>;
@@ -137,6 +139,10 @@ const StructInfo& tableOf<Project>() {
                            "Double strokes (usually 2) or revolutions (usually 3) that each stage "
                            "with stock makes at least; a spark-out by number is not counted."),
                        .source = "MODEL-8"),
+        SPARKOUT_FIELD(Project, card, .label = SPARKOUT_NOOP("Input", "Operation card"),
+                       .sparse = true, .page = Page::part,
+                       .hint = SPARKOUT_NOOP("Input", "What the head of the operation card has "
+                                                      "beside the inputs of the cycle.")),
         SPARKOUT_FIELD(Project, batch, .label = SPARKOUT_NOOP("Input", "Batch"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "no batch described"),
                        .page = Page::batch),

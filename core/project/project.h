@@ -16,6 +16,7 @@ namespace sparkout {
 // Only declared, for nearly every source includes this header: who looks into a part of a project
 // includes the part's.
 struct Batch;
+struct CardEntries;
 struct Cycle;
 struct Gauge;
 struct Machine;
@@ -26,6 +27,7 @@ struct Part;
 struct Sweep;
 struct Wheel;
 extern template class Indirect<Batch>;
+extern template class Indirect<CardEntries>;
 extern template class Indirect<Cycle>;
 extern template class Indirect<Gauge>;
 extern template class Indirect<Machine>;
@@ -67,6 +69,7 @@ struct Project {
     std::optional<double> least_overlap;      ///< B·n/S_ax of every stage
     std::optional<double> least_overlap_last; ///< B·n/S_ax of the last stage
     std::optional<int> least_steps; ///< double strokes or revolutions of a stage with stock
+    Indirect<CardEntries> card;
     OptionalIndirect<Batch> batch;
     OptionalIndirect<Optimisation> optimisation;
     OptionalIndirect<Sweep> sweep;

@@ -3,6 +3,7 @@
 
 #include "core/format/table_writer.h"
 #include "core/measured/calibrated_inputs.h"
+#include "core/project/card_entries.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/measured.h"
@@ -21,10 +22,11 @@ namespace sparkout {
 
 namespace {
 
-constexpr std::array<std::string_view, 21> members{"/title",
+constexpr std::array<std::string_view, 22> members{"/title",
                                                    "/author",
                                                    "/notes",
                                                    "/coolant",
+                                                   "/card",
                                                    "/part/name",
                                                    "/part/shaft/segments",
                                                    "/part/shaft/youngs_modulus_gpa",
@@ -118,6 +120,7 @@ void copyShared(const Project& from, Project& to) {
     to.author = from.author;
     to.notes = from.notes;
     to.coolant = from.coolant;
+    *to.card = *from.card;
     to.part->name = from.part->name;
     Shaft& shaft = to.part->shaft;
     const double groundFrom_mm = shaft.ground_from_mm;

@@ -31,6 +31,18 @@ CsvCell cellOf(const std::optional<double>& value) {
     return value ? CsvCell(*value) : CsvCell();
 }
 
+/// Of a zone with several sections.
+void addFormHeads(QStringList& header) {
+    header << ResultTables::tr("Cylindricity, µm") << ResultTables::tr("Total runout, µm")
+           << ResultTables::tr("Taper, µm") << ResultTables::tr("Crown, µm");
+}
+void addForm(std::vector<CsvCell>& cells, const ZoneForm& zone, const FinishedSurface& surface) {
+    for (const double value_mm : {zone.cylindricity_mm, zone.totalRunout_mm, zone.profile.taper_mm,
+                                  zone.profile.crown_mm}) {
+        cells.push_back(surface.isWhole() ? CsvCell(value_mm * units::umPerMm) : CsvCell());
+    }
+}
+
 } // namespace
 
 CsvTable requirementTable(const std::vector<ConstraintResult>& requirements, Operation operation) {
@@ -78,6 +90,23 @@ CsvTable stageTable(const ShopNumbers& shop, Operation operation) {
     return table;
 }
 
+CsvTable formTable(const Outcome& outcome) {
+    CsvTable table;
+    table.header << ResultTables::tr("Zone or section")
+                 << ResultTables::tr("Roundness, minimum zone, µm");
+    addFormHeads(table.header);
+    const FinishedSurface surface(outcome.result.project);
+    for (std::size_t i = 0; i < outcome.accuracy.zones.size(); ++i) {
+        const double roundness_mm = outcome.accuracy.sections.at(i).minimumZone.deviation();
+        std::vector<CsvCell> cells{
+            Names::zone(outcome.result.sections.at(i).zone, static_cast<int>(i)),
+            surface.isWhole() ? CsvCell(roundness_mm * units::umPerMm) : CsvCell()};
+        addForm(cells, outcome.accuracy.zones[i], surface);
+        table.rows.push_back(std::move(cells));
+    }
+    return table;
+}
+
 CsvTable zoneTable(const Outcome& outcome) {
     const SimulationResult& result = outcome.result;
     CsvTable table;
@@ -97,8 +126,7 @@ CsvTable zoneTable(const Outcome& outcome) {
     }
     const std::vector<ZoneForm>& forms = outcome.accuracy.zones;
     if (!forms.empty()) {
-        table.header << ResultTables::tr("Cylindricity, µm") << ResultTables::tr("Total runout, µm")
-                     << ResultTables::tr("Taper, µm") << ResultTables::tr("Crown, µm");
+        addFormHeads(table.header);
     }
     using units::umPerMm;
     const FinishedSurface surface(result.project);
@@ -123,11 +151,7 @@ CsvTable zoneTable(const Outcome& outcome) {
                                             : CsvCell());
         }
         if (!forms.empty()) {
-            const ZoneForm& zone = forms.at(i);
-            for (const double value : {zone.cylindricity_mm, zone.totalRunout_mm,
-                                       zone.profile.taper_mm, zone.profile.crown_mm}) {
-                cells.push_back(stated(value));
-            }
+            addForm(cells, forms.at(i), surface);
         }
         table.rows.push_back(std::move(cells));
     }

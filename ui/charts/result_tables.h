@@ -15,6 +15,9 @@ namespace sparkout {
 /// The shop's numbers: a row a stage and a last one for the cycle.
 [[nodiscard]] CsvTable stageTable(const ShopNumbers& shop, Operation operation);
 
+/// The form of zones that hold several sections, a row a zone; without rows where none does.
+[[nodiscard]] CsvTable formTable(const Outcome& outcome);
+
 /// A row a zone or section as the cycle leaves it.
 [[nodiscard]] CsvTable zoneTable(const Outcome& outcome);
 

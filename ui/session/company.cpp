@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/company.h"
 
+#include "core/project/card_entries.h"
+
 #include <QCoreApplication>
 
 #include <array>
+#include <string>
 
 namespace sparkout {
 
@@ -35,6 +38,19 @@ constexpr std::array fields{
 
 std::span<const CompanyField> companyFields() {
     return fields;
+}
+
+Company Company::with(const CardEntries& entries) const {
+    Company made = *this;
+    const auto take = [](QString& number, const std::string& given) {
+        if (const QString text = QString::fromStdString(given).simplified(); !text.isEmpty()) {
+            number = text;
+        }
+    };
+    take(made.part, entries.part_number);
+    take(made.designation, entries.document_number);
+    take(made.operation, entries.operation_number);
+    return made;
 }
 
 QVariantMap Company::kept() const {

@@ -9,6 +9,8 @@
 
 namespace sparkout {
 
+struct CardEntries;
+
 /// Who makes the documents: what their heads have beside the project. All of it may be empty.
 struct Company {
     QString name;
@@ -25,6 +27,8 @@ struct Company {
 
     friend bool operator==(const Company&, const Company&) = default;
 
+    /// With the numbers that a project gives in place of its own.
+    [[nodiscard]] Company with(const CardEntries& entries) const;
     /// As settings keep it; what is empty is left out.
     [[nodiscard]] QVariantMap kept() const;
     [[nodiscard]] static Company fromKept(const QVariantMap& kept);

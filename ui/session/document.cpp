@@ -285,6 +285,7 @@ Issues Document::openCopy(const QByteArray& text) {
     if (loaded.setup && !hasErrors(loaded.issues)) {
         for (GroundSurface& surface : loaded.setup->surfaces) {
             surface.project.title = exampleTitle(surface.project.title).toStdString();
+            surface.name = exampleTitle(surface.name).toStdString();
         }
         startUntitled(std::move(*loaded.setup));
     }

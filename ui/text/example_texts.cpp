@@ -27,7 +27,21 @@ namespace {
     QT_TRANSLATE_NOOP("Example", "Roughness binds the last cut"),
     QT_TRANSLATE_NOOP("Example", "Self-sharpening binds the first stage"),
     QT_TRANSLATE_NOOP("Example", "Accuracy binds the last feed"),
-    // and the names of their kept runs
+    // the names of their parts and surfaces
+    QT_TRANSLATE_NOOP("Example", "Bore 40H7"),
+    QT_TRANSLATE_NOOP("Example", "Shaft 40k6"),
+    QT_TRANSLATE_NOOP("Example", "Shaft 30h6"),
+    QT_TRANSLATE_NOOP("Example", "Shaft 38.74h6"),
+    QT_TRANSLATE_NOOP("Example", "Shaft 25h6"),
+    QT_TRANSLATE_NOOP("Example", "Shaft 50h6"),
+    QT_TRANSLATE_NOOP("Example", "Bushing 50H7"),
+    QT_TRANSLATE_NOOP("Example", "Spindle"),
+    QT_TRANSLATE_NOOP("Example", "Journal 35h6 A"),
+    QT_TRANSLATE_NOOP("Example", "Bearing seat 40k6 B"),
+    QT_TRANSLATE_NOOP("Example", "Bearing seat 40k6 C"),
+    QT_TRANSLATE_NOOP("Example", "Journal 35h7 D"),
+    QT_TRANSLATE_NOOP("Example", "Coupling seat 30n6 E"),
+    // and those of their kept runs
     QT_TRANSLATE_NOOP("Example", "Factory"),
     QT_TRANSLATE_NOOP("Example", "Optimal"),
 };

@@ -8,8 +8,8 @@
 /// Shipped examples carry an English title and notes in both languages.
 namespace sparkout {
 
-/// The title of a shipped example, or the name of one of its kept runs, in the program's language;
-/// another text as it is.
+/// The title of a shipped example, or the name of its part, of a surface or of a kept run, in the
+/// program's language; another text as it is.
 [[nodiscard]] QString exampleTitle(const std::string& title);
 /// Those paragraphs of its notes that are in the program's language, without the verdict written
 /// down for the tests; all, if none is.

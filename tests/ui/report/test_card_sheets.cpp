@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Operation card and sketch sheet: what stands on the sheets, and that all of it has its room.
 #include "core/files/safe_file.h"
+#include "core/project/card_entries.h"
 #include "core/project/cycle.h"
+#include "core/project/material.h"
 #include "core/project/part.h"
 #include "core/setup/setup_file.h"
 #include "core/units.h"
@@ -46,6 +48,42 @@ Setup setupOf(const char* name) {
         readFile(std::string(SPARKOUT_SOURCE_DIR "/tests/data/setups/") + name + ".sparkout",
                  std::size_t{1} << 20);
     return *readSetup(std::get<std::string>(content)).setup;
+}
+
+/// All that the head of the card has.
+Setup filledSetup() {
+    Setup setup = setupOf("spindle");
+    setup.times.approach_s = 3;
+    setup.times.handling_s = 40;
+    setup.times.preparation_min = 12;
+    for (GroundSurface& surface : setup.surfaces) {
+        surface.project.coolant = "Укринол-1, 3 %";
+        surface.project.material->hardness_hrc = 50;
+        CardEntries& entries = *surface.project.card;
+        entries.part_number = "7716-03.021";
+        entries.operation_number = "045";
+        entries.letter = "А";
+        entries.program = "O1204";
+        entries.mass_kg = 2.25;
+        entries.blank = "Круг 50 ГОСТ 2590";
+        entries.blank_mass_kg = 4.9;
+    }
+    return setup;
+}
+
+Company filledCompany() {
+    Company company;
+    company.name = QStringLiteral("АО «Станкомаш»");
+    company.developed = QStringLiteral("Иванов");
+    company.checked = QStringLiteral("Петров");
+    company.agreed = QStringLiteral("Сидоров");
+    company.standards = QStringLiteral("Кузнецов");
+    company.approved = QStringLiteral("Громов");
+    company.designation = QStringLiteral("60141.00012");
+    company.part = QStringLiteral("of another project");
+    QFile icon(QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/icons/sparkout.svg"));
+    company.logo = icon.open(QIODevice::ReadOnly) ? icon.readAll() : QByteArray();
+    return company;
 }
 
 /// So many surfaces beside each other on one shaft, with long names.
@@ -377,10 +415,16 @@ private slots:
             QVERIFY2(text.fault.isEmpty() && !text.tables.empty(), qPrintable(text.fault));
             const SetupRun run = runSetup(setup);
             const auto rows = CardRows::of(operationCard(setup, run), setup, run);
-            const auto& table = text.tables.at(1);
-            QCOMPARE(table.size(), rows.size() + 1);
+            const auto found = std::ranges::find_if(
+                text.tables, [&](const auto& each) { return each.size() == rows.size() + 1; });
+            QVERIFY(found != text.tables.end());
+            const auto& table = *found;
             for (std::size_t i = 0; i < rows.size(); ++i) {
-                QCOMPARE(table[i + 1].size(), qsizetype(report::form::columns.size()));
+                // A text without cells goes on over theirs, as on the sheets.
+                const auto spread =
+                    qsizetype(report::form::mainColumn - report::form::contentColumn - 1);
+                QCOMPARE(table[i + 1].size(), qsizetype(report::form::columns.size())
+                                                  - (rows[i].cells.isEmpty() ? spread : 0));
                 QCOMPARE(table[i + 1].at(1), rows[i].text);
                 for (qsizetype c = 0; c < rows[i].cells.size(); ++c) {
                     QCOMPARE(table[i + 1].at(c + 2), rows[i].cells.at(c));
@@ -396,6 +440,74 @@ private slots:
             QVERIFY(unzipped(odt, "Pictures/figure1.png").startsWith("\x89PNG"));
             QVERIFY(text.rest.contains(report::SketchSheet::description(setup)));
         }
+    }
+
+    /// Its head is that of the sheets: who signs with dates, designations, operation, sheets.
+    void theHeadOfTheOdtIsThatOfTheSheets() {
+        for (const char* language : {"en", "ru"}) {
+            m_language.apply(QString::fromLatin1(language));
+            const QByteArray odt = bytesOf(cardOf(filledSetup(), filledCompany()), Format::odt);
+            const OdtText text(unzipped(odt, "content.xml"));
+            QVERIFY2(text.fault.isEmpty(), qPrintable(text.fault));
+            QCOMPARE(text.tables.size(), 7U); // four of the head, the rows, two of the sketch's
+            const auto& inventory = text.tables.at(0);
+            QCOMPARE(inventory.size(), std::size_t(3));
+            QCOMPARE(inventory.front().size(), qsizetype(4 + 10 + 2));
+            const auto& signers = text.tables.at(1);
+            QCOMPARE(signers.size(), report::form::signers.size());
+            const Company company = filledCompany();
+            const QString names[] = {company.developed, company.checked, company.agreed,
+                                     company.standards, company.approved};
+            for (std::size_t row = 0; row < signers.size(); ++row) {
+                QCOMPARE(signers[row].at(0), report::form::text(report::form::signers.at(row)));
+                QCOMPARE(signers[row].at(1), names[row]);
+                QCOMPARE(signers[row].at(2), QString()); // signed by hand
+            }
+            QCOMPARE(signers.front().at(3),
+                     QLocale().toString(today, report::form::text(report::form::dateFormat)));
+            const auto caption = [](const char* of) { return report::form::text(of); };
+            const QString all = signers[0].join(u'|') + u'|' + signers[2].join(u'|');
+            for (const QString& cell :
+                 {caption("Part number") + QStringLiteral("7716-03.021"),
+                  caption("Document number") + QStringLiteral("60141.00012"),
+                  caption("Letter") + u'А', caption("Oper.") + QStringLiteral("045")}) {
+                QVERIFY2(all.contains(cell), qPrintable(cell + u'\n' + all));
+            }
+            QCOMPARE(text.tables.at(2).front().size(),
+                     qsizetype(report::form::operationRow.size()));
+            QCOMPARE(text.tables.at(3).front().size(),
+                     qsizetype(report::form::equipmentRow.size()));
+            const QByteArray content = unzipped(odt, "content.xml");
+            QCOMPARE(content.count("<text:page-count"), 2);
+            QVERIFY(content.contains("table:number-rows-spanned=\"3\""));
+            QVERIFY(unzipped(odt, "Pictures/logo1.png").startsWith("\x89PNG"));
+            const QByteArray styles = unzipped(odt, "styles.xml");
+            for (const char* page : {"Form1", "Form1_Next", "Form2", "Form2_Next"}) {
+                QVERIFY2(
+                    styles.contains(QByteArray("<style:master-page style:name=\"") + page + '"'),
+                    page);
+            }
+        }
+    }
+
+    /// Every cell of the head that an input fills is filled, in print and in the other formats.
+    void everyCellOfTheHeadHasItsInput() {
+        m_language.apply(QStringLiteral("ru"));
+        const report::Report card = cardOf(filledSetup(), filledCompany());
+        const QString sheet = textOf(card.sheets.front());
+        const QString page = reading::textOfHtml(bytesOf(card, Format::html));
+        for (const char* cell :
+             {"7716-03.021", "60141.00012", "045", "O1204", "2,25", "4,9", "Круг 50 ГОСТ 2590"}) {
+            QVERIFY2(sheet.contains(QString::fromUtf8(cell)), cell);
+            QVERIFY2(page.contains(QString::fromUtf8(cell)), cell);
+        }
+        const auto head = report::OperationCardReport::head(
+            filledSetup(), operationCard(filledSetup(), runSetup(filledSetup())), filledCompany(),
+            today);
+        for (const QStringList& row : {head.operation, head.equipment}) {
+            QVERIFY2(!row.contains(QString()), qPrintable(row.join(u'|')));
+        }
+        QCOMPARE(head.letter, QStringLiteral("А"));
     }
 
     /// The web page has the rows and the sketch, well-formed.

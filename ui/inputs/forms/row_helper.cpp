@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/forms/row_helper.h"
 
+#include "core/project/card_entries.h"
+#include "core/project/conditions.h"
 #include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
@@ -10,6 +12,7 @@
 #include "ui/kit/font_size.h"
 #include "ui/session/document.h"
 #include "ui/text/marking_text.h"
+#include "ui/text/number_text.h"
 #include "ui/text/size_field.h"
 
 #include <QHBoxLayout>
@@ -68,6 +71,29 @@ const Offer usualSearch{
     QT_TRANSLATE_NOOP("sparkout::OfferHelper",
                       "A dozen levels of each feed about the present cycle, and steps of stock")};
 
+std::optional<double> estimatedMass_kg(const Project& project) {
+    return conditions::external(project, &*project.part) ? steelMass_kg(project.part->shaft)
+                                                         : std::nullopt;
+}
+
+const Offer estimatedMass{
+    "massNote",
+    "takeMass",
+    [](const Project& project) { return project.card->mass_kg || !estimatedMass_kg(project); },
+    [](Project project) {
+        project.card->mass_kg = estimatedMass_kg(project);
+        return project;
+    },
+    {"Edit", QT_TRANSLATE_NOOP("Edit", "Mass from the steps of the shaft")},
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "The mass by the steps of the shaft"),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper",
+                      "By the steps of the shaft, as solid steel of 7850 kg/m³: about %1 kg. An "
+                      "estimate."),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Take the estimate"),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper",
+                      "Without chamfers, keyways and bores; the drawing's mass goes before it"),
+    [](const Project& project) { return printedNumber(estimatedMass_kg(project).value_or(0)); }};
+
 } // namespace
 
 RowHelper* makeRowHelper(const std::string& path, Document& document, QWidget* parent) {
@@ -79,6 +105,9 @@ RowHelper* makeRowHelper(const std::string& path, Document& document, QWidget* p
     }
     if (path == "/optimisation") {
         return new OfferHelper(usualSearch, document, parent);
+    }
+    if (path == "/card/mass_kg") {
+        return new OfferHelper(estimatedMass, document, parent);
     }
     return path == "/part/lower_deviation_um" ? new SizeHelper(document, parent) : nullptr;
 }
@@ -156,15 +185,20 @@ OfferHelper::OfferHelper(const Offer& offer, Document& document, QWidget* parent
         m_document.endMerge();
         m_document.edit(m_offer.give(m_document.project()), m_offer.edit);
     });
-    const auto show = [this] { setVisible(!m_offer.isGiven(m_document.project())); };
-    connect(&document, &Document::changed, this, show);
-    show();
+    connect(&document, &Document::changed, this, &OfferHelper::showOffer);
     retranslate();
+}
+
+void OfferHelper::showOffer() {
+    const Project& project = m_document.project();
+    setVisible(!m_offer.isGiven(project));
+    m_note->setText(m_offer.value ? tr(m_offer.note).arg(m_offer.value(project))
+                                  : tr(m_offer.note));
 }
 
 void OfferHelper::retranslate() {
     m_note->setAccessibleName(tr(m_offer.purpose));
-    m_note->setText(tr(m_offer.note));
+    showOffer();
     sayWhatIsDone(*m_add, tr(m_offer.button), tr(m_offer.tip));
 }
 

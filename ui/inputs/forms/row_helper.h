@@ -52,6 +52,8 @@ struct Offer {
     Project (*give)(Project project);
     EditText edit;
     const char *purpose, *note, *button, *tip; ///< to be translated
+    /// What is offered, for %1 of the note.
+    QString (*value)(const Project& project) = nullptr;
 };
 
 /// Says what the part is for and offers the usual one, as long as it is not given.
@@ -63,6 +65,8 @@ public:
     void retranslate() override;
 
 private:
+    void showOffer();
+
     const Offer& m_offer;
     Document& m_document;
     QLabel* m_note;

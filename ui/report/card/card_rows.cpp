@@ -9,6 +9,7 @@
 #include "ui/report/parts/cell_text.h"
 #include "ui/report/parts/input_fact.h"
 #include "ui/report/parts/operation_setup.h"
+#include "ui/text/example_texts.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 
@@ -47,7 +48,7 @@ QString CardRows::operation(const Setup& setup) {
 }
 
 QString CardRows::surfaceName(const Setup& setup, std::size_t surface) {
-    const QString name = oneLine(setup.surfaces.at(surface).name);
+    const QString name = manyLines(exampleTitle(setup.surfaces.at(surface).name)).simplified();
     const QString number = QString::number(surface + 1);
     return name.isEmpty() || name == number ? number : tr("%1 (%2)").arg(number, name);
 }

@@ -80,6 +80,17 @@ double contentWidth(bool hasCells) {
 
 } // namespace
 
+QString CardHead::maker() const {
+    QStringList all{company.name, company.department};
+    all.removeAll(QString());
+    return all.join(QStringLiteral(", "));
+}
+
+QStringList CardHead::people() const {
+    return {company.developed.isEmpty() ? author : company.developed, company.checked,
+            company.agreed, company.standards, company.approved};
+}
+
 std::vector<CardSheets::Line> CardSheets::wrapped(const std::vector<CardRow>& rows) {
     std::vector<Line> lines;
     for (const CardRow& row : rows) {
@@ -204,9 +215,7 @@ void CardSheets::addInventory(FormSheet& sheet, int number, int count) const {
 }
 
 void CardSheets::addSigners(FormSheet& sheet) const {
-    const Company& of = m_head.company;
-    const QStringList all{of.developed.isEmpty() ? m_head.author : of.developed, of.checked,
-                          of.agreed, of.standards, of.approved};
+    const QStringList all = m_head.people();
     for (std::size_t row = 0; row < form::signers.size(); ++row) {
         double x = form::left;
         const double y = signersTop + static_cast<double>(row) * form::halfPitch;
@@ -236,7 +245,7 @@ void CardSheets::addDesignations(FormSheet& sheet) const {
     addCompany(sheet,
                {x, signersTop + form::pitch - 5.2, form::designations.front().width_mm, 5.2});
     captionedRow(sheet, form::names,
-                 {m_head.part, QString(), of.shop, of.area, of.place, of.operation}, x,
+                 {m_head.part, m_head.letter, of.shop, of.area, of.place, of.operation}, x,
                  signersTop + form::pitch);
 }
 
@@ -250,9 +259,7 @@ void CardSheets::addCompany(FormSheet& sheet, const QRectF& cell) const {
             {{cell.left() + form::pad, cell.top() + 0.2, wide, cell.height() - 0.8}, logo});
         rest.setLeft(cell.left() + wide + form::pad);
     }
-    QStringList all{m_head.company.name, m_head.company.department};
-    all.removeAll(QString());
-    value(sheet, rest, all.join(QStringLiteral(", ")));
+    value(sheet, rest, m_head.maker());
 }
 
 void CardSheets::addFoot(FormSheet& sheet, const form::Kind& kind) {

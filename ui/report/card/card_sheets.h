@@ -17,10 +17,14 @@ namespace sparkout::report {
 struct CardHead {
     Company company;
     QString part;   ///< its name
+    QString letter; ///< of the document
     QString author; ///< of the project, who prepared it unless the company says who
     QDate date;
     QStringList operation; ///< values of form::operationRow
     QStringList equipment; ///< values of form::equipmentRow
+
+    [[nodiscard]] QString maker() const;      ///< company and department
+    [[nodiscard]] QStringList people() const; ///< by form::signers
 };
 
 /// The form: its sheets with head and foot, and the rows of an operation card on them.

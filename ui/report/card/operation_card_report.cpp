@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/card/operation_card_report.h"
 
+#include "core/project/card_entries.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/part.h"
+#include "ui/report/card/head_grids.h"
 #include "ui/report/card/sketch_sheet.h"
 #include "ui/report/parts/begun_report.h"
 #include "ui/report/parts/cell_text.h"
+#include "ui/text/example_texts.h"
 #include "ui/text/number_text.h"
 
 #include <QPainter>
@@ -23,21 +26,26 @@ CardHead OperationCardReport::head(const Setup& setup, const OperationCard& card
                                    const Company& company, const QDate& date) {
     const Project& project = setup.surfaces.front().project;
     CardHead head;
-    head.company = company;
-    head.part = oneLine(project.part->name);
+    const CardEntries& entries = *project.card;
+    head.company = company.with(entries);
+    head.letter = oneLine(entries.letter);
+    head.part = manyLines(exampleTitle(project.part->name)).simplified();
     head.author = oneLine(project.author);
     head.date = date;
     const QString hardness =
         project.material->hardness_hrc
             ? QStringLiteral("HRC ") + printedNumber(*project.material->hardness_hrc)
             : QString();
+    const auto mass = [](const std::optional<double>& value_kg) {
+        return value_kg ? printedNumber(*value_kg) : QString();
+    };
     head.operation = {CardRows::operation(setup),
                       oneLine(project.material->grade),
                       hardness,
                       tr("kg"),
-                      {},
-                      {},
-                      {},
+                      mass(entries.mass_kg),
+                      oneLine(entries.blank),
+                      mass(entries.blank_mass_kg),
                       QStringLiteral("1")};
     const auto time = [&card](double PieceTime::*value) {
         return card.time ? CardRows::minutes((*card.time).*value) : QString();
@@ -46,7 +54,7 @@ CardHead OperationCardReport::head(const Setup& setup, const OperationCard& card
     const bool auxiliary = card.time && card.time->auxiliary_min > 0;
     head.equipment = {
         oneLine(project.machine->name),
-        {},
+        oneLine(entries.program),
         time(&PieceTime::main_min),
         given(time(&PieceTime::auxiliary_min), auxiliary),
         given(time(&PieceTime::preparation_min), card.time && card.time->preparation_min > 0),
@@ -55,25 +63,37 @@ CardHead OperationCardReport::head(const Setup& setup, const OperationCard& card
     return head;
 }
 
-Facts OperationCardReport::facts(const CardHead& head) {
-    Facts all;
+FormHead OperationCardReport::formHead(const CardHead& head, const form::Kind& kind) {
+    FormHead made = HeadGrids::of(head, kind);
+    made.entries = entries(head);
+    return made;
+}
+
+std::vector<std::pair<QString, QString>> OperationCardReport::entries(const CardHead& head) {
+    std::vector<std::pair<QString, QString>> all;
     const auto add = [&all](const char* caption, const QString& value) {
         if (!value.isEmpty()) {
-            all.facts.emplace_back(form::text(caption), value);
+            all.emplace_back(form::text(caption), value);
         }
     };
     add(form::names.front().caption, head.part);
-    add(form::designations[0].caption, head.company.name);
+    add(form::designations[0].caption, head.maker());
     add(form::designations[1].caption, head.company.part);
     add(form::designations[2].caption, head.company.designation);
+    const QStringList numbers{head.letter, head.company.shop, head.company.area, head.company.place,
+                              head.company.operation};
+    for (std::size_t i = 1; i < form::names.size(); ++i) {
+        add(form::names.at(i).caption, numbers.value(static_cast<qsizetype>(i) - 1));
+    }
     for (std::size_t i = 0; i < form::operationRow.size(); ++i) {
         add(form::operationRow.at(i).caption, head.operation.value(static_cast<qsizetype>(i)));
     }
     for (std::size_t i = 0; i < form::equipmentRow.size(); ++i) {
         add(form::equipmentRow.at(i).caption, head.equipment.value(static_cast<qsizetype>(i)));
     }
-    add(form::signers.front(),
-        head.company.developed.isEmpty() ? head.author : head.company.developed);
+    for (std::size_t i = 0; i < form::signers.size(); ++i) {
+        add(form::signers.at(i), head.people().value(static_cast<qsizetype>(i)));
+    }
     return all;
 }
 
@@ -84,6 +104,7 @@ Table OperationCardReport::table(const std::vector<CardRow>& rows) {
         table.widths.push_back(column.width_mm);
     }
     table.texts = {true, true};
+    table.spread = {form::contentColumn, form::mainColumn};
     for (const CardRow& row : rows) {
         QStringList cells{cell(row.symbol), row.text};
         for (std::size_t i = form::firstValue; i < form::mainColumn; ++i) {
@@ -100,7 +121,8 @@ Report OperationCardReport::write(const Setup& setup, const SetupRun& run, const
     const std::vector<CardRow> rows = CardRows::of(card, setup, run);
     const CardHead head = OperationCardReport::head(setup, card, company, date);
     Report report = begunReport(tr("Operation card"), setup.surfaces.front().project, file, date);
-    report.blocks = {facts(head), table(rows), Paragraph{form::text(form::card.note)}};
+    report.blocks = {formHead(head, form::card), table(rows),
+                     Paragraph{form::text(form::card.note)}};
     report.sheets = CardSheets(head).card(rows);
     addSketch(report, head, setup);
     return report;
@@ -110,7 +132,6 @@ Report OperationCardReport::sketch(const Setup& setup, const Company& company, c
                                    const QDate& date) {
     Report report = begunReport(tr("Sketch sheet"), setup.surfaces.front().project, file, date);
     const CardHead head = OperationCardReport::head(setup, {}, company, date);
-    report.blocks = {facts(head)};
     addSketch(report, head, setup);
     return report;
 }
@@ -119,6 +140,9 @@ void OperationCardReport::addSketch(Report& report, const CardHead& head, const 
     FormSheet sheet = CardSheets(head).sketch(1, 1);
     SketchSheet::draw(sheet, CardSheets::sketchRoom(true), setup);
     report.sheets.push_back(std::move(sheet));
+    const bool isAlone = report.blocks.empty(); // else the card's head has said it all
+    report.blocks.push_back(isAlone ? formHead(head, form::sketch)
+                                    : HeadGrids::of(head, form::sketch));
     FormSheet figure;
     constexpr double width = 260, height = 150; // mm
     SketchSheet::draw(figure, {0, 0, width, height}, setup);

@@ -9,6 +9,9 @@
 
 #include <QCoreApplication>
 
+#include <utility>
+#include <vector>
+
 namespace sparkout::report {
 
 /// The operation card of a set-up: the sheets of the form, and the same as tables for other
@@ -29,7 +32,8 @@ public:
 
 private:
     static void addSketch(Report& report, const CardHead& head, const Setup& setup);
-    static Facts facts(const CardHead& head);
+    static FormHead formHead(const CardHead& head, const form::Kind& kind);
+    static std::vector<std::pair<QString, QString>> entries(const CardHead& head);
     static Table table(const std::vector<CardRow>& rows);
 };
 

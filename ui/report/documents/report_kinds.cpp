@@ -2,6 +2,7 @@
 #include "ui/report/documents/report_kinds.h"
 
 #include "core/batch/scenario_source.h"
+#include "core/project/card_entries.h"
 #include "core/setup/piece_time.h"
 #include "core/study/evaluate.h"
 #include "core/units.h"
@@ -38,13 +39,18 @@ Report withCompany(Report report, const Company& company) {
     return report;
 }
 
+/// With the project's own numbers.
+Company companyOf(const Subject& subject) {
+    return subject.company.with(*subject.outcome->result.project.card);
+}
+
 Report makeCard(const Subject& subject) {
     return withCompany(CycleCard::write(subject.outcome, subject.file, subject.date),
-                       subject.company);
+                       companyOf(subject));
 }
 
 Report makePassport(const Subject& subject) {
-    return withCompany(passport(subject), subject.company);
+    return withCompany(passport(subject), companyOf(subject));
 }
 
 Report makeHandout(const Subject& subject) {

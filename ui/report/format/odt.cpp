@@ -2,14 +2,14 @@
 #include "ui/report/format/odt.h"
 
 #include "ui/report/format/formula_markup.h"
+#include "ui/report/format/odt_forms.h"
+#include "ui/report/format/odt_xml.h"
 #include "ui/tables/zip_writer.h"
-#include "ui/text/texts.h"
 
 #include <QBuffer>
 #include <QColor>
 #include <QImage>
 #include <QPainter>
-#include <QXmlStreamWriter>
 
 #include <algorithm>
 #include <numeric>
@@ -19,81 +19,14 @@ namespace sparkout::report {
 
 namespace {
 
-constexpr double upright_mm = 180, landscape_mm = 267; ///< between the margins of the page
+constexpr double upright_mm = 180, landscape_mm = 272; ///< between the margins of the page
+constexpr double mostFormFigure_mm = 118; ///< high, for it to stand below the head of a form
 constexpr QColor paperColour(255, 255, 255);
 constexpr int pixelsPerUnit = 2;                        ///< of a figure
 constexpr qsizetype leastLetters = 4, mostLetters = 40; ///< that a column is as wide as
 constexpr const char* mimeType = "application/vnd.oasis.opendocument.text";
 
-using Attributes = std::vector<std::pair<QString, QString>>;
-
-QString millimetres(double value) {
-    return QString::number(value, 'f', 2) + QStringLiteral("mm");
-}
-
-const std::pair<const char*, const char*> namespaces[] = {
-    {"office", "urn:oasis:names:tc:opendocument:xmlns:office:1.0"},
-    {"style", "urn:oasis:names:tc:opendocument:xmlns:style:1.0"},
-    {"text", "urn:oasis:names:tc:opendocument:xmlns:text:1.0"},
-    {"table", "urn:oasis:names:tc:opendocument:xmlns:table:1.0"},
-    {"draw", "urn:oasis:names:tc:opendocument:xmlns:drawing:1.0"},
-    {"fo", "urn:oasis:names:tc:opendocument:xmlns:xsl-fo-compatible:1.0"},
-    {"svg", "urn:oasis:names:tc:opendocument:xmlns:svg-compatible:1.0"},
-    {"xlink", "http://www.w3.org/1999/xlink"},
-    {"dc", "http://purl.org/dc/elements/1.1/"},
-    {"meta", "urn:oasis:names:tc:opendocument:xmlns:meta:1.0"},
-    {"manifest", "urn:oasis:names:tc:opendocument:xmlns:manifest:1.0"},
-};
-
-/// A file of the document.
-class Xml {
-public:
-    explicit Xml(const char* root) : m_writer(&m_bytes) {
-        m_writer.writeStartDocument();
-        begin(root);
-        for (const auto& [prefix, uri] : namespaces) {
-            m_writer.writeAttribute(QStringLiteral("xmlns:") + QString::fromLatin1(prefix),
-                                    QString::fromLatin1(uri));
-        }
-    }
-    void attribute(const char* name, const QString& value) {
-        m_writer.writeAttribute(QString::fromLatin1(name), value);
-    }
-    void begin(const char* name) { m_writer.writeStartElement(QString::fromLatin1(name)); }
-    void end() { m_writer.writeEndElement(); }
-    void text(const QString& text) { m_writer.writeCharacters(harmlessText(text)); }
-    void empty(const char* name, const Attributes& attributes) {
-        begin(name);
-        for (const auto& [key, value] : attributes) {
-            m_writer.writeAttribute(key, value);
-        }
-        end();
-    }
-    /// A paragraph or heading; its lines stay lines.
-    void paragraph(const char* style, const QString& text, const char* element = "text:p") {
-        begin(element);
-        attribute("text:style-name", QString::fromLatin1(style));
-        if (qstrcmp(element, "text:h") == 0) {
-            attribute("text:outline-level", QStringLiteral("1"));
-        }
-        const QStringList lines = text.split(u'\n');
-        for (qsizetype i = 0; i < lines.size(); ++i) {
-            if (i > 0) {
-                empty("text:line-break", {});
-            }
-            this->text(lines[i]);
-        }
-        end();
-    }
-    [[nodiscard]] QByteArray finish() {
-        m_writer.writeEndDocument();
-        return m_bytes;
-    }
-
-private:
-    QByteArray m_bytes;
-    QXmlStreamWriter m_writer;
-};
+using Attributes = OdtXml::Attributes;
 
 struct Picture {
     QByteArray name, bytes;
@@ -129,9 +62,8 @@ std::vector<double> sharesOf(const Table& table) {
 /// Writes the blocks; the styles of columns are put aside, for they stand before.
 class Body {
 public:
-    /// In a form to be filled in, cells without a value are empty instead of struck out.
-    Body(Xml& xml, double width_mm, bool isForm)
-        : m_xml(xml), m_width_mm(width_mm), m_isForm(isForm) {}
+    Body(OdtXml& xml, double width_mm, const OdtForms& forms)
+        : m_xml(xml), m_width_mm(width_mm), m_forms(forms) {}
 
     void operator()(const Heading& heading) { m_xml.paragraph("Heading", heading.text, "text:h"); }
     void operator()(const Paragraph& paragraph) {
@@ -151,22 +83,20 @@ public:
     }
     void operator()(const Table& table) { write(table, false); }
     void operator()(const Figure& figure) {
-        const QImage image = drawn(figure);
-        QByteArray bytes;
-        QBuffer buffer(&bytes);
-        if (buffer.open(QIODevice::WriteOnly) && image.save(&buffer, "PNG")) {
-            const QByteArray name =
-                "Pictures/figure" + QByteArray::number(qsizetype(m_pictures.size()) + 1) + ".png";
+        const QString name = keep(drawn(figure), "figure");
+        if (!name.isEmpty()) {
+            const double ratio = figure.size.height() / figure.size.width();
+            const double width_mm =
+                m_forms.isEmpty() ? m_width_mm : std::min(m_width_mm, mostFormFigure_mm / ratio);
             m_xml.begin("text:p");
             m_xml.attribute("text:style-name", QStringLiteral("Figure"));
             m_xml.begin("draw:frame");
-            m_xml.attribute("draw:name", QString::fromLatin1(name));
+            m_xml.attribute("draw:name", name);
             m_xml.attribute("text:anchor-type", QStringLiteral("as-char"));
-            m_xml.attribute("svg:width", millimetres(m_width_mm));
-            m_xml.attribute("svg:height",
-                            millimetres(m_width_mm * figure.size.height() / figure.size.width()));
+            m_xml.attribute("svg:width", OdtXml::millimetres(width_mm));
+            m_xml.attribute("svg:height", OdtXml::millimetres(width_mm * ratio));
             m_xml.empty("draw:image",
-                        {{QStringLiteral("xlink:href"), QString::fromLatin1(name)},
+                        {{QStringLiteral("xlink:href"), name},
                          {QStringLiteral("xlink:type"), QStringLiteral("simple")},
                          {QStringLiteral("xlink:show"), QStringLiteral("embed")},
                          {QStringLiteral("xlink:actuate"), QStringLiteral("onLoad")}});
@@ -175,19 +105,23 @@ public:
             m_xml.end();
             m_xml.end();
             m_xml.end();
-            m_pictures.push_back({name, bytes});
         }
         m_xml.paragraph("Caption", figure.caption);
     }
     void operator()(const Formula& formula) {
         m_xml.paragraph("Formula", inOneLine(formula) + QStringLiteral("    ") + formula.label);
     }
+    void operator()(const FormHead&) {
+        m_forms.writeHead(m_xml, m_heads++,
+                          [this](const QImage& image) { return keep(image, "logo"); });
+        m_xml.paragraph("Gap", {});
+    }
     void operator()(const PageBreak&) { m_xml.paragraph("Break", {}); }
 
     [[nodiscard]] const std::vector<Picture>& pictures() const { return m_pictures; }
 
     /// The styles of the columns of a report's tables, in their order.
-    static void writeStyles(Xml& xml, const Report& report, double width_mm);
+    static void writeStyles(OdtXml& xml, const Report& report, double width_mm);
 
 private:
     static QImage drawn(const Figure& figure) {
@@ -200,19 +134,54 @@ private:
         return image;
     }
 
+    /// Its name in the document; empty if it cannot be written.
+    QString keep(const QImage& image, const char* kind) {
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        if (!buffer.open(QIODevice::WriteOnly) || !image.save(&buffer, "PNG")) {
+            return {};
+        }
+        const QByteArray name = QByteArray("Pictures/") + kind
+                                + QByteArray::number(qsizetype(m_pictures.size()) + 1) + ".png";
+        m_pictures.push_back({name, bytes});
+        return QString::fromLatin1(name);
+    }
+
+    /// How many columns the text of one goes over.
+    [[nodiscard]] std::size_t spreadOf(const QStringList& cells, const Table& table,
+                                       std::size_t column) const {
+        const auto [from, to] = table.spread;
+        if (m_forms.isEmpty() || column != from || to <= from) {
+            return 1;
+        }
+        const QStringList beside =
+            cells.mid(static_cast<qsizetype>(from) + 1, static_cast<qsizetype>(to - from) - 1);
+        return std::ranges::all_of(beside, [](const QString& cell) { return cell == u"–"; })
+                   ? to - from
+                   : 1;
+    }
+
     void row(const QStringList& cells, const Table& table, bool head, bool names) {
         m_xml.begin("table:table-row");
+        m_xml.attribute("table:style-name", QStringLiteral("Row"));
         for (qsizetype c = 0; c < cells.size(); ++c) {
             const auto i = static_cast<std::size_t>(c);
             const bool isText = i < table.texts.size() && table.texts[i];
             m_xml.begin("table:table-cell");
             m_xml.attribute("table:style-name", QStringLiteral("Cell"));
             m_xml.attribute("office:value-type", QStringLiteral("string"));
+            const std::size_t spread = spreadOf(cells, table, i);
+            if (spread > 1) {
+                m_xml.attribute("table:number-columns-spanned", QString::number(spread));
+            }
             m_xml.paragraph(head || (names && c % 2 == 0) ? "Head"
                             : isText || c == 0            ? "Text"
                                                           : "Number",
-                            m_isForm && cells[c] == u"–" ? QString() : cells[c]);
+                            !m_forms.isEmpty() && cells[c] == u"–" ? QString() : cells[c]);
             m_xml.end();
+            for (std::size_t covered = 1; covered < spread; ++covered, ++c) {
+                m_xml.empty("table:covered-table-cell", {});
+            }
         }
         m_xml.end();
     }
@@ -238,14 +207,15 @@ private:
         m_xml.paragraph("Gap", {});
     }
 
-    Xml& m_xml;
+    OdtXml& m_xml;
     double m_width_mm;
-    bool m_isForm;
+    const OdtForms& m_forms; ///< in one, cells without a value are empty instead of struck out
+    std::size_t m_heads = 0;
     int m_tables = 0;
     std::vector<Picture> m_pictures;
 };
 
-void Body::writeStyles(Xml& xml, const Report& report, double width_mm) {
+void Body::writeStyles(OdtXml& xml, const Report& report, double width_mm) {
     int tables = 0;
     for (const Block& block : report.blocks) {
         std::vector<double> shares;
@@ -262,31 +232,23 @@ void Body::writeStyles(Xml& xml, const Report& report, double width_mm) {
             xml.attribute("style:name", QStringLiteral("Table%1.%2").arg(tables).arg(c + 1));
             xml.attribute("style:family", QStringLiteral("table-column"));
             xml.empty("style:table-column-properties",
-                      {{QStringLiteral("style:column-width"), millimetres(shares[c] * width_mm)}});
+                      {{QStringLiteral("style:column-width"),
+                        OdtXml::millimetres(shares[c] * width_mm)}});
             xml.end();
         }
     }
 }
 
-void writeParagraphStyle(Xml& xml, const char* name, const Attributes& paragraph,
-                         const Attributes& text) {
-    xml.begin("style:style");
-    xml.attribute("style:name", QString::fromLatin1(name));
-    xml.attribute("style:family", QStringLiteral("paragraph"));
-    xml.empty("style:paragraph-properties", paragraph);
-    xml.empty("style:text-properties", text);
-    xml.end();
-}
-
-QByteArray contentOf(const Report& report, double width_mm, std::vector<Picture>& pictures) {
-    Xml xml("office:document-content");
+QByteArray contentOf(const Report& report, const OdtForms& forms, double width_mm,
+                     std::vector<Picture>& pictures) {
+    OdtXml xml("office:document-content");
     xml.attribute("office:version", QStringLiteral("1.2"));
     xml.begin("office:automatic-styles");
     xml.begin("style:style");
     xml.attribute("style:name", QStringLiteral("Table"));
     xml.attribute("style:family", QStringLiteral("table"));
     xml.empty("style:table-properties",
-              {{QStringLiteral("style:width"), millimetres(width_mm)},
+              {{QStringLiteral("style:width"), OdtXml::millimetres(width_mm)},
                {QStringLiteral("table:align"), QStringLiteral("margins")},
                {QStringLiteral("table:border-model"), QStringLiteral("collapsing")}});
     xml.end();
@@ -298,13 +260,22 @@ QByteArray contentOf(const Report& report, double width_mm, std::vector<Picture>
                {QStringLiteral("fo:padding"), QStringLiteral("0.7mm")},
                {QStringLiteral("style:vertical-align"), QStringLiteral("middle")}});
     xml.end();
+    xml.begin("style:style"); // no row is parted
+    xml.attribute("style:name", QStringLiteral("Row"));
+    xml.attribute("style:family", QStringLiteral("table-row"));
+    xml.empty("style:table-row-properties",
+              {{QStringLiteral("fo:keep-together"), QStringLiteral("always")}});
+    xml.end();
     Body::writeStyles(xml, report, width_mm);
+    forms.writeStyles(xml);
     xml.end();
     xml.begin("office:body");
     xml.begin("office:text");
-    xml.paragraph("Title", report.title);
-    xml.paragraph("Body", report.subject);
-    Body body(xml, width_mm, !report.sheets.empty());
+    if (forms.isEmpty()) {
+        xml.paragraph("Title", report.title);
+        xml.paragraph("Body", report.subject);
+    }
+    Body body(xml, width_mm, forms);
     for (const Block& block : report.blocks) {
         std::visit(body, block);
     }
@@ -312,8 +283,8 @@ QByteArray contentOf(const Report& report, double width_mm, std::vector<Picture>
     return xml.finish();
 }
 
-QByteArray stylesOf(const Report& report, bool landscape) {
-    Xml xml("office:document-styles");
+QByteArray stylesOf(const Report& report, const OdtForms& forms, bool landscape) {
+    OdtXml xml("office:document-styles");
     xml.attribute("office:version", QStringLiteral("1.2"));
     xml.begin("office:styles");
     xml.begin("style:default-style");
@@ -335,21 +306,24 @@ QByteArray stylesOf(const Report& report, bool landscape) {
     const auto align = [](const char* where) {
         return std::pair(QStringLiteral("fo:text-align"), QString::fromLatin1(where));
     };
-    writeParagraphStyle(xml, "Title", {below}, {size("15pt"), bold});
-    writeParagraphStyle(xml, "Heading", {above, below, withNext}, {size("11pt"), bold});
-    writeParagraphStyle(xml, "Body", {below}, {});
-    writeParagraphStyle(xml, "Strong", {below}, {bold});
-    writeParagraphStyle(xml, "Head", {}, {size("7.5pt")});
-    writeParagraphStyle(xml, "Text", {align("start")}, {});
-    writeParagraphStyle(xml, "Number", {align("end")}, {});
-    writeParagraphStyle(xml, "Formula", {below}, {});
-    writeParagraphStyle(xml, "Figure", {withNext}, {});
-    writeParagraphStyle(xml, "Caption", {align("center"), below}, {size("7.5pt")});
-    writeParagraphStyle(xml, "Gap", {}, {size("4pt")});
-    writeParagraphStyle(xml, "Break", {{QStringLiteral("fo:break-before"), QStringLiteral("page")}},
-                        {});
+    xml.paragraphStyle("Title", {below}, {size("15pt"), bold});
+    xml.paragraphStyle("Heading", {above, below, withNext}, {size("11pt"), bold});
+    xml.paragraphStyle("Body", {below}, {});
+    xml.paragraphStyle("Strong", {below}, {bold});
+    xml.paragraphStyle("Head", {}, {size("7.5pt")});
+    xml.paragraphStyle("Text", {align("start")}, {});
+    xml.paragraphStyle("Number", {align("end")}, {});
+    xml.paragraphStyle("Formula", {below}, {});
+    xml.paragraphStyle("Figure", {align("center"), withNext}, {});
+    xml.paragraphStyle("Caption", {align("center"), below}, {size("7.5pt")});
+    xml.paragraphStyle("Gap", {}, {size("4pt")});
+    xml.paragraphStyle("FormNumber", {align("end")}, {size("6pt")});
+    xml.paragraphStyle("FormCaption", {align("center")}, {size("6pt")});
+    xml.paragraphStyle("FormEntry", {align("center")}, {size("8pt")});
+    xml.paragraphStyle("Break", {{QStringLiteral("fo:break-before"), QStringLiteral("page")}}, {});
     xml.end();
     xml.begin("office:automatic-styles");
+    forms.writePageStyles(xml);
     xml.begin("style:page-layout");
     xml.attribute("style:name", QStringLiteral("Paper"));
     const QString longer = QStringLiteral("297mm"), shorter = QStringLiteral("210mm");
@@ -361,12 +335,21 @@ QByteArray stylesOf(const Report& report, bool landscape) {
                {QStringLiteral("fo:margin-left"),
                 landscape ? QStringLiteral("20mm") : QStringLiteral("18mm")},
                {QStringLiteral("fo:margin-right"),
-                landscape ? QStringLiteral("10mm") : QStringLiteral("12mm")},
+                landscape ? QStringLiteral("5mm") : QStringLiteral("12mm")},
                {QStringLiteral("fo:margin-top"), QStringLiteral("10mm")},
                {QStringLiteral("fo:margin-bottom"), QStringLiteral("10mm")}});
+    // A footer is as high as symbol and name of a form with the line below them: it does not grow.
+    for (const auto& [edge, height] :
+         {std::pair("style:header-style", "5mm"), std::pair("style:footer-style", "9mm")}) {
+        xml.begin(edge);
+        xml.empty("style:header-footer-properties",
+                  {{QStringLiteral("fo:min-height"), QString::fromLatin1(height)}});
+        xml.end();
+    }
     xml.end();
     xml.end();
     xml.begin("office:master-styles");
+    forms.writePages(xml, QStringLiteral("Paper"), report.origin());
     xml.begin("style:master-page");
     xml.attribute("style:name", QStringLiteral("Standard"));
     xml.attribute("style:page-layout-name", QStringLiteral("Paper"));
@@ -380,7 +363,7 @@ QByteArray stylesOf(const Report& report, bool landscape) {
 }
 
 QByteArray metaOf(const Report& report) {
-    Xml xml("office:document-meta");
+    OdtXml xml("office:document-meta");
     xml.attribute("office:version", QStringLiteral("1.2"));
     xml.begin("office:meta");
     const std::pair<const char*, QString> all[] = {
@@ -399,7 +382,7 @@ QByteArray metaOf(const Report& report) {
 }
 
 QByteArray manifestOf(const std::vector<Picture>& pictures) {
-    Xml xml("manifest:manifest");
+    OdtXml xml("manifest:manifest");
     xml.attribute("manifest:version", QStringLiteral("1.2"));
     const auto add = [&xml](const QString& path, const char* type) {
         xml.empty("manifest:file-entry",
@@ -421,7 +404,9 @@ QByteArray manifestOf(const std::vector<Picture>& pictures) {
 QByteArray odt(const Report& report) {
     const bool landscape = !report.sheets.empty();
     std::vector<Picture> pictures;
-    const QByteArray content = contentOf(report, landscape ? landscape_mm : upright_mm, pictures);
+    const OdtForms forms(report);
+    const QByteArray content =
+        contentOf(report, forms, landscape ? landscape_mm : upright_mm, pictures);
     ZipWriter zip;
     zip.addStored("mimetype", mimeType); // first, and as it is: by it the file is known
     const auto add = [&zip](const QByteArray& name, const QByteArray& bytes) {
@@ -430,7 +415,7 @@ QByteArray odt(const Report& report) {
         zip.end();
     };
     add("content.xml", content);
-    add("styles.xml", stylesOf(report, landscape));
+    add("styles.xml", stylesOf(report, forms, landscape));
     add("meta.xml", metaOf(report));
     for (const Picture& picture : pictures) {
         add(picture.name, picture.bytes);

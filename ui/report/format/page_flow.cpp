@@ -676,6 +676,10 @@ void PageFlow::operator()(const Formula& formula) {
     m_y += gap / 4;
 }
 
+void PageFlow::operator()(const FormHead& head) {
+    (*this)(Facts{head.entries});
+}
+
 void PageFlow::operator()(const PageBreak&) {
     if (m_y > m_top) {
         newPage();

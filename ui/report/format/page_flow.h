@@ -28,6 +28,7 @@ public:
     void operator()(const Table& table);
     void operator()(const Figure& figure);
     void operator()(const Formula& formula);
+    void operator()(const FormHead& head);
     void operator()(const PageBreak&);
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/report/format/form_head.h"
 #include "ui/report/format/form_sheet.h"
 #include "ui/report/format/formula_node.h"
 
@@ -9,7 +10,9 @@
 #include <QString>
 #include <QStringList>
 
+#include <cstddef>
 #include <functional>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -42,6 +45,9 @@ struct Table {
     bool lastIsSum = false;          ///< the last row adds up the others
     std::vector<double> widths = {}; ///< of its columns, in shares; empty: as its texts need
     bool symbols = false;            ///< the first column has symbols: "k_s"
+    /// In a form, the text in the first of these columns goes on over those before the second, in
+    /// rows that have nothing there.
+    std::pair<std::size_t, std::size_t> spread = {};
 };
 
 /// A drawing in vectors.
@@ -61,7 +67,7 @@ struct Formula {
 /// What follows begins on a page of its own.
 struct PageBreak {};
 
-using Block = std::variant<Heading, Paragraph, Facts, Table, Figure, Formula, PageBreak>;
+using Block = std::variant<Heading, Paragraph, Facts, Table, Figure, Formula, PageBreak, FormHead>;
 
 struct Report {
     QString title;

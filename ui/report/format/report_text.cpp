@@ -91,6 +91,11 @@ public:
         m_text += QStringLiteral("<div class=\"formula\">%1<span>%2</span></div>\n")
                       .arg(mathMarkup(formula), formula.label.toHtmlEscaped());
     }
+    void operator()(const FormHead& head) {
+        if (!head.entries.empty()) {
+            (*this)(Facts{head.entries});
+        }
+    }
     void operator()(const PageBreak&) { m_text += QStringLiteral("<div class=\"page\"></div>\n"); }
     [[nodiscard]] const QString& text() const { return m_text; }
 
@@ -165,6 +170,11 @@ public:
         static const QRegularExpression power(QStringLiteral("\\^\\(([0-9.,/]+)\\)"));
         m_text += indexed(inOneLine(formula)).replace(power, QStringLiteral("<sup>\\1</sup>"))
                   + QStringLiteral(" ") + plain(formula.label) + end();
+    }
+    void operator()(const FormHead& head) {
+        if (!head.entries.empty()) {
+            (*this)(Facts{head.entries});
+        }
     }
     void operator()(const PageBreak&) { m_text += QStringLiteral("---") + end(); }
     [[nodiscard]] const QString& text() const { return m_text; }

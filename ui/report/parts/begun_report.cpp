@@ -16,7 +16,7 @@ Report begunReport(const QString& title, const Project& project, const QString& 
     Report report;
     report.title = title;
     QStringList subject{manyLines(exampleTitle(project.title)).simplified(),
-                        oneLine(project.part->name)};
+                        manyLines(exampleTitle(project.part->name)).simplified()};
     subject.removeAll(QString());
     subject.removeDuplicates();
     report.subject = subject.join(QStringLiteral(" · "));

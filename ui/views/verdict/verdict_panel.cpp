@@ -11,6 +11,8 @@
 #include "ui/kit/metrics.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
+#include "ui/views/verdict/form_section.h"
+#include "ui/views/verdict/narrow_table.h"
 #include "ui/views/verdict/remedy_section.h"
 #include "ui/views/verdict/verdict_shop.h"
 #include "ui/views/verdict/verdict_text.h"
@@ -80,6 +82,8 @@ void VerdictPanel::build() {
     m_model = new VerdictModel(this);
     m_table = new CopyTable([this] { return m_model->asTsv(); }, page);
     m_layout->addWidget(m_table);
+    m_form = new FormSection(page);
+    m_layout->addWidget(m_form);
     m_shop = new ShopSection(page);
     m_layout->addWidget(m_shop);
     m_layout->addStretch(1);
@@ -134,6 +138,8 @@ void VerdictPanel::buildSaving(Settings* settings) {
         return m_good ? stageTable(m_good->shop, m_good->result.project.operation) : CsvTable();
     };
     m_shop->table()->setSaving(stages, project, settings);
+    const auto form = [this] { return m_good ? formTable(*m_good) : CsvTable(); };
+    m_form->table()->setSaving(form, project, settings);
 }
 
 void VerdictPanel::setOutcome(OutcomePtr outcome) {
@@ -163,6 +169,7 @@ void VerdictPanel::showOutcome() {
     if (ran) {
         m_good = m_latest;
         m_model->setOutcome(m_good);
+        m_form->setOutcome(m_good);
         m_shop->setOutcome(m_good);
     }
     grey(m_good && !ran);
@@ -195,6 +202,7 @@ void VerdictPanel::showTexts() {
                    : incomplete ? Names::missingLinks(m_latest->issues)
                                 : QString());
     m_off->setVisible(!m_off->text().isEmpty());
+    m_form->setVisible(m_good && !m_good->accuracy.zones.empty());
     m_shop->setVisible(m_good && !m_good->shop.stages.empty());
     const ConstraintResult* about = m_good ? explained() : nullptr;
     m_why->setText(about ? verdict::why(*m_good, *about) : QString());
@@ -246,6 +254,7 @@ void VerdictPanel::grey(bool on) {
         label->setPalette(own);
     }
     m_model->setGreyed(on);
+    m_form->setGreyed(on, own);
     m_shop->setGreyed(on, own);
     drawIcons();
 }
@@ -291,6 +300,7 @@ void VerdictPanel::retranslate() {
     m_table->retranslate();
     m_refused->setAccessibleName(tr("Fields that hold a refused text"));
     m_remedies->retranslate();
+    m_form->retranslate();
     m_shop->retranslate();
     m_model->retranslate();
     showRefusedFields();

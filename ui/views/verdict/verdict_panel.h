@@ -14,6 +14,7 @@ class QVBoxLayout;
 namespace sparkout {
 
 class CopyTable;
+class FormSection;
 class RemedySection;
 class Settings;
 class ShopSection;
@@ -21,13 +22,14 @@ class VerdictModel;
 
 /// What the cycle comes to: machining time and light, always in sight; below them, on a page that
 /// scrolls, what would help, each requirement of the drawing with its predicted value, limit and
-/// margin, and the shop's numbers. Works from 300 px width on.
+/// margin, the form by zone, and the shop's numbers. Works from 300 px width on.
 class VerdictPanel : public QWidget {
     Q_OBJECT
 public:
     explicit VerdictPanel(QWidget* parent = nullptr, Settings* settings = nullptr);
 
     [[nodiscard]] VerdictModel* model() const { return m_model; }
+    [[nodiscard]] FormSection& form() const { return *m_form; }
     [[nodiscard]] ShopSection* shop() const { return m_shop; }
     [[nodiscard]] RemedySection& remedies() const { return *m_remedies; }
     [[nodiscard]] QSize sizeHint() const override { return {320, 620}; }
@@ -76,6 +78,7 @@ private:
     RemedySection* m_remedies = nullptr;
     CopyTable* m_table = nullptr;
     VerdictModel* m_model = nullptr;
+    FormSection* m_form = nullptr;
     ShopSection* m_shop = nullptr;
 
     OutcomePtr m_latest;

@@ -9,11 +9,10 @@ class QLabel;
 
 namespace sparkout {
 
-class CopyTable;
+class NarrowTable;
 class ShopModel;
 
-/// The verdict's section of the shop's numbers: title, table, and what lies outside its band. The
-/// table is as high as its rows and scrolls sideways when the stages need more than the width.
+/// The verdict's section of the shop's numbers: title, table, and what lies outside its band.
 class ShopSection : public QWidget {
     Q_OBJECT
 public:
@@ -24,21 +23,18 @@ public:
     void retranslate();
 
     [[nodiscard]] ShopModel* model() const { return m_model; }
-    [[nodiscard]] CopyTable* table() const { return m_table; }
+    [[nodiscard]] NarrowTable* table() const { return m_table; }
 
 private:
-    void buildTable();
     void showRemarks();
-    void fit();
 
     QLabel* m_title;
     ShopModel* m_model;
-    CopyTable* m_table;
+    NarrowTable* m_table;
     QWidget* m_remarksLine;
     QLabel* m_icon;
     QLabel* m_remarks;
     OutcomePtr m_outcome;
-    bool m_fitting = false;
 };
 
 } // namespace sparkout

@@ -5,7 +5,7 @@
 #include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/study/evaluate.h"
-#include "ui/dialogs/copy_table.h"
+#include "ui/views/verdict/narrow_table.h"
 #include "ui/views/verdict/verdict_panel.h"
 #include "ui/views/verdict/verdict_shop.h"
 #include "ui/views/verdict/verdict_shop_model.h"

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The form of zones that hold several sections, as a table of the verdict panel.
+#include "core/units.h"
+#include "tests/registry.h"
+#include "tests/ui/support/view_fixtures.h"
+#include "tests/ui/views/verdict/verdict_bench.h"
+#include "ui/charts/result_tables.h"
+#include "ui/text/names.h"
+#include "ui/views/verdict/form_model.h"
+#include "ui/views/verdict/form_section.h"
+#include "ui/views/verdict/narrow_table.h"
+
+#include <QApplication>
+#include <QClipboard>
+
+#include <cstddef>
+#include <variant>
+
+namespace test_verdict_form {
+
+using namespace sparkout;
+using namespace verdict_bench;
+using verdict_bench::Bench;
+
+namespace {
+
+Project several(int sections = 5) {
+    Project p = traverseProject();
+    p.zone_sections = sections;
+    return p;
+}
+
+QString shown(const FormModel& model, int row, int zone) {
+    return model.index(row, zone).data(Qt::DisplayRole).toString();
+}
+
+} // namespace
+
+class TestVerdictForm : public VerdictTest {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { begin(); }
+
+    void everyZoneHasItsForm() {
+        const OutcomePtr outcome = run(several());
+        Bench bench(outcome);
+        const FormModel& model = *bench.panel.form().model();
+        QVERIFY(bench.panel.form().isVisible());
+        QCOMPARE(model.columnCount(), 3);
+        QCOMPARE(model.rowCount(), 5);
+        const QString heads[] = {QStringLiteral("RZ1"), QStringLiteral("NZ"),
+                                 QStringLiteral("RZ2")};
+        for (int zone = 0; zone < 3; ++zone) {
+            QCOMPARE(model.headerData(zone, Qt::Horizontal, Qt::DisplayRole).toString(),
+                     heads[zone]);
+            const auto i = static_cast<std::size_t>(zone);
+            const ZoneForm& form = outcome->accuracy.zones.at(i);
+            const double roundness_mm = outcome->accuracy.sections.at(i).minimumZone.deviation();
+            const auto um = [](double value_mm) { return value_mm * units::umPerMm; };
+            QVERIFY(form.cylindricity_mm > 0);
+            QCOMPARE(shown(model, FormModel::roundness, zone),
+                     Names::amountFixed(um(roundness_mm), 2));
+            QCOMPARE(shown(model, FormModel::cylindricity, zone),
+                     Names::amountFixed(um(form.cylindricity_mm), 2));
+            QCOMPARE(shown(model, FormModel::totalRunout, zone),
+                     Names::amountFixed(um(form.totalRunout_mm), 2));
+            QCOMPARE(shown(model, FormModel::taper, zone),
+                     Names::signedMicrometres(um(form.profile.taper_mm)));
+            QCOMPARE(shown(model, FormModel::crown, zone),
+                     Names::signedMicrometres(um(form.profile.crown_mm)));
+        }
+    }
+
+    /// Zones of one section and sections of a plunge have none.
+    void withoutSectionsInZonesThereIsNone() {
+        Bench bench(m_traverse);
+        QVERIFY(!bench.panel.form().isVisible());
+        bench.show(run(several()));
+        QVERIFY(bench.panel.form().isVisible());
+        bench.show(m_plunge);
+        QVERIFY(!bench.panel.form().isVisible());
+        QVERIFY(formTable(*m_plunge).rows.empty());
+    }
+
+    /// Of strips that stay uncut nothing is known.
+    void uncutStripsHaveNoForm() {
+        Project p = several();
+        p.cycle->stages.back().axial_feed_mm_min =
+            1.2 * p.wheel->width_mm * p.machine->work_speed_rpm;
+        const OutcomePtr outcome = run(p);
+        Bench bench(outcome);
+        for (int row = 0; row < FormModel::count_; ++row) {
+            QCOMPARE(shown(*bench.panel.form().model(), row, 1), QStringLiteral("—"));
+        }
+        QVERIFY(std::holds_alternative<std::monostate>(formTable(*outcome).rows.at(1).at(1)));
+    }
+
+    void itIsCopiedWithItsHeads() {
+        Bench bench(run(several()));
+        NarrowTable& table = *bench.panel.form().table();
+        table.setFocus();
+        QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
+        const QStringList lines = QApplication::clipboard()->text().trimmed().split(u'\n');
+        QCOMPARE(lines.size(), 6);
+        QCOMPARE(lines.front(), QStringLiteral("Quantity\tRZ1\tNZ\tRZ2"));
+        QVERIFY(lines[2].startsWith(QStringLiteral("Cylindricity, µm\t")));
+        QVERIFY(!QApplication::clipboard()->text().contains(u'−')); // as a spreadsheet reads it
+    }
+
+    /// What its menu saves has all digits, a row a zone.
+    void itIsSavedWithAllDigits() {
+        const OutcomePtr outcome = run(several());
+        const CsvTable table = formTable(*outcome);
+        QCOMPARE(table.rows.size(), std::size_t{3});
+        QCOMPARE(table.header.size(), qsizetype{6});
+        for (std::size_t i = 0; i < 3; ++i) {
+            const ZoneForm& form = outcome->accuracy.zones.at(i);
+            QCOMPARE(std::get<double>(table.rows[i].at(2)), form.cylindricity_mm * units::umPerMm);
+            QCOMPARE(std::get<double>(table.rows[i].at(4)), form.profile.taper_mm * units::umPerMm);
+        }
+    }
+
+    void itIsAsHighAsItsRows() {
+        Bench bench(run(several()));
+        const NarrowTable& table = *bench.panel.form().table();
+        for (int row = 0; row < FormModel::count_; ++row) {
+            const QRect cell = table.visualRect(table.model()->index(row, 2));
+            QVERIFY(table.viewport()->rect().contains(cell));
+        }
+    }
+
+    void anotherLanguageReachesEveryText() {
+        Bench bench(run(several()));
+        fixtures::Marking marking;
+        QApplication::installTranslator(&marking);
+        QTest::qWait(30);
+        const FormModel& model = *bench.panel.form().model();
+        for (int row = 0; row < model.rowCount(); ++row) {
+            for (const int role : {int(Qt::DisplayRole), int(Qt::ToolTipRole)}) {
+                QVERIFY(model.headerData(row, Qt::Vertical, role).toString().contains(u'«'));
+            }
+        }
+        QVERIFY(bench.panel.form().table()->accessibleName().contains(u'«'));
+        QApplication::removeTranslator(&marking);
+        QTest::qWait(30);
+        QCOMPARE(bench.panel.form().table()->accessibleName(), QStringLiteral("Form by zone"));
+    }
+};
+
+} // namespace test_verdict_form
+
+SPARKOUT_TEST(test_verdict_form, TestVerdictForm)
+#include "test_verdict_form.moc"

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+#include <QXmlStreamWriter>
+
+#include <utility>
+#include <vector>
+
+namespace sparkout::report {
+
+/// A file of an OpenDocument text that is being written.
+class OdtXml {
+public:
+    using Attributes = std::vector<std::pair<QString, QString>>;
+
+    explicit OdtXml(const char* root);
+    void attribute(const char* name, const QString& value);
+    void begin(const char* name);
+    void end();
+    void text(const QString& text);
+    void empty(const char* name, const Attributes& attributes);
+    /// A paragraph or heading; its lines stay lines.
+    void paragraph(const char* style, const QString& text, const char* element = "text:p");
+    void paragraphStyle(const char* name, const Attributes& paragraph, const Attributes& text);
+    /// Ends what is open.
+    [[nodiscard]] QByteArray finish();
+
+    [[nodiscard]] static QString millimetres(double value);
+
+private:
+    QByteArray m_bytes;
+    QXmlStreamWriter m_writer;
+};
+
+} // namespace sparkout::report

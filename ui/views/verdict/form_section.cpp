@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/verdict/form_section.h"
+
+#include "ui/kit/metrics.h"
+#include "ui/views/verdict/form_model.h"
+#include "ui/views/verdict/narrow_table.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace sparkout {
+
+FormSection::FormSection(QWidget* parent)
+    : QWidget(parent)
+    , m_title(new QLabel(this))
+    , m_model(new FormModel(this))
+    , m_table(new NarrowTable([this] { return m_model->asTsv(); }, this)) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(metrics::tight);
+    layout->addWidget(m_title);
+    layout->addWidget(m_table);
+    QFont bold = font();
+    bold.setBold(true);
+    m_title->setFont(bold);
+    m_title->setTextFormat(Qt::PlainText);
+    m_title->setWordWrap(true);
+    m_title->setMinimumWidth(1);
+    m_table->setObjectName(QStringLiteral("formByZone"));
+    m_table->setModel(m_model);
+    retranslate();
+}
+
+void FormSection::setOutcome(const OutcomePtr& outcome) {
+    m_model->setOutcome(outcome);
+    setVisible(m_model->columnCount() > 0);
+    m_table->fit();
+}
+
+void FormSection::setGreyed(bool grey, const QPalette& palette) {
+    m_model->setGreyed(grey);
+    m_title->setPalette(palette);
+}
+
+void FormSection::retranslate() {
+    m_title->setText(tr("Form by zone, µm"));
+    m_table->setAccessibleName(tr("Form by zone"));
+    m_table->retranslate();
+    m_model->retranslate();
+    m_table->fit();
+}
+
+} // namespace sparkout

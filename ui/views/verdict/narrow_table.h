@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/dialogs/copy_table.h"
+
+#include <functional>
+
+namespace sparkout {
+
+/// A table of numbers for a narrow panel: a row a quantity, with little air between the columns. It
+/// is as high as its rows and scrolls sideways when its columns need more than the width.
+class NarrowTable : public CopyTable {
+    Q_OBJECT
+public:
+    /// @param text as that of CopyTable
+    explicit NarrowTable(std::function<QString()> text, QWidget* parent = nullptr);
+
+    void fit(); ///< columns and height to what the model has
+
+private:
+    bool m_fitting = false;
+};
+
+} // namespace sparkout
