@@ -687,40 +687,28 @@
             <translation>Сила, Н</translation>
         </message>
         <message>
-            <source>Σ feed,
-µm</source>
-            <translation>Σ подача,
-мкм</translation>
+            <source>Σ feed, µm</source>
+            <translation>Σ подача, мкм</translation>
         </message>
         <message>
-            <source>Radius,
-µm</source>
-            <translation>Радиус,
-мкм</translation>
+            <source>Radius, µm</source>
+            <translation>Радиус, мкм</translation>
         </message>
         <message>
-            <source>Programmed,
-µm</source>
-            <translation>Программ.,
-мкм</translation>
+            <source>Programmed, µm</source>
+            <translation>Программ., мкм</translation>
         </message>
         <message>
-            <source>Axial,
-mm/min</source>
-            <translation>Осевая,
-мм/мин</translation>
+            <source>Axial, mm/min</source>
+            <translation>Осевая, мм/мин</translation>
         </message>
         <message>
-            <source>Radius
-before, µm</source>
-            <translation>Радиус
-до, мкм</translation>
+            <source>Radius before, µm</source>
+            <translation>Радиус до, мкм</translation>
         </message>
         <message>
-            <source>Σ program-
-med, µm</source>
-            <translation>Σ прогр.,
-мкм</translation>
+            <source>Σ programmed, µm</source>
+            <translation>Σ программ., мкм</translation>
         </message>
         <message>
             <source>%1: nothing is ground then</source>
