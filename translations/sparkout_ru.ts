@@ -10222,11 +10222,6 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Coupled sections share the power of the drives, so it limits no section&apos;s feed by itself. The requirements below hold it against the whole length.</source>
             <translation>Связанные сечения делят мощность приводов, поэтому подачу отдельного сечения она не ограничивает. Ниже, в требованиях, с ней сравнивается вся длина.</translation>
         </message>
-        <message>
-            <source>Constraints</source>
-            <comment>the view&apos;s tab</comment>
-            <translation>Пределы</translation>
-        </message>
     </context>
     <context>
         <name>sparkout::CopyTable</name>
@@ -12199,11 +12194,6 @@ target, µm</source>
             <translation>Около двенадцати уровней каждой подачи вокруг текущего цикла и шаги припуска; можно отменить и изменить на странице «Поиск»</translation>
         </message>
         <message>
-            <source>Optimise</source>
-            <comment>the view&apos;s tab</comment>
-            <translation>Поиск</translation>
-        </message>
-        <message>
             <source>Between levels</source>
             <translation>Между уровнями</translation>
         </message>
@@ -14062,11 +14052,6 @@ target, µm</source>
         <message>
             <source>no point</source>
             <translation>точка не выбрана</translation>
-        </message>
-        <message>
-            <source>Sweep</source>
-            <comment>the view&apos;s tab</comment>
-            <translation>Варьирование</translation>
         </message>
     </context>
     <context>
@@ -17102,11 +17087,6 @@ The size alone gives α and β, that is the compliance with the force together; 
         <message>
             <source>Import measurements…</source>
             <translation>Импорт измерений…</translation>
-        </message>
-        <message>
-            <source>Measured</source>
-            <comment>the view&apos;s tab</comment>
-            <translation>Измерения</translation>
         </message>
     </context>
 </TS>
