@@ -2346,6 +2346,17 @@
         </message>
     </context>
     <context>
+        <name>FileDialog</name>
+        <message>
+            <source>Folder</source>
+            <translation>Папка</translation>
+        </message>
+        <message>
+            <source>%1 kB</source>
+            <translation>%1 кБ</translation>
+        </message>
+    </context>
+    <context>
         <name>FileError</name>
         <message>
             <source>the path cannot be reached</source>
