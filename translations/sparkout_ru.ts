@@ -687,40 +687,28 @@
             <translation>Сила, Н</translation>
         </message>
         <message>
-            <source>Σ feed,
-µm</source>
-            <translation>Σ подача,
-мкм</translation>
+            <source>Σ feed, µm</source>
+            <translation>Σ подача, мкм</translation>
         </message>
         <message>
-            <source>Radius,
-µm</source>
-            <translation>Радиус,
-мкм</translation>
+            <source>Radius, µm</source>
+            <translation>Радиус, мкм</translation>
         </message>
         <message>
-            <source>Programmed,
-µm</source>
-            <translation>Программ.,
-мкм</translation>
+            <source>Programmed, µm</source>
+            <translation>Программ., мкм</translation>
         </message>
         <message>
-            <source>Axial,
-mm/min</source>
-            <translation>Осевая,
-мм/мин</translation>
+            <source>Axial, mm/min</source>
+            <translation>Осевая, мм/мин</translation>
         </message>
         <message>
-            <source>Radius
-before, µm</source>
-            <translation>Радиус
-до, мкм</translation>
+            <source>Radius before, µm</source>
+            <translation>Радиус до, мкм</translation>
         </message>
         <message>
-            <source>Σ program-
-med, µm</source>
-            <translation>Σ прогр.,
-мкм</translation>
+            <source>Σ programmed, µm</source>
+            <translation>Σ программ., мкм</translation>
         </message>
         <message>
             <source>%1: nothing is ground then</source>
@@ -2772,6 +2760,17 @@ med, µm</source>
         <message>
             <source>no</source>
             <translation>нет</translation>
+        </message>
+    </context>
+    <context>
+        <name>FileDialog</name>
+        <message>
+            <source>Folder</source>
+            <translation>Папка</translation>
+        </message>
+        <message>
+            <source>%1 kB</source>
+            <translation>%1 кБ</translation>
         </message>
     </context>
     <context>
@@ -10931,11 +10930,6 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Coupled sections share the power of the drives, so it limits no section&apos;s feed by itself. The requirements below hold it against the whole length.</source>
             <translation>Связанные сечения делят мощность приводов, поэтому подачу отдельного сечения она не ограничивает. Ниже, в требованиях, с ней сравнивается вся длина.</translation>
         </message>
-        <message>
-            <source>Constraints</source>
-            <comment>the view&apos;s tab</comment>
-            <translation>Пределы</translation>
-        </message>
     </context>
     <context>
         <name>sparkout::CopyTable</name>
@@ -12924,11 +12918,6 @@ target, µm</source>
             <translation>Около двенадцати уровней каждой подачи вокруг текущего цикла и шаги припуска; можно отменить и изменить на странице «Поиск»</translation>
         </message>
         <message>
-            <source>Optimise</source>
-            <comment>the view&apos;s tab</comment>
-            <translation>Поиск</translation>
-        </message>
-        <message>
             <source>Between levels</source>
             <translation>Между уровнями</translation>
         </message>
@@ -14863,11 +14852,6 @@ target, µm</source>
         <message>
             <source>no point</source>
             <translation>точка не выбрана</translation>
-        </message>
-        <message>
-            <source>Sweep</source>
-            <comment>the view&apos;s tab</comment>
-            <translation>Варьирование</translation>
         </message>
     </context>
     <context>
@@ -17911,11 +17895,6 @@ The size alone gives α and β, that is the compliance with the force together; 
         <message>
             <source>Import measurements…</source>
             <translation>Импорт измерений…</translation>
-        </message>
-        <message>
-            <source>Measured</source>
-            <comment>the view&apos;s tab</comment>
-            <translation>Измерения</translation>
         </message>
     </context>
     <context>

@@ -196,10 +196,6 @@ QString ConstraintsView::title() const {
     return tr("Constraints");
 }
 
-QString ConstraintsView::brief() const {
-    return tr("Constraints", "the view's tab");
-}
-
 void ConstraintsView::forget() {
     m_plot->fitNext();
 }

@@ -363,10 +363,6 @@ void OptimiseView::showState() {
 
 // --- texts --------------------------------------------------------------------------------------
 
-QString OptimiseView::brief() const {
-    return tr("Optimise", "the view's tab");
-}
-
 QString OptimiseView::title() const {
     return tr("Optimise");
 }

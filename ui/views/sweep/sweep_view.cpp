@@ -416,10 +416,6 @@ void SweepView::showState() {
 
 // --- texts --------------------------------------------------------------------------------------
 
-QString SweepView::brief() const {
-    return tr("Sweep", "the view's tab");
-}
-
 QString SweepView::title() const {
     return tr("Sweep");
 }
