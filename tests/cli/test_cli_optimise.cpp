@@ -331,6 +331,31 @@ private slots:
         QVERIFY(answer.at("cycle").is_null() && answer.at("gap").is_null());
     }
 
+    /// At the edge of its grid an answer says so; levels that follow it leave the edge.
+    void theEdgeOfTheGridIsNamed() {
+        json file = shaft();
+        file["optimisation"]["radial_feed_mm"] = {0.001, 0.002};
+        file["optimisation"]["axial_feed_mm_min"] = {900, 1200};
+        file["machine"]["limits"]["radial_feed_mm"] = {0.0005, 0.02, 0.0005};
+        file["machine"]["limits"]["axial_feed_mm_min"] = {50, 5000, 50};
+        const QString saved = save("edge.sparkout", file);
+        const json fixed = json::parse(optimize({saved, "--json"}).out);
+        QVERIFY(!fixed.at("edges").empty() && fixed.at("level_rounds") == 1);
+        QVERIFY(fixed.at("edges").at(0).at("is_allowed_end") == false);
+        const std::string text = optimize({saved}).out;
+        QVERIFY2(text.find("is the greatest level, ") != std::string::npos, text.c_str());
+        file["optimisation"]["adaptive"] = true;
+        const QString following = save("adaptive.sparkout", file);
+        const json adaptive = json::parse(optimize({following, "--json"}).out);
+        QVERIFY(adaptive.at("level_rounds") > 1);
+        QVERIFY(adaptive.at("cycle_time_min") < fixed.at("cycle_time_min"));
+        QVERIFY(adaptive.at("levels").at("radial_feed_mm").size() > 2);
+        for (const json& edge : adaptive.at("edges")) {
+            QVERIFY(edge.at("is_allowed_end") == true);
+        }
+        QVERIFY(optimize({following}).out.find("around the answer") != std::string::npos);
+    }
+
     void robustHoldsInThePhasesOfTheStock() {
         json file = shaft();
         file["optimisation"]["radial_feed_mm"] = {0.001, 0.002, 0.004, 0.006};

@@ -228,7 +228,7 @@ private slots:
 
     void roundsThatRanOutProveNothing() {
         SearchOutcome outcome;
-        outcome.project = fixtures::searchedShaft();
+        outcome.project = outcome.searched = fixtures::searchedShaft();
         outcome.robust = true;
         SearchedNumber number;
         number.stages = 2;
@@ -257,7 +257,7 @@ private slots:
 
     void theShareThatMayFailGrowsWithTheCyclesTried() {
         SearchOutcome outcome;
-        outcome.project = fixtures::searchedShaft();
+        outcome.project = outcome.searched = fixtures::searchedShaft();
         outcome.robust = true;
         FoundCycle& found = outcome.found.emplace_back();
         found.time_s = 50;
@@ -271,7 +271,7 @@ private slots:
     // What was not worked out is not known; it does not read as if nothing were in the way.
     void whatBindsIsNotKnownWhereItWasStopped() {
         SearchOutcome outcome;
-        outcome.project = fixtures::searchedShaft();
+        outcome.project = outcome.searched = fixtures::searchedShaft();
         outcome.found.emplace_back().time_s = 50;
         const auto says = [&](const char* words) {
             return OptimiseText::answer(outcome, {}).contains(QString::fromLatin1(words));
@@ -283,6 +283,33 @@ private slots:
         QVERIFY(!says("not known") && !says("No cycle of the grid that differs"));
         outcome.binding->push_back(ConstraintKind::wheelPower);
         QVERIFY(!says("not known") && says("What keeps it from being quicker: "));
+    }
+
+    /// Where the answer stands at the edge of its grid, the line below it says so.
+    void theEdgeOfTheGridIsNamed() {
+        SearchOutcome outcome;
+        outcome.project = outcome.searched = fixtures::searchedShaft();
+        outcome.searched.machine->limits.axial_feed_mm_min = std::vector<double>{50, 5000, 50};
+        outcome.found.emplace_back().time_s = 50;
+        Cycle cycle = *outcome.project.cycle;
+        cycle.stages.resize(2);
+        cycle.stages[0].radial_feed_mm = 0.003;
+        cycle.stages[0].axial_feed_mm_min = 2400;
+        cycle.stages[1].radial_feed_mm = 0.003;
+        cycle.stages[1].axial_feed_mm_min = 1200;
+        outcome.edges = edgesReached(outcome.searched, cycle);
+        QString text = OptimiseText::answer(outcome, {});
+        QVERIFY2(text.contains(QStringLiteral("Stage 1: “Axial feed” has the greatest level"))
+                     && text.contains(QStringLiteral("allowed is 5000")),
+                 qPrintable(text));
+        QVERIFY(!text.contains(QStringLiteral("Stage 2:")));
+        outcome.searched.machine->limits.axial_feed_mm_min = std::vector<double>{50, 2400, 50};
+        outcome.edges = edgesReached(outcome.searched, cycle);
+        outcome.rounds = 3;
+        text = OptimiseText::answer(outcome, {});
+        QVERIFY2(text.contains(QStringLiteral("limits allow no other"))
+                     && text.contains(QStringLiteral("rounds: 3")),
+                 qPrintable(text));
     }
 
     void aSearchIsStoppedAndAnEditDropsIt() {
