@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/format/difference.h"
 #include "core/project/batch.h"
 #include "core/project/cycle.h"
-#include "core/project/difference.h"
 #include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
