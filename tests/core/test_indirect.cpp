@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The laws of Indirect and OptionalIndirect: values that stand apart from their owner.
+#include "core/format/difference.h"
 #include "core/indirect.h"
 #include "core/optional_indirect.h"
 #include "core/project/batch.h"
 #include "core/project/cycle.h"
-#include "core/project/difference.h"
 #include "core/project/gauge.h"
 #include "core/project/project.h"
 #include "tests/core/support/allocation_counter.h"

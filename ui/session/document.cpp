@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/document.h"
 
+#include "core/format/difference.h"
 #include "core/format/project_file.h"
-#include "core/project/difference.h"
 #include "core/project/leaves.h"
 #include "core/project/member.h"
 #include "core/project/validate.h"

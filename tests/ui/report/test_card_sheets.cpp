@@ -5,6 +5,7 @@
 #include "core/project/cycle.h"
 #include "core/project/material.h"
 #include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/setup/setup_file.h"
 #include "core/units.h"
 #include "tests/registry.h"
@@ -350,6 +351,26 @@ private slots:
                          qPrintable(first));
             }
         }
+    }
+
+    /// A marking that begins with the wheel's size says it for both.
+    void theSizeOfTheWheelIsWrittenOnce() {
+        Setup setup = setupOf("spindle");
+        const auto toolingWith = [&setup](const char* marking) {
+            for (GroundSurface& surface : setup.surfaces) {
+                surface.project.wheel->marking = marking;
+                surface.project.wheel->diameter_mm = 500;
+                surface.project.wheel->width_mm = 40;
+            }
+            const auto rows = CardRows::of(operationCard(setup, {}), setup, {});
+            const auto row = std::ranges::find_if(
+                rows, [](const CardRow& r) { return r.text.startsWith(u"Круг"); });
+            return row == rows.end() ? QString() : row->text.section(u';', 0, 0);
+        };
+        QCOMPARE(toolingWith("500×40×203 25А F60 L 6 V"),
+                 QStringLiteral("Круг 500×40×203 25А F60 L 6 V"));
+        QCOMPARE(toolingWith("25А F60 L 6 V"), QStringLiteral("Круг 500×40, 25А F60 L 6 V"));
+        QCOMPARE(toolingWith(""), QStringLiteral("Круг 500×40"));
     }
 
     /// What is printed is what the set-up was set to and what came out of its run.

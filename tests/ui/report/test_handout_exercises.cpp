@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The questions of the course hand-out, run again, and the page of their answers.
+#include "core/format/difference.h"
 #include "core/format/project_file.h"
 #include "core/project/cycle.h"
-#include "core/project/difference.h"
 #include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"

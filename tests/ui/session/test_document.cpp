@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/format/difference.h"
 #include "core/measured/calibrated_inputs.h"
 #include "core/project/batch.h"
 #include "core/project/cycle.h"
-#include "core/project/difference.h"
 #include "core/project/machine.h"
 #include "core/project/measured.h"
 #include "core/project/part.h"

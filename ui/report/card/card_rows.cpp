@@ -5,6 +5,7 @@
 #include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
+#include "core/project/wheel_marking.h"
 #include "core/units.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/report/parts/input_fact.h"
@@ -126,8 +127,12 @@ QString CardRows::grind(const CardLine& line, const Setup& setup, const Project&
 
 QString CardRows::tooling(const Project& project) {
     const QString marking = oneLine(project.wheel->marking);
-    QStringList all{marking.isEmpty() ? tr("Wheel %1").arg(wheelSize(*project.wheel))
-                                      : tr("Wheel %1, %2").arg(wheelSize(*project.wheel), marking)};
+    const auto read = readWheelMarking(project.wheel->marking);
+    const bool saysSize = read && read->diameter_mm && read->width_mm;
+    const QString size = wheelSize(*project.wheel);
+    QStringList all{marking.isEmpty() ? tr("Wheel %1").arg(size)
+                    : saysSize        ? tr("Wheel %1").arg(marking)
+                                      : tr("Wheel %1, %2").arg(size, marking)};
     if (project.gauge->control == Control::gauge) {
         all << tr("in-process gauge");
     }

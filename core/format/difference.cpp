@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/difference.h"
+#include "core/format/difference.h"
 
 #include "core/project/project.h"
 
