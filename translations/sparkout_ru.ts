@@ -16338,6 +16338,18 @@ good</source>
             <source>Cycles are being run and compared …</source>
             <translation>Циклы рассчитываются и сравниваются …</translation>
         </message>
+        <message>
+            <source>Are gauge, feeds and blank of the project those of the recording? Fewer parameters, or what is known of them before, help, too.</source>
+            <translation>Те ли в проекте прибор, подачи и заготовка, что при записи? Помогут и меньшее число параметров или то, что известно о них заранее.</translation>
+        </message>
+        <message>
+            <source>These values cannot be taken over. %1. %2</source>
+            <translation>Эти значения принять нельзя. %1. %2</translation>
+        </message>
+        <message>
+            <source>Unusual: %1. %2</source>
+            <translation>Необычно: %1. %2</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::WheelPage</name>
@@ -17343,6 +17355,18 @@ The size alone gives α and β, that is the compliance with the force together; 
             <source>Measured</source>
             <comment>the view&apos;s tab</comment>
             <translation>Измерения</translation>
+        </message>
+        <message>
+            <source>Recorded over time: %1. The view Feeds draws it over the simulated curves, “Calibrate…” fits the process to it, the list “Traces” keeps it. No part is measured yet that could be compared with the predicted batch.</source>
+            <translation>Записано по времени: %1. Вид «Подачи» рисует это поверх расчётных кривых, «Калибровка…» подбирает по этому процесс, в списке «Записи» оно хранится. Измеренных деталей, которые можно сравнить с партией, ещё нет.</translation>
+        </message>
+        <message>
+            <source>Calibrate…</source>
+            <translation>Калибровка…</translation>
+        </message>
+        <message>
+            <source>Fit compliance, force and wheel to what was measured</source>
+            <translation>Подобрать податливость, силу и круг по измеренному</translation>
         </message>
     </context>
     <context>

@@ -50,6 +50,7 @@ public:
 signals:
     void importAsked();
     void pasteAsked();
+    void calibrateAsked();
     void measuredShown(); ///< the outcome of a batch has been drawn
 
 protected:
@@ -79,6 +80,7 @@ private:
     void showComparison();
     void fillQuantities();
     [[nodiscard]] QString stateText() const;
+    [[nodiscard]] QString recordedText() const; ///< empty: no trace
 
     BarPlot* m_boxes;
     AdequacyModel* m_model;
@@ -90,7 +92,7 @@ private:
     QComboBox* m_sheet;
     QComboBox* m_quantity;
     RunBar* m_bar;
-    QPushButton *m_import, *m_paste;
+    QPushButton *m_import, *m_paste, *m_calibrate;
     QPushButton* m_start; ///< of the empty view
     std::array<DataSheet*, 3> m_data{};
     MeasuredQuantity m_wanted = MeasuredQuantity::diameter_deviation;
