@@ -23,6 +23,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cstddef>
 
 namespace sparkout {
 
@@ -183,10 +184,18 @@ void CycleFitPage::showResult(const IdentificationPtr& result) {
     follow();
 }
 
-/// Of parameters that are not told apart, the others may be told without the last one.
+/// Of parameters that are not told apart, the others may be told without one of them: without the
+/// chips' share, which the wear flats' outweighs by far, else without the last one.
 void CycleFitPage::leaveOut() {
     for (const Unidentified& one : m_result->unidentified) {
-        m_parameters->uncheck(m_requested.parameters.at(one.parameters.back()));
+        std::size_t left = one.parameters.back();
+        for (const std::size_t i : one.parameters) {
+            const FittedKind kind = m_requested.parameters.at(i).kind;
+            if (kind == FittedKind::alpha || kind == FittedKind::chip_power) {
+                left = i;
+            }
+        }
+        m_parameters->uncheck(m_requested.parameters.at(left));
     }
 }
 
