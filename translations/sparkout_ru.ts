@@ -6738,8 +6738,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>; отклонение от цилиндричности %1 мкм, полное радиальное биение %2 мкм, конусообразность %3 мкм</translation>
         </message>
         <message>
-            <source>Measured radii: %1</source>
-            <translation>Измерено радиусов: %1</translation>
+            <source>%1 radii, from own mean</source>
+            <translation>%1 радиусов, от своего среднего</translation>
         </message>
         <message>
             <source>Gaussian filter %1 UPR</source>
@@ -8846,6 +8846,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>N/mm^0.5</source>
             <translation>Н/мм^0,5</translation>
+        </message>
+        <message>
+            <source>1/mm</source>
+            <translation>1/мм</translation>
         </message>
     </context>
     <context>
@@ -16778,6 +16782,14 @@ The size alone gives α and β, that is the compliance with the force together; 
             <source>%1 %2</source>
             <comment>quantity, zones</comment>
             <translation>%1 %2</translation>
+        </message>
+        <message>
+            <source>Ra is brought into line by its factor: Calibrate from measurements…, page “Ra and strengths”.</source>
+            <translation>Ra приводит в соответствие его поправка: «Калибровка по измерениям…», страница «Ra и прочность».</translation>
+        </message>
+        <message>
+            <source>Runout and roundness also depend on the geometric runout of the machine and on the form of the blank.</source>
+            <translation>Биение и круглость зависят и от геометрического биения станка, и от формы заготовки.</translation>
         </message>
     </context>
     <context>
