@@ -17613,6 +17613,10 @@ The size alone gives α and β, that is the compliance with the force together; 
             <source>95 %</source>
             <translation>95 %</translation>
         </message>
+        <message>
+            <source>The trial is of an external surface and of a shaft without steady rests, whose steps are given on the page Part of the inputs: its bending, which is computed, is taken off the readings.</source>
+            <translation>Опыт — для наружной поверхности и вала без люнетов, ступени которого заданы на странице «Деталь» исходных данных: его изгиб вычисляется и вычитается из показаний.</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::TrialPage</name>
