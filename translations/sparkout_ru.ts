@@ -7270,8 +7270,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>; отклонение от цилиндричности %1 мкм, полное радиальное биение %2 мкм, конусообразность %3 мкм</translation>
         </message>
         <message>
-            <source>Measured radii: %1</source>
-            <translation>Измерено радиусов: %1</translation>
+            <source>%1 radii, from own mean</source>
+            <translation>%1 радиусов, от своего среднего</translation>
         </message>
         <message>
             <source>Gaussian filter %1 UPR</source>
@@ -9390,6 +9390,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>kg</source>
             <translation>кг</translation>
+        </message>
+        <message>
+            <source>1/mm</source>
+            <translation>1/мм</translation>
         </message>
     </context>
     <context>
@@ -16895,6 +16899,18 @@ good</source>
             <source>Cycles are being run and compared …</source>
             <translation>Циклы рассчитываются и сравниваются …</translation>
         </message>
+        <message>
+            <source>Are gauge, feeds and blank of the project those of the recording? Fewer parameters, or what is known of them before, help, too.</source>
+            <translation>Те ли в проекте прибор, подачи и заготовка, что при записи? Помогут и меньшее число параметров или то, что известно о них заранее.</translation>
+        </message>
+        <message>
+            <source>These values cannot be taken over. %1. %2</source>
+            <translation>Эти значения принять нельзя. %1. %2</translation>
+        </message>
+        <message>
+            <source>Unusual: %1. %2</source>
+            <translation>Необычно: %1. %2</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::WheelPage</name>
@@ -17323,6 +17339,14 @@ The size alone gives α and β, that is the compliance with the force together; 
             <source>%1 %2</source>
             <comment>quantity, zones</comment>
             <translation>%1 %2</translation>
+        </message>
+        <message>
+            <source>Ra is brought into line by its factor: Calibrate from measurements…, page “Ra and strengths”.</source>
+            <translation>Ra приводит в соответствие его поправка: «Калибровка по измерениям…», страница «Ra и прочность».</translation>
+        </message>
+        <message>
+            <source>Runout and roundness also depend on the geometric runout of the machine and on the form of the blank.</source>
+            <translation>Биение и круглость зависят и от геометрического биения станка, и от формы заготовки.</translation>
         </message>
     </context>
     <context>
@@ -17896,6 +17920,23 @@ The size alone gives α and β, that is the compliance with the force together; 
             <source>Import measurements…</source>
             <translation>Импорт измерений…</translation>
         </message>
+        <message>
+            <source>Measured</source>
+            <comment>the view&apos;s tab</comment>
+            <translation>Измерения</translation>
+        </message>
+        <message>
+            <source>Recorded over time: %1. The view Feeds draws it over the simulated curves, “Calibrate…” fits the process to it, the list “Traces” keeps it. No part is measured yet that could be compared with the predicted batch.</source>
+            <translation>Записано по времени: %1. Вид «Подачи» рисует это поверх расчётных кривых, «Калибровка…» подбирает по этому процесс, в списке «Записи» оно хранится. Измеренных деталей, которые можно сравнить с партией, ещё нет.</translation>
+        </message>
+        <message>
+            <source>Calibrate…</source>
+            <translation>Калибровка…</translation>
+        </message>
+        <message>
+            <source>Fit compliance, force and wheel to what was measured</source>
+            <translation>Подобрать податливость, силу и круг по измеренному</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::StiffnessModel</name>
@@ -18128,6 +18169,10 @@ The size alone gives α and β, that is the compliance with the force together; 
         <message>
             <source>95 %</source>
             <translation>95 %</translation>
+        </message>
+        <message>
+            <source>The trial is of an external surface and of a shaft without steady rests, whose steps are given on the page Part of the inputs: its bending, which is computed, is taken off the readings.</source>
+            <translation>Опыт — для наружной поверхности и вала без люнетов, ступени которого заданы на странице «Деталь» исходных данных: его изгиб вычисляется и вычитается из показаний.</translation>
         </message>
     </context>
     <context>

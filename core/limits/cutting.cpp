@@ -36,6 +36,7 @@ void stateRecipe(FormulaSheet* sheet, const Wheel& wheel) {
     if (!sheet || !wheel.force_recipe) {
         return;
     }
+    constexpr double halfTurn_deg = 180;
     const ForceRecipe& recipe = *wheel.force_recipe;
     const RecipeShares shares = recipeShares(wheel, recipe);
     state(sheet, "{n_c} = {k_Y}·{W_g}·{W_b}/(({c} − {W_g} − {W_b})·{d_g}²)",
@@ -46,13 +47,14 @@ void stateRecipe(FormulaSheet* sheet, const Wheel& wheel) {
            {"d_g", wheel.grain_mm, "mm"},
            constantTerm("c", 1)});
     const FormulaTerm perArea{"n_c", shares.cuttingGrains_mm2, "1/mm²"},
-        perLength{"m_D", recipe.grains_per_mm, "1/mm"}, angle{"β_1", recipe.shear_angle_deg, "°"},
+        perLength{"m_D", recipe.grains_per_mm, "1/mm"},
+        angle{"sin β_1", std::sin(recipe.shear_angle_deg * std::numbers::pi / halfTurn_deg), ""},
         width{"b_j", shares.cutWidth_mm, "mm"};
     if (recipe.cut_width_mm) {
-        state(sheet, "{κ} = {c}·{b_j}·{n_c}/({m_D}·sin({β_1}))", {"κ", shares.shear, ""},
+        state(sheet, "{κ} = {c}·{b_j}·{n_c}/({m_D}·{sin β_1})", {"κ", shares.shear, ""},
               {width, perArea, perLength, angle, constantTerm("c", 2)});
     } else {
-        state(sheet, "{b_j} = {m_D}·sin({β_1})/({c}·{n_c})", width,
+        state(sheet, "{b_j} = {m_D}·{sin β_1}/({c}·{n_c})", width,
               {perLength, angle, perArea, constantTerm("c", 2)});
     }
     if (recipe.wear_flat_mm) {

@@ -9,6 +9,7 @@
 #include "core/project/part.h"
 #include "core/project/project.h"
 #include "core/project/validate.h"
+#include "core/project/wheel.h"
 #include "core/setup/setup.h"
 #include "core/setup/shared_members.h"
 #include "core/text.h"

@@ -3,11 +3,14 @@
 
 #include "core/identification/calibration.h"
 #include "core/project/measured.h"
+#include "core/project/validate.h"
 #include "ui/identification/data_choice.h"
 #include "ui/identification/fit_result.h"
 #include "ui/identification/fit_words.h"
 #include "ui/identification/parameter_choice.h"
 #include "ui/kit/metrics.h"
+#include "ui/text/names.h"
+#include "ui/text/texts.h"
 
 #include <QComboBox>
 #include <QDate>
@@ -20,6 +23,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cstddef>
 
 namespace sparkout {
 
@@ -148,7 +152,9 @@ void CycleFitPage::follow() {
     } else if (fault.isEmpty() && m_parameters->parameters().empty()) {
         fault = tr("No parameter is chosen.");
     }
-    m_fault->setText(runs ? tr("Cycles are being run and compared …") : fault);
+    m_fault->setText(runs                          ? tr("Cycles are being run and compared …")
+                     : fault.isEmpty() && m_result ? m_consequences
+                                                   : fault);
     m_fit->setEnabled(!runs && fault.isEmpty());
     m_stop->setEnabled(runs);
     m_progress->setVisible(runs);
@@ -156,7 +162,8 @@ void CycleFitPage::follow() {
     m_parameters->setEnabled(!runs);
     m_loss->setEnabled(!runs);
     m_leaveOut->setVisible(m_result && !m_result->unidentified.empty() && !runs);
-    m_take->setEnabled(!runs && m_result && m_result->status == IdentificationStatus::fitted
+    m_take->setEnabled(!runs && m_result && m_canTake
+                       && m_result->status == IdentificationStatus::fitted
                        && std::ranges::any_of(m_result->values, [](const FittedValue& value) {
                               return isInput(value.parameter.kind);
                           }));
@@ -172,21 +179,64 @@ void CycleFitPage::start() {
 
 void CycleFitPage::showResult(const IdentificationPtr& result) {
     m_result = result;
+    findConsequences();
     m_shown->show(m_requested, *result);
     follow();
 }
 
-/// Of parameters that are not told apart, the others may be told without the last one.
+/// Of parameters that are not told apart, the others may be told without one of them: without the
+/// chips' share, which the wear flats' outweighs by far, else without the last one.
 void CycleFitPage::leaveOut() {
     for (const Unidentified& one : m_result->unidentified) {
-        m_parameters->uncheck(m_requested.parameters.at(one.parameters.back()));
+        std::size_t left = one.parameters.back();
+        for (const std::size_t i : one.parameters) {
+            const FittedKind kind = m_requested.parameters.at(i).kind;
+            if (kind == FittedKind::alpha || kind == FittedKind::chip_power) {
+                left = i;
+            }
+        }
+        m_parameters->uncheck(m_requested.parameters.at(left));
+    }
+}
+
+Project CycleFitPage::calibrated() const {
+    return withCalibration(m_project, *m_result,
+                           FitWords::data(m_project, m_requested.traces, m_requested.withParts),
+                           QDate::currentDate().toString(Qt::ISODate).toStdString());
+}
+
+/// A fit may be good and yet put inputs where none is: then something else of the project is not
+/// as it was at the machine, or the data tell its parameters hardly apart.
+void CycleFitPage::findConsequences() {
+    m_consequences.clear();
+    m_canTake = true;
+    if (m_result->status != IdentificationStatus::fitted) {
+        return;
+    }
+    const Issues before = validate(m_project);
+    QStringList refused, unusual;
+    for (const Issue& issue : validate(calibrated())) {
+        if (std::ranges::find(before, issue) != before.end()) {
+            continue;
+        }
+        const QString text =
+            QStringLiteral("%1 – %2").arg(inputLocation(issue.path), Names::issue(issue));
+        (issue.severity == Severity::error ? refused : unusual) << text;
+    }
+    m_canTake = refused.isEmpty();
+    const QString advice =
+        tr("Are gauge, feeds and blank of the project those of the recording? Fewer parameters, or "
+           "what is known of them before, help, too.");
+    if (!refused.isEmpty()) {
+        m_consequences = tr("These values cannot be taken over. %1. %2")
+                             .arg(refused.join(QStringLiteral("; ")), advice);
+    } else if (!unusual.isEmpty()) {
+        m_consequences = tr("Unusual: %1. %2").arg(unusual.join(QStringLiteral("; ")), advice);
     }
 }
 
 void CycleFitPage::take() {
-    emit taken(withCalibration(m_project, *m_result,
-                               FitWords::data(m_project, m_requested.traces, m_requested.withParts),
-                               QDate::currentDate().toString(Qt::ISODate).toStdString()));
+    emit taken(calibrated());
 }
 
 } // namespace sparkout

@@ -37,6 +37,8 @@ private:
     void showResult(const IdentificationPtr& result);
     void leaveOut();
     void take();
+    [[nodiscard]] Project calibrated() const; ///< with the values found
+    void findConsequences();
     [[nodiscard]] IdentificationRequest request() const;
 
     const Project& m_project;
@@ -52,6 +54,8 @@ private:
     QPushButton* m_take;
     IdentificationRequest m_requested;
     IdentificationPtr m_result;
+    QString m_consequences;        ///< inputs that would be refused or unusual, in words
+    bool m_canTake = false;        ///< no input would be refused
     IdentificationRunner m_runner; ///< last: ended before what it reports to is gone
 };
 

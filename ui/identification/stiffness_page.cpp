@@ -3,6 +3,7 @@
 
 #include "core/process/system_compliance.h"
 #include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/units.h"
 #include "ui/identification/fit_table.h"
@@ -67,6 +68,11 @@ bool isSoundBut(const Project& project, bool withCompliance) {
     });
 }
 
+bool canBeLoaded(const Part& part) {
+    return part.surface == Surface::external && !part.shaft.segments.empty()
+           && part.shaft.steady_rests.empty();
+}
+
 double loadOf(const Project& project) {
     constexpr double usual_n = 100;
     return isSoundBut(project, true) ? stiffnessLoad_n(project) : usual_n;
@@ -93,10 +99,13 @@ StiffnessPage::StiffnessPage(const Project& project, QWidget* parent)
     , m_found(new FitTable(tr("Stiffness found"), this))
     , m_compliance(new FitTable(tr("Compliance along the part"), this))
     , m_take(new QPushButton(tr("&Take over the stiffness"), this))
+    , m_isMeasurable(canBeLoaded(*project.part))
     , m_isComplete(isSoundBut(project, false)) {
     std::vector<double> places;
-    for (const double place : stiffnessPlaces_mm(project)) {
-        places.push_back(std::round(place));
+    if (m_isMeasurable) {
+        for (const double place : stiffnessPlaces_mm(project)) {
+            places.push_back(std::round(place));
+        }
     }
     const double load = loadOf(project);
     m_sheet = std::make_unique<StiffnessSheet>(project, places, load);
@@ -123,7 +132,7 @@ QWidget* StiffnessPage::buildSheet() {
     auto* steps = stiffnessLabel(page);
     steps->setObjectName(QStringLiteral("stiffnessSteps"));
     QStringList lines;
-    for (const QString& step : m_sheet->steps()) {
+    for (const QString& step : m_isMeasurable ? m_sheet->steps() : QStringList()) {
         lines << QStringLiteral("%1. %2").arg(lines.size() + 1).arg(step);
     }
     steps->setText(lines.join(QStringLiteral("\n\n")));
@@ -132,6 +141,7 @@ QWidget* StiffnessPage::buildSheet() {
     print->setObjectName(QStringLiteral("stiffnessPrint"));
     print->setToolTip(tr("These steps and a table to write the readings into, on one page"));
     column->addWidget(scrolledColumn(steps, page), 1);
+    print->setEnabled(m_isMeasurable);
     column->addWidget(print, 0, Qt::AlignLeft);
     connect(print, &QPushButton::clicked, this, [this] { m_sheet->print(this); });
     return page;
@@ -170,6 +180,7 @@ QWidget* StiffnessPage::buildReadings() {
                            "with Ctrl+V"));
     m_table->installEventFilter(this);
     m_table->setCurrentIndex(m_model->index(0, StiffnessModel::deflection));
+    m_table->setEnabled(m_isMeasurable);
     column->addLayout(line);
     column->addWidget(m_table, 1);
     return page;
@@ -243,7 +254,11 @@ void StiffnessPage::evaluate() {
     m_found->hide();
     m_compliance->hide();
     m_take->setEnabled(false);
-    if (!m_isComplete) {
+    if (!m_isMeasurable) {
+        m_words->setText(tr("The trial is of an external surface and of a shaft without steady "
+                            "rests, whose steps are given on the page Part of the inputs: its "
+                            "bending, which is computed, is taken off the readings."));
+    } else if (!m_isComplete) {
         m_words->setText(tr("Inputs of the project are missing or wrong: first mend what the "
                             "messages name."));
     } else if (!fault.isEmpty()) {

@@ -53,7 +53,8 @@ private:
     FitTable* m_found;
     FitTable* m_compliance;
     QPushButton* m_take;
-    bool m_isComplete; ///< no input is wrong or missing but the compliance
+    bool m_isMeasurable; ///< an external surface, a shaft with steps and no steady rests
+    bool m_isComplete;   ///< no input is wrong or missing but the compliance
     StiffnessTrial m_trial;
 };
 

@@ -245,6 +245,27 @@ QStringList MeasuredText::judgement(const Project& project, const std::vector<Ad
                     ? tr("%1: %2.", "verdict, of what").arg(what, of)
                     : tr("%1: %2. %3", "verdict, of what, what follows").arg(what, of, follows));
     }
+    return sentences << where(rows);
+}
+
+/// What else makes a bias than compliance and force.
+QStringList MeasuredText::where(const std::vector<AdequacyRow>& rows) {
+    const auto isBiased = [&rows](MeasuredQuantity quantity) {
+        return std::ranges::any_of(rows, [quantity](const AdequacyRow& row) {
+            return row.measured.quantity == quantity
+                   && (row.verdict == AdequacyVerdict::biased
+                       || row.verdict == AdequacyVerdict::biasedAndScatters);
+        });
+    };
+    QStringList sentences;
+    if (isBiased(MeasuredQuantity::roughness_ra)) {
+        sentences << tr("Ra is brought into line by its factor: Calibrate from measurements…, "
+                        "page “Ra and strengths”.");
+    }
+    if (isBiased(MeasuredQuantity::radial_runout) || isBiased(MeasuredQuantity::roundness)) {
+        sentences << tr("Runout and roundness also depend on the geometric runout of the machine "
+                        "and on the form of the blank.");
+    }
     return sentences;
 }
 

@@ -38,6 +38,7 @@ public:
     static QStringList judgement(const Project& project, const std::vector<AdequacyRow>& rows);
 
 private:
+    static QStringList where(const std::vector<AdequacyRow>& rows); ///< to look besides
     /// "Diameter: RZ1, NZ; Ra: RZ1".
     static QString listed(const Project& project, const std::vector<AdequacyRow>& rows,
                           AdequacyVerdict verdict);

@@ -189,6 +189,7 @@ void MainWindow::connectOverview() {
 
 void MainWindow::connectMeasured() {
     connect(m_measured, &MeasuredView::importAsked, m_actions->importMeasured, &QAction::trigger);
+    connect(m_measured, &MeasuredView::calibrateAsked, m_actions->calibrate, &QAction::trigger);
     connect(m_measured, &MeasuredView::pasteAsked, this, [this] {
         m_inputs->endTyping(); // first
         m_import->paste();

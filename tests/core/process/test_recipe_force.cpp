@@ -4,6 +4,7 @@
 #include "core/process/recipe_force.h"
 
 #include "core/format/project_file.h"
+#include "core/limits/cutting.h"
 #include "core/process/force.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
@@ -12,6 +13,7 @@
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
+#include "tests/core/support/formula_reader.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/random_cutting.h"
 #include "tests/core/support/rapidcheck_runs.h"
@@ -149,6 +151,27 @@ private slots:
         QVERIFY(plain.wheel->dullness != p.wheel->dullness);
         QCOMPARE(byRecipe.status, RunStatus::completed);
         QCOMPARE(byRecipe.time_s, byLaw.time_s);
+    }
+
+    /// Every equation of the sheets, read back and worked out from its own numbers.
+    void itsFormulasHold() {
+        QVERIFY(rc::check("sheets", [] {
+            Project p = anyProject();
+            if (between(0, 1) < 0.5) {
+                p.wheel->force_recipe->cut_width_mm.reset();
+            }
+            if (between(0, 1) < 0.5) {
+                p.wheel->force_recipe->wear_flat_mm.reset();
+            }
+            const double b = between(1, 60), a = between(1e-4, 0.05);
+            for (const FormulaSheet& sheet :
+                 {normalForceSheet(p, b, a), tangentialForceSheet(p, b, a)}) {
+                for (const FormulaStep& step : sheet.steps) {
+                    const fixtures::Quantity said = fixtures::workOut(step);
+                    RC_ASSERT(std::abs(said.value - step.result.value) <= 4 * said.uncertainty);
+                }
+            }
+        }));
     }
 
     void aFileKeepsIt() {

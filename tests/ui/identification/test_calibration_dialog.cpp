@@ -191,6 +191,32 @@ private slots:
         });
     }
 
+    /// A power in a wrong unit: a good fit whose friction no project may have.
+    void valuesThatWouldBeRefusedAreNotTaken() {
+        Bench bench(QStringLiteral("en"));
+        Project project = traced::project(true);
+        constexpr double wrong = 50;
+        MeasuredTrace& power = project.measured->traces.back();
+        std::vector<double> values = power.values.values();
+        for (double& value : values) {
+            value *= wrong;
+        }
+        power.values = Samples(values);
+        *power.idle *= wrong;
+        bench.window->document().startUntitled(project);
+        QTRY_VERIFY(!bench.window->runs().running());
+        inDialog(bench, [](QDialog& dialog) {
+            fit(dialog);
+            QVERIFY(part<QTableView>(dialog, "fitValues")->isVisible());
+            const QString fault = part<QLabel>(dialog, "fitFault")->text();
+            QVERIFY2(fault.contains(QStringLiteral("cannot be taken over"))
+                         && fault.contains(QStringLiteral("Friction")),
+                     qPrintable(fault));
+            QVERIFY(!part<QPushButton>(dialog, "fitTake")->isEnabled());
+        });
+        QVERIFY(!bench.window->document().canUndo());
+    }
+
     void aValueKnownBeforeIsTypedAndTakesPart() {
         Bench bench(QStringLiteral("en"));
         bench.window->document().startUntitled(traced::project());

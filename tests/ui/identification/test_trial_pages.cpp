@@ -182,6 +182,23 @@ private slots:
         });
     }
 
+    /// Without the steps of the shaft there are no places on it.
+    void withoutAShaftTheTrialSaysWhatItNeeds() {
+        Bench bench(QStringLiteral("en"));
+        Project project = traced::plunge();
+        project.part->shaft.segments.clear();
+        bench.window->document().startUntitled(project);
+        QTRY_VERIFY(!bench.window->runs().running());
+        onPage(bench, stiffnessTab, [](QDialog& dialog) {
+            QVERIFY(part<QLabel>(dialog, "stiffnessWords")
+                        ->text()
+                        .contains(QStringLiteral("steps are given on the page Part")));
+            QVERIFY(!part<QPushButton>(dialog, "stiffnessPrint")->isEnabled());
+            QVERIFY(!part<QTableView>(dialog, "stiffnessReadings")->isEnabled());
+            QCOMPARE(part<QTableView>(dialog, "stiffnessReadings")->model()->rowCount(), 1);
+        });
+    }
+
     void theSheetIsPrinted() {
         Bench bench(QStringLiteral("ru"));
         openSlender(bench);

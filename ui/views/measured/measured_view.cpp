@@ -2,6 +2,7 @@
 #include "ui/views/measured/measured_view.h"
 
 #include "core/project/batch.h"
+#include "core/project/measured.h"
 #include "core/study/batch_edits.h"
 #include "ui/bars/bar_plot.h"
 #include "ui/dialogs/copy_table.h"
@@ -62,6 +63,7 @@ MeasuredView::MeasuredView(Document& document, QWidget* parent, Settings* settin
     , m_bar(new RunBar(QStringLiteral("measured"), this, PredictionProgress::text))
     , m_import(new QPushButton(this))
     , m_paste(new QPushButton(this))
+    , m_calibrate(new QPushButton(this))
     , m_start(new QPushButton(this))
     , m_runner(new BatchRunner(this)) {
     m_boxes->setMinimumSize(240, 120);
@@ -86,6 +88,7 @@ MeasuredView::MeasuredView(Document& document, QWidget* parent, Settings* settin
                  {m_quantity, "measuredQuantity"},
                  {m_import, "measuredImport"},
                  {m_paste, "measuredPaste"},
+                 {m_calibrate, "measuredCalibrate"},
                  {m_start, "measuredStart"}});
     connectParts();
     built();
@@ -99,6 +102,7 @@ QWidget* MeasuredView::buildTools() {
     row->addStretch(1);
     row->addWidget(m_import);
     row->addWidget(m_paste);
+    row->addWidget(m_calibrate);
     addPageButtons(*row);
     return bar;
 }
@@ -140,6 +144,7 @@ void MeasuredView::connectParts() {
     connect(m_import, &QPushButton::clicked, this, &MeasuredView::importAsked);
     connect(m_start, &QPushButton::clicked, this, &MeasuredView::importAsked);
     connect(m_paste, &QPushButton::clicked, this, &MeasuredView::pasteAsked);
+    connect(m_calibrate, &QPushButton::clicked, this, &MeasuredView::calibrateAsked);
     connect(m_table, &CopyTable::rowChosen, this, [this](int row) {
         const int at = m_quantity->findData(
             static_cast<int>(rows().at(static_cast<std::size_t>(row)).measured.quantity));
@@ -332,11 +337,29 @@ QString MeasuredView::keptText() const {
                : tr("The inputs are refused; the prediction is that of the last accepted ones.");
 }
 
+QString MeasuredView::recordedText() const {
+    const OptionalShared<Measured>& measured = good()->result.project.measured;
+    if (!measured || measured->traces.empty()) {
+        return {};
+    }
+    QStringList names;
+    for (const MeasuredTrace& trace : measured->traces) {
+        names << Names::inSentence(MeasuredText::trace(trace.quantity));
+    }
+    return tr("Recorded over time: %1. The view Feeds draws it over the simulated curves, "
+              "“Calibrate…” fits the process to it, the list “Traces” keeps it. No part is "
+              "measured yet that could be compared with the predicted batch.")
+        .arg(names.join(QStringLiteral("; ")));
+}
+
 QString MeasuredView::remark() const {
     if (!isComparing()) {
         return {};
     }
     if (!hasStatistics()) {
+        if (const QString recorded = recordedText(); !recorded.isEmpty()) {
+            return recorded;
+        }
         return tr("No part is measured yet. Here measured diameters, runout, roundness, "
                   "cylindricity and roughness will stand beside those that the batch predicts, "
                   "with a verdict on the model. Import a table of a measuring machine, paste one "
@@ -386,6 +409,8 @@ void MeasuredView::nameParts() {
                tr("Read a table of measured parts or of traces from a file"));
     tellButton(*m_paste, tr("Paste…"),
                tr("Read a table that was copied from a spreadsheet (Ctrl+V)"));
+    tellButton(*m_calibrate, tr("Calibrate…"),
+               tr("Fit compliance, force and wheel to what was measured"));
     tellButton(*m_start, tr("Import measurements…"),
                tr("Read a table of measured parts or of traces from a file"));
     for (DataSheet* sheet : m_data) {

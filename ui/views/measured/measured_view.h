@@ -49,6 +49,7 @@ public:
 signals:
     void importAsked();
     void pasteAsked();
+    void calibrateAsked();
     void measuredShown(); ///< the outcome of a batch has been drawn
 
 protected:
@@ -78,6 +79,7 @@ private:
     void showComparison();
     void fillQuantities();
     [[nodiscard]] QString stateText() const;
+    [[nodiscard]] QString recordedText() const; ///< empty: no trace
 
     BarPlot* m_boxes;
     AdequacyModel* m_model;
@@ -89,7 +91,7 @@ private:
     QComboBox* m_sheet;
     QComboBox* m_quantity;
     RunBar* m_bar;
-    QPushButton *m_import, *m_paste;
+    QPushButton *m_import, *m_paste, *m_calibrate;
     QPushButton* m_start; ///< of the empty view
     std::array<DataSheet*, 3> m_data{};
     MeasuredQuantity m_wanted = MeasuredQuantity::diameter_deviation;

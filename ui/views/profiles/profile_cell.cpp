@@ -97,8 +97,10 @@ void ProfileCell::fill(const ProfileSeries& series, const Profile& profile, cons
     m_blank->setVisible(!hidden.contains(ProfileLine::blank));
 }
 
-void ProfileCell::leaveOutBlank() const {
+void ProfileCell::showFormAlone() const {
     m_blank->setVisible(false);
+    m_field->setVisible(false);
+    m_target->setVisible(false);
 }
 
 /// The circles go through the angles of the samples, so that they are seen to touch.

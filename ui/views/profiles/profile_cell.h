@@ -30,7 +30,8 @@ public:
     /// Draws a profile within so far from the centre.
     void fill(const ProfileSeries& series, const Profile& profile, const PolarScale& scale,
               double reach, const ProfileLines& hidden, ReferenceCircles circles);
-    void leaveOutBlank() const; ///< of a profile that was measured
+    /// Blank, target and field: of a profile that was measured only the form is known.
+    void showFormAlone() const;
     void restyle(const QFont& font, const QPalette& palette, bool dim);
     void point(const Profile& profile, const PolarScale& scale, int k);
     void removeLayers(); ///< what is no plottable and in no layout

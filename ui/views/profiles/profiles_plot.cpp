@@ -99,7 +99,7 @@ Reach ProfilesPlot::reach() const {
     Reach reach = reachOf(m_series, m_shown, m_reference, visible(ProfileLine::blank));
     if (cellCount() > m_shown.size()) {
         const Profile& measured = m_drawn.back();
-        const PolarScale scale = polarScale(m_series, measured, m_reference, 1);
+        const PolarScale scale = polarScale(m_series, measured, RadiusReference::mean, 1);
         for (const double radius : measured.radii_mm) {
             reach.include(radius - scale.reference_mm);
         }
@@ -211,21 +211,25 @@ void ProfilesPlot::fill() {
     const double base = m_series.target_mm;
     m_reach = std::max(base * leastReach, base + m_magnification * reach().outward_mm);
     for (std::size_t i = 0; i < m_cells.size() && visible(ProfileLine::field); ++i) {
-        const PolarScale scale = polarScale(m_series, profile(i), m_reference, m_magnification);
+        const PolarScale scale = scaleOf(i);
         m_reach = std::max(m_reach, std::min(scale.at(m_series.upperLimit_mm), base * mostField));
     }
     m_reach *= border;
     for (std::size_t i = 0; i < m_cells.size(); ++i) {
-        m_cells[i].fill(m_series, profile(i),
-                        polarScale(m_series, profile(i), m_reference, m_magnification), m_reach,
-                        hidden(), m_circles);
+        m_cells[i].fill(m_series, profile(i), scaleOf(i), m_reach, hidden(), m_circles);
         if (isMeasured(i)) {
-            m_cells[i].leaveOutBlank();
+            m_cells[i].showFormAlone();
         }
     }
     if (m_pointedRadius >= 0) {
         pointAt(m_pointedCell, m_pointedRadius);
     }
+}
+
+/// How a roundness machine has set up its part says nothing of the size.
+PolarScale ProfilesPlot::scaleOf(std::size_t cell) const {
+    return polarScale(m_series, profile(cell),
+                      isMeasured(cell) ? RadiusReference::mean : m_reference, m_magnification);
 }
 
 QCPCurve* ProfilesPlot::curve(int index, ProfileLine line) const {
@@ -306,8 +310,7 @@ void ProfilesPlot::pointAt(int cell, int k) {
     };
     for (std::size_t i = 0; i < m_cells.size(); ++i) {
         const Profile& p = profile(i);
-        const PolarScale scale = polarScale(m_series, p, m_reference, m_magnification);
-        m_cells[i].point(p, scale, radiusIn(p));
+        m_cells[i].point(p, scaleOf(i), radiusIn(p));
     }
     layer(QStringLiteral("overlay"))->replot();
     const auto pointedAt = static_cast<std::size_t>(m_pointedCell);

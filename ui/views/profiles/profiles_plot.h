@@ -87,6 +87,7 @@ private:
     [[nodiscard]] QString nameOf(std::size_t cell) const;
     [[nodiscard]] std::pair<QString, QString> circleNames() const;
     [[nodiscard]] Reach reach() const;
+    [[nodiscard]] PolarScale scaleOf(std::size_t cell) const;
     [[nodiscard]] Arrangement arrangement() const;
     void rebuild();
     void clearCells();

@@ -67,7 +67,7 @@ QString ProfilesText::roundness(const RoundnessZone& zone, bool brief) {
 }
 
 QString ProfilesText::measured(const Profile& profile) {
-    return tr("Measured radii: %1").arg(profile.radii_mm.size());
+    return tr("%1 radii, from own mean").arg(profile.radii_mm.size());
 }
 
 QString ProfilesText::filter(std::optional<int> cutoff_upr) {
