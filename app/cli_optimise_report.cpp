@@ -4,6 +4,7 @@
 #include "app/io/cli_report.h"
 #include "core/format/project_file.h"
 #include "core/optimisation/cost.h"
+#include "core/optimisation/levels.h"
 #include "core/optimisation/limit.h"
 #include "core/optimisation/search_names.h"
 #include "core/project/cycle.h"
@@ -218,12 +219,12 @@ int candidateOf(const GridSearchReport& report) {
     return isRefined(report) ? report.refined->candidate : report.robust->candidate;
 }
 
-/// The stocks for each of which the answer was decided to hold.
-std::optional<StockRange> decidedStocks(const GridSearchReport& report) {
+/// The cases for each of which the answer was decided to hold.
+std::optional<PhaseCases> decidedCases(const GridSearchReport& report) {
     if (!report.robust || !report.robust->decided) {
         return std::nullopt;
     }
-    return usualPhases(withAnswer(report));
+    return phaseCases(withAnswer(report));
 }
 
 std::string robustText(const GridSearchReport& report, double best_s) {
@@ -233,16 +234,64 @@ std::string robustText(const GridSearchReport& report, double best_s) {
                              + " stocks added in " + std::to_string(robust.rounds)
                              + " rounds; costs "
                              + fixed((best_s / robust.nominalTime_s - 1) * 100, 1) + " % of time\n";
-    if (const auto decided = decidedStocks(report)) {
+    if (const auto decided = decidedCases(report)) {
         constexpr int digits = 6; // nm
         return cost + "decided              holds for every stock per side of "
-               + fixed(decided->from_mm, digits) + "…" + fixed(decided->to_mm, digits) + " mm\n";
+               + fixed(decided->stocks.from_mm, digits) + "…" + fixed(decided->stocks.to_mm, digits)
+               + " mm"
+               + (decided->corners > 0 ? ", with the other inputs as they are and at each of the "
+                                             + std::to_string(decided->corners)
+                                             + " corners of the batch's other factors\n"
+                                       : ", with the other inputs as they are\n");
     }
     return cost + "confidence           held in all of " + std::to_string(robust.freshPhases)
            + " phases of the stock drawn afresh, as cycle no. " + std::to_string(candidate)
            + " that was tried so: with 95 % confidence at most "
            + fixed(std::ceil(mostFailing(robust.freshPhases, candidate) * 1e4) / 1e2, 2)
            + " % of the phases fail\n";
+}
+
+/// Where the answer of the grid stands at its edge, and whether the levels followed it.
+std::string levelsText(const GridSearchReport& report) {
+    std::string text;
+    if (report.rounds > 1) {
+        text += "levels               added " + std::to_string(report.rounds - 1)
+                + " times around the answer\n";
+    }
+    if (report.areLevelsCutShort) {
+        text += "levels               stopped while further ones were searched; the answer is that "
+                "of the grid before\n";
+    }
+    for (const LevelEdge& edge : report.edges) {
+        text += "edge                 " + std::string(edge.feed->key) + " of stage "
+                + std::to_string(edge.stage + 1) + " is the " + (edge.isMost ? "greatest" : "least")
+                + " level, " + numberText(edge.level)
+                + (edge.isLimit ? ": no more is allowed\n"
+                   : edge.limit ? "; allowed is " + numberText(*edge.limit) + '\n'
+                                : "; smaller ones are allowed\n");
+    }
+    return text;
+}
+
+ordered_json levelsJson(const GridSearchReport& report) {
+    ordered_json levels = ordered_json::object();
+    for (const StageFeed& feed : report.searched.operation->feeds) {
+        levels[feed.key] = levelValues((*report.searched.optimisation).*feed.levels);
+    }
+    return levels;
+}
+
+ordered_json edgesJson(const GridSearchReport& report) {
+    ordered_json edges = ordered_json::array();
+    for (const LevelEdge& edge : report.edges) {
+        edges.push_back({{"feed", edge.feed->key},
+                         {"stage", edge.stage + 1},
+                         {"side", edge.isMost ? "greatest" : "least"},
+                         {"level", edge.level},
+                         {"allowed", edge.limit ? ordered_json(*edge.limit) : ordered_json(0)},
+                         {"is_allowed_end", edge.isLimit}});
+    }
+    return edges;
 }
 
 } // namespace
@@ -269,6 +318,7 @@ std::string optimiseText(const GridSearchReport& report) {
     }
     text += "least margin         " + fixed(leastMargin(report) * 100, 1) + " %\n";
     text += "binding              " + bindingText(report) + '\n';
+    text += levelsText(report);
     const long long judged = report.robust ? report.robust->evaluations : search.evaluations;
     const long long visits = report.robust ? report.robust->visits : search.visits;
     return text + "search               " + gridText(search.gridSize) + " cycles in the grid, "
@@ -311,6 +361,9 @@ std::string optimiseJson(const GridSearchReport& report) {
                            {"cycles_run", report.refined->runs}};
     }
     root["grid_size"] = search.gridSize;
+    root["level_rounds"] = report.rounds;
+    root["levels"] = levelsJson(report);
+    root["edges"] = edgesJson(report);
     root["visits"] = report.robust ? report.robust->visits : search.visits;
     ordered_json cuts = ordered_json::object();
     for (const auto& [count, name] : cutsOf(search)) {
@@ -336,9 +389,11 @@ std::string optimiseJson(const GridSearchReport& report) {
              phases > 0 ? ordered_json(mostFailing(phases, candidate)) : ordered_json(nullptr)},
             {"confidence", 0.95},
             {"cycles_that_failed", report.robust->freshFailures}};
-        const auto decided = decidedStocks(report);
+        const auto decided = decidedCases(report);
         root["decided_stock_mm"] =
-            decided ? ordered_json{decided->from_mm, decided->to_mm} : ordered_json(nullptr);
+            decided ? ordered_json{decided->stocks.from_mm, decided->stocks.to_mm}
+                    : ordered_json(nullptr);
+        root["decided_corners"] = decided ? ordered_json(decided->corners) : ordered_json(nullptr);
         root["nominal_time_min"] = minutes(report.robust->nominalTime_s);
     }
     return root.dump(2) + '\n';

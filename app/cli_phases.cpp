@@ -53,11 +53,10 @@ ordered_json rangeJson(const StockRange& range) {
 }
 
 std::string phasesJson(const PhaseDecision& decision) {
-    ordered_json json = {{"stock_mm", rangeJson(decision.range)},
-                         {"decided", decision.isDecided},
-                         {"holds", decision.holds()},
-                         {"pieces", ordered_json::array()},
-                         {"failing", ordered_json::array()}};
+    ordered_json json = {
+        {"stock_mm", rangeJson(decision.range)},  {"decided", decision.isDecided},
+        {"too_many_pieces", decision.hasTooMany}, {"holds", decision.holds()},
+        {"pieces", ordered_json::array()},        {"failing", ordered_json::array()}};
     for (const DecidedPiece& each : decision.pieces) {
         json["pieces"].push_back(
             {{"stock_mm", {each.piece.from_mm, each.piece.to_mm}},
@@ -112,6 +111,10 @@ std::string pieceText(const Project& project, const DecidedPiece& each) {
 }
 
 std::string phasesText(const Project& project, const PhaseDecision& decision) {
+    if (decision.hasTooMany) {
+        return "not decided          the range has more than " + std::to_string(mostDecidedPieces)
+               + " pieces: choose a narrower one with --from and --to\n";
+    }
     std::string text;
     for (const DecidedPiece& each : decision.pieces) {
         text += pieceText(project, each);

@@ -48,10 +48,11 @@ QString readHandoutOption(const QString& option, const QString& value, ReportReq
     if (option == u"--views") {
         const auto views = report::readHandoutViews(value);
         request.handout.views = views.value_or(std::set<report::HandoutView>());
-        return views ? QString()
-                     : QStringLiteral("--views are feeds, cycle, profiles, limits, with commas "
-                                      "between, not “%1”")
-                           .arg(value);
+        return views
+                   ? QString()
+                   : QStringLiteral("--views are feeds, cycle, profiles, limits, grid, with commas "
+                                    "between, not “%1”")
+                         .arg(value);
     }
     request.handout.answers = value == u"on";
     return value == u"on" || value == u"off" ? QString() : QStringLiteral("--answers is on or off");

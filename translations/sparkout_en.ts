@@ -424,4 +424,55 @@
             </translation>
         </message>
     </context>
+    <context>
+        <name>StateGridText</name>
+        <message numerus="yes">
+            <source>takes %1 min in %n stage(s)</source>
+            <translation>
+                <numerusform>takes %1 min in %n stage</numerusform>
+                <numerusform>takes %1 min in %n stages</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>The rule goes wrong in %n state(s), first in %1: %2.</source>
+            <translation>
+                <numerusform>The rule goes wrong in %n state, first in %1: %2.</numerusform>
+                <numerusform>The rule goes wrong in %n states, first in %1: %2.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::StiffnessPage</name>
+        <message numerus="yes">
+            <source>stiffness trial at %n place(s)</source>
+            <translation>
+                <numerusform>stiffness trial at %n place</numerusform>
+                <numerusform>stiffness trial at %n places</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n reading(s); those less what the stiffness gives: RMS %1 µm.</source>
+            <translation>
+                <numerusform>%n reading; less what the stiffness gives: RMS %1 µm.</numerusform>
+                <numerusform>%n readings; those less what the stiffness gives: RMS %1 µm.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::TrialPage</name>
+        <message numerus="yes">
+            <source>then %n double stroke(s) of spark-out</source>
+            <translation>
+                <numerusform>then %n double stroke of spark-out</numerusform>
+                <numerusform>then %n double strokes of spark-out</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>then %n revolution(s) of spark-out</source>
+            <translation>
+                <numerusform>then %n revolution of spark-out</numerusform>
+                <numerusform>then %n revolutions of spark-out</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

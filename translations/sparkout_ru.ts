@@ -687,40 +687,28 @@
             <translation>Сила, Н</translation>
         </message>
         <message>
-            <source>Σ feed,
-µm</source>
-            <translation>Σ подача,
-мкм</translation>
+            <source>Σ feed, µm</source>
+            <translation>Σ подача, мкм</translation>
         </message>
         <message>
-            <source>Radius,
-µm</source>
-            <translation>Радиус,
-мкм</translation>
+            <source>Radius, µm</source>
+            <translation>Радиус, мкм</translation>
         </message>
         <message>
-            <source>Programmed,
-µm</source>
-            <translation>Программ.,
-мкм</translation>
+            <source>Programmed, µm</source>
+            <translation>Программ., мкм</translation>
         </message>
         <message>
-            <source>Axial,
-mm/min</source>
-            <translation>Осевая,
-мм/мин</translation>
+            <source>Axial, mm/min</source>
+            <translation>Осевая, мм/мин</translation>
         </message>
         <message>
-            <source>Radius
-before, µm</source>
-            <translation>Радиус
-до, мкм</translation>
+            <source>Radius before, µm</source>
+            <translation>Радиус до, мкм</translation>
         </message>
         <message>
-            <source>Σ program-
-med, µm</source>
-            <translation>Σ прогр.,
-мкм</translation>
+            <source>Σ programmed, µm</source>
+            <translation>Σ программ., мкм</translation>
         </message>
         <message>
             <source>%1: nothing is ground then</source>
@@ -835,6 +823,14 @@ med, µm</source>
             <source>interrupted surface</source>
             <translation>прерывистая поверхность</translation>
         </message>
+        <message>
+            <source>no length of a wear flat</source>
+            <translation>длина площадки износа не задана</translation>
+        </message>
+        <message>
+            <source>a wear flat of a given length</source>
+            <translation>длина площадки износа задана</translation>
+        </message>
     </context>
     <context>
         <name>CouplingCurves</name>
@@ -943,6 +939,10 @@ med, µm</source>
         <message>
             <source>Answers</source>
             <translation>Ответы</translation>
+        </message>
+        <message>
+            <source>Dynamic programming</source>
+            <translation>Динамическое программирование</translation>
         </message>
     </context>
     <context>
@@ -1416,6 +1416,355 @@ med, µm</source>
         <message>
             <source>of total runout</source>
             <translation>полного биения</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::StateGridBar</name>
+        <message>
+            <source>Pause</source>
+            <translation>Пауза</translation>
+        </message>
+        <message>
+            <source>Play the filling of the grid</source>
+            <translation>Показать заполнение сетки</translation>
+        </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%1 из %2</translation>
+        </message>
+        <message>
+            <source>Of the inputs before the last edit; the grid of now is being filled.</source>
+            <translation>По исходным данным до последней правки; новая сетка заполняется.</translation>
+        </message>
+        <message>
+            <source>Of the inputs before the last edit. Press “Run” for those of now.</source>
+            <translation>По исходным данным до последней правки. Нажмите «Рассчитать» для нынешних.</translation>
+        </message>
+        <message>
+            <source>Stopped before the grid was filled. Press “Run”.</source>
+            <translation>Остановлено до заполнения сетки. Нажмите «Рассчитать».</translation>
+        </message>
+        <message>
+            <source>levels </source>
+            <translation>уровней </translation>
+        </message>
+        <message>
+            <source>stages ≤ </source>
+            <translation>ступеней ≤ </translation>
+        </message>
+        <message>
+            <source>Levels that the stock is divided into</source>
+            <translation>Число уровней, на которые разделён припуск</translation>
+        </message>
+        <message>
+            <source>Stages that a cycle of the grid may have, within the gauge&apos;s commands</source>
+            <translation>Наибольшее число ступеней цикла сетки, не более числа команд прибора</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>Рассчитать</translation>
+        </message>
+        <message>
+            <source>Fill the grid and have the answer proved; that runs by itself after an edit</source>
+            <translation>Заполнить сетку и доказать ответ; после правки это выполняется само</translation>
+        </message>
+        <message>
+            <source>Stop</source>
+            <translation>Остановить</translation>
+        </message>
+        <message>
+            <source>End the run; what is known is kept</source>
+            <translation>Прервать расчёт; известное сохраняется</translation>
+        </message>
+        <message>
+            <source>What was filled</source>
+            <translation>Что заполнено</translation>
+        </message>
+        <message>
+            <source>Progress of the grid and its proof</source>
+            <translation>Ход заполнения сетки и доказательства</translation>
+        </message>
+        <message>
+            <source>To the blank</source>
+            <translation>К заготовке</translation>
+        </message>
+        <message>
+            <source>One state back</source>
+            <translation>На одно состояние назад</translation>
+        </message>
+        <message>
+            <source>The next state</source>
+            <translation>Следующее состояние</translation>
+        </message>
+        <message>
+            <source>To the end of the way back</source>
+            <translation>К концу обратного хода</translation>
+        </message>
+        <message>
+            <source>State that is looked at</source>
+            <translation>Рассматриваемое состояние</translation>
+        </message>
+        <message>
+            <source>Number of the state looked at</source>
+            <translation>Номер рассматриваемого состояния</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::StateGridPlot</name>
+        <message>
+            <source>Wrong: %1</source>
+            <translation>Ошибка: %1</translation>
+        </message>
+        <message>
+            <source>Level n</source>
+            <translation>Уровень n</translation>
+        </message>
+        <message>
+            <source>Stock left per side, mm</source>
+            <translation>Оставшийся припуск на сторону, мм</translation>
+        </message>
+        <message>
+            <source>Feed m</source>
+            <translation>Подача m</translation>
+        </message>
+        <message>
+            <source>Radial feed, mm per double stroke</source>
+            <translation>Радиальная подача, мм на двойной ход</translation>
+        </message>
+        <message>
+            <source>Radial feed, mm/min</source>
+            <translation>Радиальная подача, мм/мин</translation>
+        </message>
+        <message>
+            <source>Axial feed, mm/min</source>
+            <translation>Осевая подача, мм/мин</translation>
+        </message>
+        <message>
+            <source>T, min</source>
+            <translation>T, мин</translation>
+        </message>
+        <message>
+            <source>m*</source>
+            <translation>m*</translation>
+        </message>
+        <message>
+            <source>Moves struck out</source>
+            <translation>Вычеркнутые ходы</translation>
+        </message>
+        <message>
+            <source>Where the rule is wrong</source>
+            <translation>Где правило ошибается</translation>
+        </message>
+        <message>
+            <source>path back along m*</source>
+            <translation>обратный ход по m*</translation>
+        </message>
+        <message>
+            <source>proven quickest cycle</source>
+            <translation>доказанный кратчайший цикл</translation>
+        </message>
+        <message>
+            <source>the rule is wrong here</source>
+            <translation>здесь правило ошибается</translation>
+        </message>
+        <message>
+            <source>no admissible move</source>
+            <translation>нет допустимого хода</translation>
+        </message>
+        <message>
+            <source>moves into the state (× struck out)</source>
+            <translation>ходы в состояние (× вычеркнут)</translation>
+        </message>
+        <message>
+            <source>m: radial feed, mm per double stroke · axial feed, mm/min</source>
+            <translation>m: радиальная подача, мм на дв. ход · осевая подача, мм/мин</translation>
+        </message>
+        <message>
+            <source>m: radial feed, mm/min</source>
+            <translation>m: радиальная подача, мм/мин</translation>
+        </message>
+    </context>
+    <context>
+        <name>StateGridSheet</name>
+        <message>
+            <source>State</source>
+            <translation>Состояние</translation>
+        </message>
+        <message>
+            <source>Stock left, mm</source>
+            <translation>Осталось припуска, мм</translation>
+        </message>
+        <message>
+            <source>Feed</source>
+            <translation>Подача</translation>
+        </message>
+        <message>
+            <source>T, min</source>
+            <translation>T, мин</translation>
+        </message>
+        <message>
+            <source>Moves struck out</source>
+            <translation>Вычеркнутые ходы</translation>
+        </message>
+        <message>
+            <source>Where the rule is wrong</source>
+            <translation>Где правило ошибается</translation>
+        </message>
+        <message>
+            <source>A cell [n, m] holds the least time T[n,m] in which n levels of stock are removed, the last with feed m, and m*, the feed before it: T[n,m] = min over m&apos; of (T[n−1,m&apos;] + τ), T[0,0] = 0, over the moves that break no requirement. The least time of the last level is that of the cycle; its feeds are read back along m*.</source>
+            <translation>В клетке [n, m] записаны наименьшее время T[n,m], за которое снимаются n уровней припуска, последний с подачей m, и m* — номер подачи перед ним: T[n,m] = min по m&apos; (T[n−1,m&apos;] + τ), T[0,0] = 0, по ходам, не нарушающим требований. Наименьшее время последнего уровня — время цикла; его подачи читаются обратным ходом по m*.</translation>
+        </message>
+        <message>
+            <source>The grid of dynamic programming: T in minutes and m*</source>
+            <translation>Координатная сетка динамического программирования: T в минутах и m*</translation>
+        </message>
+    </context>
+    <context>
+        <name>StateGridText</name>
+        <message>
+            <source>Proving: %1</source>
+            <translation>Доказательство: %1</translation>
+        </message>
+        <message>
+            <source>Level %1 of %2</source>
+            <translation>Уровень %1 из %2</translation>
+        </message>
+        <message>
+            <source>The search lists no feeds for this grid. Add them on the page Search.</source>
+            <translation>В поиске нет подач для этой сетки. Добавьте их на странице «Поиск».</translation>
+        </message>
+        <message>
+            <source>The levels of stock are gauged: the grid is of cycles under gauge control. This project is under position control; the page Gauge changes that.</source>
+            <translation>Уровни припуска контролирует прибор: сетка состоит из циклов с управлением по прибору. В этом проекте управление по положению; оно меняется на странице «Прибор».</translation>
+        </message>
+        <message>
+            <source>Levels: %1, feeds: %2, stages at most: %3</source>
+            <translation>Уровней: %1, подач: %2, ступеней не более: %3</translation>
+        </message>
+        <message>
+            <source>Published rule: %1 min; stages %2.</source>
+            <translation>Опубликованное правило: %1 мин; ступени %2.</translation>
+        </message>
+        <message>
+            <source>The published rule finds no cycle: no move into the last level is admissible.</source>
+            <translation>Опубликованное правило не находит цикла: ни один ход на последний уровень не допустим.</translation>
+        </message>
+        <message>
+            <source>more than 9·10¹⁸</source>
+            <translation>более 9·10¹⁸</translation>
+        </message>
+        <message>
+            <source>Proved: none of the %1 cycles of the grid holds every requirement.</source>
+            <translation>Доказано: ни один из циклов сетки (%1) не выполняет всех требований.</translation>
+        </message>
+        <message>
+            <source>Proven quickest of the %1 cycles of the grid: %2 min; stages %3.</source>
+            <translation>Доказанный кратчайший из циклов сетки (%1): %2 мин; ступени %3.</translation>
+        </message>
+        <message>
+            <source>none of the %1 cycles is below %2 min</source>
+            <translation>ни один из циклов (%1) не короче %2 мин</translation>
+        </message>
+        <message>
+            <source>The proof was stopped: best so far %1 min, %2.</source>
+            <translation>Доказательство прервано: лучший пока %1 мин, %2.</translation>
+        </message>
+        <message>
+            <source>The proof was stopped: no cycle found so far, %1.</source>
+            <translation>Доказательство прервано: цикл пока не найден, %1.</translation>
+        </message>
+        <message>
+            <source>struck out, although the proven cycle reaches it after %1 min</source>
+            <translation>вычеркнуто, хотя доказанный цикл достигает его через %1 мин</translation>
+        </message>
+        <message>
+            <source>its time is not the least: the proven cycle reaches it after %1 min</source>
+            <translation>его время не наименьшее: доказанный цикл достигает его через %1 мин</translation>
+        </message>
+        <message>
+            <source>the way kept is not the one to go on from: the proven cycle reaches it after %1 min and goes on; the way kept, with the same feeds from here on, %2</source>
+            <translation>запомнен не тот путь, который следует продолжать: доказанный цикл достигает состояния через %1 мин и продолжается; запомненный путь с теми же дальнейшими подачами %2</translation>
+        </message>
+        <message>
+            <source>does not reach the size</source>
+            <translation>не достигает размера</translation>
+        </message>
+        <message>
+            <source>breaks: %1</source>
+            <translation>нарушает: %1</translation>
+        </message>
+        <message numerus="yes">
+            <source>takes %1 min in %n stage(s)</source>
+            <translation>
+                <numerusform>длится %1 мин за %n ступень</numerusform>
+                <numerusform>длится %1 мин за %n ступени</numerusform>
+                <numerusform>длится %1 мин за %n ступеней</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>The rule goes wrong in %n state(s), first in %1: %2.</source>
+            <translation>
+                <numerusform>Правило ошибается в %n состоянии, впервые в %1: %2.</numerusform>
+                <numerusform>Правило ошибается в %n состояниях, впервые в %1: %2.</numerusform>
+                <numerusform>Правило ошибается в %n состояниях, впервые в %1: %2.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The rule is right on this grid.</source>
+            <translation>На этой сетке правило верно.</translation>
+        </message>
+        <message>
+            <source>The rule is right: there is none to find.</source>
+            <translation>Правило верно: искать нечего.</translation>
+        </message>
+        <message>
+            <source>too many stages</source>
+            <translation>слишком много ступеней</translation>
+        </message>
+        <message>
+            <source>feed rises</source>
+            <translation>подача растёт</translation>
+        </message>
+        <message>
+            <source>level not reached</source>
+            <translation>уровень не достигнут</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>a cause and how many moves</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>no admissible move</source>
+            <translation>нет допустимого хода</translation>
+        </message>
+        <message>
+            <source>T = %1 min, from the blank</source>
+            <translation>T = %1 мин, от заготовки</translation>
+        </message>
+        <message>
+            <source>T = %1 min = %2 + %3, m* = %4</source>
+            <translation>T = %1 мин = %2 + %3, m* = %4</translation>
+        </message>
+        <message>
+            <source>; not quicker: %1</source>
+            <translation>; не быстрее: %1</translation>
+        </message>
+        <message>
+            <source>; struck out: %1</source>
+            <translation>; вычеркнуто: %1</translation>
+        </message>
+        <message>
+            <source>The blank: T[0, 0] = 0. Nothing is filled yet.</source>
+            <translation>Заготовка: T[0, 0] = 0. Ещё ничего не заполнено.</translation>
+        </message>
+        <message>
+            <source>State %1: %2 mm left, feed %3</source>
+            <translation>Состояние %1: осталось %2 мм, подача %3</translation>
+        </message>
+        <message>
+            <source>The way back. %1</source>
+            <translation>Обратный ход. %1</translation>
         </message>
     </context>
     <context>
@@ -2414,6 +2763,17 @@ med, µm</source>
         </message>
     </context>
     <context>
+        <name>FileDialog</name>
+        <message>
+            <source>Folder</source>
+            <translation>Папка</translation>
+        </message>
+        <message>
+            <source>%1 kB</source>
+            <translation>%1 кБ</translation>
+        </message>
+    </context>
+    <context>
         <name>FileError</name>
         <message>
             <source>the path cannot be reached</source>
@@ -2749,6 +3109,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Elastic balance of one radius</source>
             <translation>Упругий баланс для одного радиуса</translation>
         </message>
+        <message>
+            <source>In the sources K_1 = b·k_s and K_2 = b·k_r with axial feed, K_3 and K_4 in plunge.</source>
+            <translation>В источниках К_1 = b·k_s и К_2 = b·k_r с осевой подачей, К_3 и К_4 — при врезании.</translation>
+        </message>
+        <message>
+            <source>In the sources K_3 = b·k_s and K_4 = b·k_r.</source>
+            <translation>В источниках К_3 = b·k_s и К_4 = b·k_r.</translation>
+        </message>
     </context>
     <context>
         <name>GaugeCurves</name>
@@ -2834,6 +3202,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Actual feed under its limits</source>
             <translation>Фактическая подача и её ограничения</translation>
+        </message>
+        <message>
+            <source>Grid of dynamic programming</source>
+            <translation>Сетка динамического программирования</translation>
         </message>
     </context>
     <context>
@@ -5009,6 +5381,74 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>(T_о + T_в)·(1 + обслуживание/100)</translation>
         </message>
         <message>
+            <source>Levels follow the answer</source>
+            <translation>Уровни уточняются по ответу</translation>
+        </message>
+        <message>
+            <source>Levels of the feeds are added around the answer, and beyond it where it stands at the edge of its grid and the machine lets it pass; then the grid is searched again.</source>
+            <translation>Уровни подач добавляются вокруг ответа, а если он стоит на краю сетки и станок допускает больше, то и за краем; затем поиск повторяется.</translation>
+        </message>
+        <message>
+            <source>Contact factor</source>
+            <translation>Коэффициент контакта</translation>
+        </message>
+        <message>
+            <source>Factor of the number of cutting grains in the contact, of the conditions of grinding; to be calibrated.</source>
+            <translation>Коэффициент числа режущих зёрен в контакте, зависит от условий шлифования; подлежит калибровке.</translation>
+        </message>
+        <message>
+            <source>Cutting grains per length</source>
+            <translation>Режущих зёрен на длине</translation>
+        </message>
+        <message>
+            <source>Cutting grains on a millimetre of the wheel&apos;s circumference; they set the thickness of a chip.</source>
+            <translation>Режущих зёрен на миллиметре окружности круга; от них зависит толщина среза одним зерном.</translation>
+        </message>
+        <message>
+            <source>Shear angle</source>
+            <translation>Угол сдвига</translation>
+        </message>
+        <message>
+            <source>Angle of the plane in which a grain&apos;s chip shears.</source>
+            <translation>Угол плоскости, в которой сдвигается стружка одного зерна.</translation>
+        </message>
+        <message>
+            <source>Width of a grain&apos;s cut</source>
+            <translation>Ширина среза зерном</translation>
+        </message>
+        <message>
+            <source>chips make up the metal removed</source>
+            <translation>срезы вместе — снятый металл</translation>
+        </message>
+        <message>
+            <source>Width of the cut of one grain. Where it is not given, it is such that the chips together are the metal removed.</source>
+            <translation>Ширина среза одним зерном. Если не задана, она такова, что срезы зёрен вместе составляют снятый металл.</translation>
+        </message>
+        <message>
+            <source>Length of a wear flat</source>
+            <translation>Длина площадки износа</translation>
+        </message>
+        <message>
+            <source>from the dullness</source>
+            <translation>по затуплению</translation>
+        </message>
+        <message>
+            <source>Length of the wear flat of one grain; with it the dullness follows from the recipe.</source>
+            <translation>Длина площадки износа одного зерна; с ней затупление следует из рецептуры.</translation>
+        </message>
+        <message>
+            <source>Force by the wheel&apos;s recipe</source>
+            <translation>Сила по рецептуре круга</translation>
+        </message>
+        <message>
+            <source>by the law&apos;s coefficients</source>
+            <translation>по коэффициентам закона силы</translation>
+        </message>
+        <message>
+            <source>The cutting force from grain size and structure, summed over the grains in contact, in place of the law that takes all chips together for the metal removed.</source>
+            <translation>Сила резания по зернистости и структуре, суммированная по зёрнам в контакте, вместо закона, в котором срезы вместе составляют снятый металл.</translation>
+        </message>
+        <message>
             <source>Operation card</source>
             <translation>Операционная карта</translation>
         </message>
@@ -5922,6 +6362,42 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>It holds for every stock of %1…%2 mm per side, with the other inputs as they are: decided, not sampled.</source>
             <translation>Цикл выдерживает требования при любом припуске на сторону от %1 до %2 мм, если прочие данные не меняются: это решено точно, а не по выборке.</translation>
         </message>
+        <message>
+            <source>It holds for every stock of %1…%2 mm per side, with the other inputs as they are and at each of the %3 corners of the batch&apos;s other factors: decided, not sampled.</source>
+            <translation>Годен при любом припуске %1…%2 мм на сторону, как при заданных остальных исходных данных, так и в каждом из %3 сочетаний крайних значений остальных факторов партии: решено точно, а не по выборке.</translation>
+        </message>
+        <message>
+            <source>rounds of levels: %1</source>
+            <translation>кругов с новыми уровнями: %1</translation>
+        </message>
+        <message>
+            <source>Levels were added around the answer; rounds: %1.</source>
+            <translation>Вокруг ответа добавлены уровни; кругов поиска: %1.</translation>
+        </message>
+        <message>
+            <source>Stopped while further levels were searched: the answer is that of the grid before.</source>
+            <translation>Остановлено при поиске с новыми уровнями: ответ дан по предыдущей сетке.</translation>
+        </message>
+        <message>
+            <source>Stage %1: “%2” has the greatest level, %3;</source>
+            <translation>Ступень %1: «%2» на наибольшем уровне, %3;</translation>
+        </message>
+        <message>
+            <source>Stage %1: “%2” has the least level, %3;</source>
+            <translation>Ступень %1: «%2» на наименьшем уровне, %3;</translation>
+        </message>
+        <message>
+            <source>the machine or the stage&apos;s limits allow no other.</source>
+            <translation>станок или пределы ступени дальше не пускают.</translation>
+        </message>
+        <message>
+            <source>allowed is %1.</source>
+            <translation>допускается %1.</translation>
+        </message>
+        <message>
+            <source>smaller ones are allowed.</source>
+            <translation>допускаются и меньшие.</translation>
+        </message>
     </context>
     <context>
         <name>PageText</name>
@@ -6594,6 +7070,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>circles of the minimum zone</source>
             <translation>окружности минимальной зоны</translation>
         </message>
+        <message>
+            <source>maximum inscribed circle</source>
+            <translation>максимальная вписанная окружность</translation>
+        </message>
+        <message>
+            <source>minimum circumscribed circle</source>
+            <translation>минимальная описанная окружность</translation>
+        </message>
     </context>
     <context>
         <name>ProfilesTable</name>
@@ -6689,6 +7173,18 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>%1: outer circle of the minimum zone from target, µm</source>
             <translation>%1: наружная окружность минимальной зоны от целевого, мкм</translation>
         </message>
+        <message>
+            <source>%1: maximum inscribed circle from target, µm</source>
+            <translation>%1: максимальная вписанная окружность от целевого, мкм</translation>
+        </message>
+        <message>
+            <source>%1: minimum circumscribed circle from target, µm</source>
+            <translation>%1: минимальная описанная окружность от целевого, мкм</translation>
+        </message>
+        <message>
+            <source>%1: angle, °</source>
+            <translation>%1: угол, °</translation>
+        </message>
     </context>
     <context>
         <name>ProfilesText</name>
@@ -6772,6 +7268,18 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>; cylindricity %1 µm, total runout %2 µm, taper %3 µm</source>
             <translation>; отклонение от цилиндричности %1 мкм, полное радиальное биение %2 мкм, конусообразность %3 мкм</translation>
+        </message>
+        <message>
+            <source>Measured radii: %1</source>
+            <translation>Измерено радиусов: %1</translation>
+        </message>
+        <message>
+            <source>Gaussian filter %1 UPR</source>
+            <translation>фильтр Гаусса %1 волн/об</translation>
+        </message>
+        <message>
+            <source>not filtered</source>
+            <translation>без фильтра</translation>
         </message>
     </context>
     <context>
@@ -7692,6 +8200,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>FIPS 180-4, secure hash standard</source>
             <translation>FIPS 180-4, стандарт безопасного хеширования</translation>
         </message>
+        <message>
+            <source>sizes of F grits after FEPA 42-D-1986</source>
+            <translation>размеры зёрен F по FEPA 42-D-1986</translation>
+        </message>
     </context>
     <context>
         <name>Struct</name>
@@ -7854,6 +8366,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Measurements</source>
             <translation>Измерения</translation>
+        </message>
+        <message>
+            <source>Force by the wheel&apos;s recipe</source>
+            <translation>Сила по рецептуре круга</translation>
         </message>
         <message>
             <source>Operation card</source>
@@ -8177,6 +8693,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>every requirement holds</source>
             <translation>выполнены все требования</translation>
         </message>
+        <message>
+            <source>The range has more than %1 pieces: type a narrower one.</source>
+            <translation>В диапазоне больше %1 участков: задайте более узкий.</translation>
+        </message>
     </context>
     <context>
         <name>SweepText</name>
@@ -8466,6 +8986,38 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>tangential force that the drive allows, per width</source>
             <translation>тангенциальная сила, которую допускает привод, на единицу ширины</translation>
+        </message>
+        <message>
+            <source>cutting grains on a square millimetre of the contact</source>
+            <translation>режущих зёрен на квадратном миллиметре контакта</translation>
+        </message>
+        <message>
+            <source>width of the cut of one grain</source>
+            <translation>ширина среза одним зерном</translation>
+        </message>
+        <message>
+            <source>chips of the grains over the metal removed</source>
+            <translation>отношение срезов зёрен к снятому металлу</translation>
+        </message>
+        <message>
+            <source>dullness: share of wear flats</source>
+            <translation>затупление: доля площадок износа</translation>
+        </message>
+        <message>
+            <source>the sources&apos; name of b·k_s with axial feed</source>
+            <translation>b·k_s с осевой подачей, как в источниках</translation>
+        </message>
+        <message>
+            <source>the sources&apos; name of b·k_r with axial feed</source>
+            <translation>b·k_r с осевой подачей, как в источниках</translation>
+        </message>
+        <message>
+            <source>the sources&apos; name of b·k_s in plunge</source>
+            <translation>b·k_s при врезании, как в источниках</translation>
+        </message>
+        <message>
+            <source>the sources&apos; name of b·k_r in plunge</source>
+            <translation>b·k_r при врезании, как в источниках</translation>
         </message>
     </context>
     <context>
@@ -8830,6 +9382,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>kW/A</source>
             <translation>кВт/А</translation>
+        </message>
+        <message>
+            <source>N/mm^0.5</source>
+            <translation>Н/мм^0,5</translation>
         </message>
         <message>
             <source>kg</source>
@@ -10373,11 +10929,6 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Coupled sections share the power of the drives, so it limits no section&apos;s feed by itself. The requirements below hold it against the whole length.</source>
             <translation>Связанные сечения делят мощность приводов, поэтому подачу отдельного сечения она не ограничивает. Ниже, в требованиях, с ней сравнивается вся длина.</translation>
-        </message>
-        <message>
-            <source>Constraints</source>
-            <comment>the view&apos;s tab</comment>
-            <translation>Пределы</translation>
         </message>
     </context>
     <context>
@@ -12367,17 +12918,24 @@ target, µm</source>
             <translation>Около двенадцати уровней каждой подачи вокруг текущего цикла и шаги припуска; можно отменить и изменить на странице «Поиск»</translation>
         </message>
         <message>
-            <source>Optimise</source>
-            <comment>the view&apos;s tab</comment>
-            <translation>Поиск</translation>
-        </message>
-        <message>
             <source>Between levels</source>
             <translation>Между уровнями</translation>
         </message>
         <message>
             <source>Go on from the quickest cycle between the levels of the grid, in the machine&apos;s steps: every cycle is run in full, but that none is quicker is not proved</source>
             <translation>Искать дальше от самого быстрого цикла между уровнями сетки, с дискретностью станка: каждый цикл просчитывается целиком, но что быстрее нет, не доказывается</translation>
+        </message>
+        <message>
+            <source>The inputs are refused; the grid is that of the last accepted ones.</source>
+            <translation>Исходные данные не приняты; сетка — по последним принятым.</translation>
+        </message>
+        <message>
+            <source>Dynamic programming</source>
+            <translation>Динамическое программирование</translation>
+        </message>
+        <message>
+            <source>Grid of dynamic programming</source>
+            <translation>Сетка динамического программирования</translation>
         </message>
     </context>
     <context>
@@ -12672,6 +13230,38 @@ target, µm</source>
             <source>%1: outer circle of the minimum zone</source>
             <translation>%1: наружная окружность минимальной зоны</translation>
         </message>
+        <message>
+            <source>%1: maximum inscribed circle</source>
+            <translation>%1: максимальная вписанная окружность</translation>
+        </message>
+        <message>
+            <source>%1: circle about its centre, outside</source>
+            <translation>%1: окружность с тем же центром, снаружи</translation>
+        </message>
+        <message>
+            <source>%1: circle about its centre, inside</source>
+            <translation>%1: окружность с тем же центром, внутри</translation>
+        </message>
+        <message>
+            <source>%1: minimum circumscribed circle</source>
+            <translation>%1: минимальная описанная окружность</translation>
+        </message>
+        <message>
+            <source>Measured</source>
+            <translation>Измерено</translation>
+        </message>
+        <message>
+            <source>no circle is held</source>
+            <translation>окружность не определена</translation>
+        </message>
+        <message>
+            <source>Measured profile %1: %2</source>
+            <translation>Измеренный профиль %1: %2</translation>
+        </message>
+        <message>
+            <source>Measured: %1</source>
+            <translation>Измерено: %1</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::ProfilesView</name>
@@ -12881,10 +13471,6 @@ target, µm</source>
             <translation>Логарифм.</translation>
         </message>
         <message>
-            <source>Reference circles of the roundness (ISO 12181): LSCI, the least-squares circle, or MZCI, the two circles of the minimum zone</source>
-            <translation>Базовые окружности круглости (ISO 12181): МНК — средняя окружность, мин. зона — две окружности минимальной зоны</translation>
-        </message>
-        <message>
             <source>Amplitudes on a logarithmic axis</source>
             <translation>Амплитуды по логарифмической оси</translation>
         </message>
@@ -12892,6 +13478,42 @@ target, µm</source>
             <source>Profiles</source>
             <comment>the view&apos;s tab</comment>
             <translation>Профили</translation>
+        </message>
+        <message>
+            <source>MICI</source>
+            <translation>вписанная</translation>
+        </message>
+        <message>
+            <source>MCCI</source>
+            <translation>описанная</translation>
+        </message>
+        <message>
+            <source>%1 UPR</source>
+            <translation>%1 волн/об</translation>
+        </message>
+        <message>
+            <source>Measured</source>
+            <translation>Измеренный</translation>
+        </message>
+        <message>
+            <source>&amp;Read a measured profile…</source>
+            <translation>&amp;Прочитать измеренный профиль…</translation>
+        </message>
+        <message>
+            <source>&amp;Take it away</source>
+            <translation>&amp;Убрать его</translation>
+        </message>
+        <message>
+            <source>Reference circles of the roundness (ISO 12181): LSCI, the least-squares circle; MZCI, the two circles of the minimum zone; MICI, the maximum inscribed, or MCCI, the minimum circumscribed circle</source>
+            <translation>Базовые окружности круглости (ISO 12181): МНК — средняя окружность, мин. зона — две окружности минимальной зоны, вписанная — максимальная вписанная, описанная — минимальная описанная окружность</translation>
+        </message>
+        <message>
+            <source>Gaussian filter of the cross-sections (ISO 16610-21): waves up to about so many undulations per revolution stay, as roundness machines state them</source>
+            <translation>Фильтр Гаусса для поперечных сечений (ISO 16610-21): остаются волны примерно до стольких на оборот, как указывают кругломеры</translation>
+        </message>
+        <message>
+            <source>A profile recorded by a roundness machine, beside the predicted ones: a table of the angle in ° and the radius in mm or its deviation in µm</source>
+            <translation>Профиль, записанный кругломером, рядом с расчётными: таблица из угла в ° и радиуса в мм или его отклонения в мкм</translation>
         </message>
     </context>
     <context>
@@ -14230,11 +14852,6 @@ target, µm</source>
         <message>
             <source>no point</source>
             <translation>точка не выбрана</translation>
-        </message>
-        <message>
-            <source>Sweep</source>
-            <comment>the view&apos;s tab</comment>
-            <translation>Варьирование</translation>
         </message>
     </context>
     <context>
@@ -16404,6 +17021,14 @@ The size alone gives α and β, that is the compliance with the force together; 
             <source>Calibrated: %1. Undo takes it back.</source>
             <translation>Откалибровано: %1. Отменить можно командой «Отменить».</translation>
         </message>
+        <message>
+            <source>Stiffness trial</source>
+            <translation>Опыт на жёсткость</translation>
+        </message>
+        <message>
+            <source>Which trial</source>
+            <translation>Какой опыт</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::TracesPlot</name>
@@ -17271,10 +17896,390 @@ The size alone gives α and β, that is the compliance with the force together; 
             <source>Import measurements…</source>
             <translation>Импорт измерений…</translation>
         </message>
+    </context>
+    <context>
+        <name>sparkout::StiffnessModel</name>
         <message>
-            <source>Measured</source>
-            <comment>the view&apos;s tab</comment>
-            <translation>Измерения</translation>
+            <source>“%1” is not a number.</source>
+            <translation>«%1» — не число.</translation>
+        </message>
+        <message>
+            <source>The place is missing.</source>
+            <translation>Не указано место.</translation>
+        </message>
+        <message>
+            <source>The load must be above 0 N.</source>
+            <translation>Нагрузка должна быть больше 0 Н.</translation>
+        </message>
+        <message>
+            <source>Row %1: %2</source>
+            <translation>Строка %1: %2</translation>
+        </message>
+        <message>
+            <source>%1, row %2</source>
+            <translation>%1, строка %2</translation>
+        </message>
+        <message>
+            <source>Place, mm</source>
+            <translation>Место, мм</translation>
+        </message>
+        <message>
+            <source>Load, N</source>
+            <translation>Нагрузка, Н</translation>
+        </message>
+        <message>
+            <source>Deflection, µm</source>
+            <translation>Отжатие, мкм</translation>
+        </message>
+    </context>
+    <context>
+        <name>StiffnessSheet</name>
+        <message>
+            <source>Clamp the part between the centres as for grinding. Wheel and drives are at rest, the wheel does not touch the part.</source>
+            <translation>Установите деталь в центрах, как для шлифования. Круг и приводы неподвижны, круг детали не касается.</translation>
+        </message>
+        <message>
+            <source>Clamp the part in the chuck as for grinding. Wheel and drives are at rest, the wheel does not touch the part.</source>
+            <translation>Закрепите деталь в патроне, как для шлифования. Круг и приводы неподвижны, круг детали не касается.</translation>
+        </message>
+        <message>
+            <source>Set an indicator that reads 1 µm or finer on the bed, against the part, opposite to the wheel, at the first place: %1 mm from the headstock&apos;s end of the shaft.</source>
+            <translation>Установите на станину индикатор с ценой деления не грубее 1 мкм, против круга, наконечником на деталь в первом месте: %1 мм от конца вала у передней бабки.</translation>
+        </message>
+        <message>
+            <source>Load the part there radially, from the side of the wheel, by a dynamometer: once to %1 N and back, to take the play out. Zero the indicator without load.</source>
+            <translation>Нагрузите деталь в этом месте радиально, со стороны круга, через динамометр: один раз до %1 Н и обратно, чтобы выбрать зазоры. Без нагрузки установите индикатор на нуль.</translation>
+        </message>
+        <message>
+            <source>Read the deflection at %1 N and at %2 N. Unload; the indicator must come back to zero. Read both once more.</source>
+            <translation>Снимите отжатие при %1 Н и при %2 Н. Разгрузите; индикатор должен вернуться к нулю. Снимите оба отсчёта ещё раз.</translation>
+        </message>
+        <message>
+            <source>Do the same at the other places: %1 mm.</source>
+            <translation>Сделайте то же в других местах: %1 мм.</translation>
+        </message>
+        <message>
+            <source> and </source>
+            <translation> и </translation>
+        </message>
+        <message>
+            <source>For the wheel head, too, set the indicator on the wheel head instead of the bed, load between wheel head and part, and choose so below.</source>
+            <translation>Чтобы найти и шлифовальную бабку, установите индикатор на неё вместо станины, нагружайте между шлифовальной бабкой и деталью и укажите это у показаний.</translation>
+        </message>
+        <message>
+            <source>Enter the deflections. Two places tell headstock and tailstock, the third tells whether the readings agree.</source>
+            <translation>Введите отжатия. Два места дают переднюю и заднюю бабки, третье показывает, согласны ли показания.</translation>
+        </message>
+        <message>
+            <source>Project:</source>
+            <translation>Проект:</translation>
+        </message>
+        <message>
+            <source>Part:</source>
+            <translation>Деталь:</translation>
+        </message>
+        <message>
+            <source>Machine:</source>
+            <translation>Станок:</translation>
+        </message>
+        <message>
+            <source>Date, name:</source>
+            <translation>Дата, фамилия:</translation>
+        </message>
+        <message>
+            <source>Place, mm</source>
+            <translation>Место, мм</translation>
+        </message>
+        <message>
+            <source>Load, N</source>
+            <translation>Нагрузка, Н</translation>
+        </message>
+        <message>
+            <source>Deflection, µm</source>
+            <translation>Отжатие, мкм</translation>
+        </message>
+        <message>
+            <source>Once more, µm</source>
+            <translation>Повторно, мкм</translation>
+        </message>
+        <message>
+            <source>Stiffness trial</source>
+            <translation>Опыт на жёсткость</translation>
+        </message>
+        <message>
+            <source>Print the sheet</source>
+            <translation>Печать листа</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::StiffnessPage</name>
+        <message>
+            <source>Stiffness found</source>
+            <translation>Найденная жёсткость</translation>
+        </message>
+        <message>
+            <source>Compliance along the part</source>
+            <translation>Податливость вдоль детали</translation>
+        </message>
+        <message>
+            <source>&amp;Take over the stiffness</source>
+            <translation>&amp;Принять жёсткости</translation>
+        </message>
+        <message>
+            <source>&amp;Print the sheet…</source>
+            <translation>Пе&amp;чать листа…</translation>
+        </message>
+        <message>
+            <source>These steps and a table to write the readings into, on one page</source>
+            <translation>Эти шаги и таблица для записи показаний на одной странице</translation>
+        </message>
+        <message>
+            <source>on the bed</source>
+            <translation>на станине</translation>
+        </message>
+        <message>
+            <source>on the wheel head</source>
+            <translation>на шлифовальной бабке</translation>
+        </message>
+        <message>
+            <source>&amp;Indicator:</source>
+            <translation>&amp;Индикатор:</translation>
+        </message>
+        <message>
+            <source>Readings of the trial</source>
+            <translation>Показания опыта</translation>
+        </message>
+        <message>
+            <source>Type the deflections, or paste a table of place, load and deflection with Ctrl+V</source>
+            <translation>Введите отжатия или вставьте таблицу из места, нагрузки и отжатия: Ctrl+V</translation>
+        </message>
+        <message>
+            <source>Gives the machine the stiffness found, as one edit that can be undone, marks it as calibrated, and lets γ follow from it</source>
+            <translation>Даёт станку найденные жёсткости одной правкой, которую можно отменить, отмечает их как откалиброванные, и γ вычисляется по ним</translation>
+        </message>
+        <message>
+            <source>Inputs of the project are missing or wrong: first mend what the messages name.</source>
+            <translation>В проекте не хватает исходных данных или они неверны: сначала исправьте то, что названо в сообщениях.</translation>
+        </message>
+        <message>
+            <source>Enter the deflections: what they tell stands here at once.</source>
+            <translation>Введите отжатия: что из них следует, сразу появится здесь.</translation>
+        </message>
+        <message>
+            <source>Nothing can be found: %1.</source>
+            <translation>Найти ничего нельзя: %1.</translation>
+        </message>
+        <message>
+            <source>Nothing can be found: %1 (%2).</source>
+            <translation>Найти ничего нельзя: %1 (%2).</translation>
+        </message>
+        <message>
+            <source>not measured</source>
+            <translation>не измерена</translation>
+        </message>
+        <message>
+            <source>Stiffness, N/µm</source>
+            <translation>Жёсткость, Н/мкм</translation>
+        </message>
+        <message>
+            <source>now</source>
+            <translation>сейчас</translation>
+        </message>
+        <message>
+            <source>found</source>
+            <translation>найдено</translation>
+        </message>
+        <message>
+            <source>The wheel head&apos;s stiffness is not known: %1 N/µm is put in, to be measured with the indicator on the wheel head.</source>
+            <translation>Жёсткость шлифовальной бабки неизвестна: подставлено %1 Н/мкм; измерьте её, установив индикатор на шлифовальную бабку.</translation>
+        </message>
+        <message>
+            <source>The compliance given goes; γ then follows from stiffness and shaft.</source>
+            <translation>Заданная податливость убирается; γ тогда вычисляется по жёсткости и валу.</translation>
+        </message>
+        <message>
+            <source>then</source>
+            <translation>станет</translation>
+        </message>
+        <message numerus="yes">
+            <source>stiffness trial at %n place(s)</source>
+            <translation>
+                <numerusform>опыт на жёсткость в %n месте</numerusform>
+                <numerusform>опыт на жёсткость в %n местах</numerusform>
+                <numerusform>опыт на жёсткость в %n местах</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n reading(s); those less what the stiffness gives: RMS %1 µm.</source>
+            <translation>
+                <numerusform>%n показание; отклонения от найденной жёсткости: СКО %1 мкм.</numerusform>
+                <numerusform>%n показания; отклонения от найденной жёсткости: СКО %1 мкм.</numerusform>
+                <numerusform>%n показаний; отклонения от найденной жёсткости: СКО %1 мкм.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>γ, mm/N</source>
+            <translation>γ, мм/Н</translation>
+        </message>
+        <message>
+            <source>x, mm</source>
+            <translation>x, мм</translation>
+        </message>
+        <message>
+            <source>95 %</source>
+            <translation>95 %</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::TrialPage</name>
+        <message>
+            <source>Trials by what they tell</source>
+            <translation>Опыты по их информативности</translation>
+        </message>
+        <message>
+            <source>&amp;Compare trials</source>
+            <translation>&amp;Сравнить опыты</translation>
+        </message>
+        <message>
+            <source>&amp;Stop</source>
+            <translation>С&amp;топ</translation>
+        </message>
+        <message>
+            <source>What the trial is for</source>
+            <translation>Что узнать в опыте</translation>
+        </message>
+        <message>
+            <source>anything</source>
+            <translation>что угодно</translation>
+        </message>
+        <message>
+            <source>&amp;Can be recorded:</source>
+            <translation>Можно &amp;записать:</translation>
+        </message>
+        <message>
+            <source>Progress</source>
+            <translation>Ход расчёта</translation>
+        </message>
+        <message>
+            <source>Inputs of the project are missing or wrong: first mend what the messages name.</source>
+            <translation>В проекте не хватает исходных данных или они неверны: сначала исправьте то, что названо в сообщениях.</translation>
+        </message>
+        <message>
+            <source>No parameter is chosen.</source>
+            <translation>Параметры не выбраны.</translation>
+        </message>
+        <message>
+            <source>Trials are being run …</source>
+            <translation>Опыты рассчитываются…</translation>
+        </message>
+        <message>
+            <source>%1 %2</source>
+            <translation>%1 %2</translation>
+        </message>
+        <message>
+            <source>not told</source>
+            <translation>не определяется</translation>
+        </message>
+        <message>
+            <source>Before the machine grinds a trial, this compares 24 of them: a third, one and three times the feed of the first stage, without and with a spark-out, by what is recorded. The best one narrows the chosen parameters down most.</source>
+            <translation>Прежде чем шлифовать опытную деталь, здесь сравниваются 24 опыта: подача первой ступени, втрое меньше и втрое больше, без выхаживания и с ним, по тому, что записывается. Лучший опыт точнее всех определяет выбранные параметры.</translation>
+        </message>
+        <message>
+            <source>No trials: %1.</source>
+            <translation>Опытов нет: %1.</translation>
+        </message>
+        <message>
+            <source>Recorded</source>
+            <translation>Запись</translation>
+        </message>
+        <message>
+            <source>without spark-out</source>
+            <translation>без выхаживания</translation>
+        </message>
+        <message>
+            <source>All the stock at %1 %2, %3, about %4 s; record: %5.</source>
+            <translation>Весь припуск на подаче %1 %2, %3, около %4 с; записать: %5.</translation>
+        </message>
+        <message>
+            <source>None of the trials records this.</source>
+            <translation>Ни один из опытов этого не записывает.</translation>
+        </message>
+        <message>
+            <source>The trial that tells most:</source>
+            <translation>Самый информативный опыт:</translation>
+        </message>
+        <message>
+            <source>The chosen trial:</source>
+            <translation>Выбранный опыт:</translation>
+        </message>
+        <message>
+            <source>It cannot tell: %1.</source>
+            <translation>Он не определяет: %1.</translation>
+        </message>
+        <message>
+            <source>The intervals are those expected at 95 % about the present inputs, for %1 values a second with a scatter of %2 µm, %3 kW or %4 % of the greatest force. Then import the trace and calibrate on the page Cycle.</source>
+            <translation>Интервалы — ожидаемые 95 %-е около нынешних исходных данных, при %1 отсчётах в секунду с разбросом %2 мкм, %3 кВт или %4 % наибольшей силы. Затем импортируйте запись и калибруйте на странице «Цикл».</translation>
+        </message>
+        <message numerus="yes">
+            <source>then %n double stroke(s) of spark-out</source>
+            <translation>
+                <numerusform>затем %n двойной ход выхаживания</numerusform>
+                <numerusform>затем %n двойных хода выхаживания</numerusform>
+                <numerusform>затем %n двойных ходов выхаживания</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>then %n revolution(s) of spark-out</source>
+            <translation>
+                <numerusform>затем %n оборот выхаживания</numerusform>
+                <numerusform>затем %n оборота выхаживания</numerusform>
+                <numerusform>затем %n оборотов выхаживания</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Feed,
+%1</source>
+            <translation>Подача,
+%1</translation>
+        </message>
+        <message>
+            <source>Spark-
+out</source>
+            <translation>Выха-
+живание</translation>
+        </message>
+        <message>
+            <source>Time,
+s</source>
+            <translation>Время,
+с</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <translation>да</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <translation>нет</translation>
+        </message>
+    </context>
+    <context>
+        <name>MeasuredSection</name>
+        <message>
+            <source>A table of two columns is needed: the angle in °, and the radius in mm or the deviation from it in µm.</source>
+            <translation>Нужна таблица из двух столбцов: угол в ° и радиус в мм или отклонение от него в мкм.</translation>
+        </message>
+        <message>
+            <source>Read a measured profile</source>
+            <translation>Чтение измеренного профиля</translation>
+        </message>
+        <message>
+            <source>Tables (*.csv *.txt *.tsv *.dat);;All files (*)</source>
+            <translation>Таблицы (*.csv *.txt *.tsv *.dat);;Все файлы (*)</translation>
+        </message>
+        <message>
+            <source>The profile was not read</source>
+            <translation>Профиль не прочитан</translation>
         </message>
     </context>
     <context>

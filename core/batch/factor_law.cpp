@@ -2,6 +2,7 @@
 #include "core/batch/factor_law.h"
 
 #include "core/process/profile.h"
+#include "core/process/recipe_force.h"
 #include "core/process/scaled_compliance.h"
 #include "core/project/batch.h"
 #include "core/project/machine.h"
@@ -143,7 +144,7 @@ void putFactor(FactorKind kind, double value, Project& project) {
         }
         project.part->initial_runout_mm = value;
         break;
-    case FactorKind::dullness: project.wheel->dullness = value; break;
+    case FactorKind::dullness: setDullness(*project.wheel, value); break;
     case FactorKind::wheelDiameter:
         project.machine->wheel_speed_m_s *= value / project.wheel->diameter_mm;
         project.wheel->diameter_mm = value;

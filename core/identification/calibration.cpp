@@ -2,6 +2,7 @@
 #include "core/identification/calibration.h"
 
 #include "core/identification/scaled_project.h"
+#include "core/process/recipe_force.h"
 #include "core/process/scaled_compliance.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
@@ -56,7 +57,7 @@ public:
     Project make() {
         changeCompliance();
         change("/material/flow_stress_mpa", {{FittedKind::flow_stress, 1}});
-        change("/wheel/dullness",
+        change(dullnessPath(*m_before.wheel),
                {{FittedKind::dullness, 1}, {FittedKind::beta, 1}, {FittedKind::alpha, -1}});
         change("/material/shear_strain", {{FittedKind::chip_power, 1}});
         change("/material/friction",

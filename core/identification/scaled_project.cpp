@@ -2,6 +2,7 @@
 #include "core/identification/scaled_project.h"
 
 #include "core/process/profile.h"
+#include "core/process/recipe_force.h"
 #include "core/process/scaled_compliance.h"
 #include "core/process/system_compliance.h"
 #include "core/project/machine.h"
@@ -54,7 +55,8 @@ Project scaledProject(const Project& project, const CycleFactors& factors) {
     if (!factors.places.empty()) {
         scalePlaceCompliances(scaled, factors.places);
     }
-    scaled.wheel->dullness *= factors.dullness * factors.beta / factors.alpha;
+    setDullness(*scaled.wheel,
+                dullnessOf(*scaled.wheel) * (factors.dullness * factors.beta / factors.alpha));
     scaled.part->initial_runout_mm = factors.blankRunout_mm;
     return scaled;
 }

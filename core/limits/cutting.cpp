@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/limits/cutting.h"
 
+#include "core/process/recipe_force.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/part.h"
@@ -22,13 +23,58 @@ Cutting cuttingOf(const Project& project) {
     cutting.n_rpm = project.machine->work_speed_rpm;
     cutting.Vd_mm_s = std::numbers::pi * cutting.d_mm * cutting.n_rpm / units::secondsPerMinute;
     cutting.Vk_mm_s = project.machine->wheel_speed_m_s * units::mmPerM;
-    cutting.dullness = project.wheel->dullness;
+    cutting.dullness = dullnessOf(*project.wheel);
     return cutting;
 }
 
 namespace {
 
 // The coefficients come out of forceLaw(); what is said of them here is held against it by a test.
+
+/// What the wheel's recipe comes to, where the force follows from it.
+void stateRecipe(FormulaSheet* sheet, const Wheel& wheel) {
+    if (!sheet || !wheel.force_recipe) {
+        return;
+    }
+    const ForceRecipe& recipe = *wheel.force_recipe;
+    const RecipeShares shares = recipeShares(wheel, recipe);
+    state(sheet, "{n_c} = {k_Y}·{W_g}·{W_b}/(({c} − {W_g} − {W_b})·{d_g}²)",
+          {"n_c", shares.cuttingGrains_mm2, "1/mm²"},
+          {{"k_Y", recipe.contact_factor, ""},
+           {"W_g", wheel.grain_share, ""},
+           {"W_b", wheel.bond_share, ""},
+           {"d_g", wheel.grain_mm, "mm"},
+           constantTerm("c", 1)});
+    const FormulaTerm perArea{"n_c", shares.cuttingGrains_mm2, "1/mm²"},
+        perLength{"m_D", recipe.grains_per_mm, "1/mm"}, angle{"β_1", recipe.shear_angle_deg, "°"},
+        width{"b_j", shares.cutWidth_mm, "mm"};
+    if (recipe.cut_width_mm) {
+        state(sheet, "{κ} = {c}·{b_j}·{n_c}/({m_D}·sin({β_1}))", {"κ", shares.shear, ""},
+              {width, perArea, perLength, angle, constantTerm("c", 2)});
+    } else {
+        state(sheet, "{b_j} = {m_D}·sin({β_1})/({c}·{n_c})", width,
+              {perLength, angle, perArea, constantTerm("c", 2)});
+    }
+    if (recipe.wear_flat_mm) {
+        state(sheet, "{η} = {l_g}·{b_j}·{n_c}", {"η", shares.dullness, ""},
+              {{"l_g", *recipe.wear_flat_mm, "mm"}, width, perArea});
+    }
+}
+
+/// k_s or k_t: σ_i·V_d/V_k by a coefficient, and by κ of a recipe that states one.
+void stateShear(FormulaSheet* sheet, const Project& project, const Cutting& cutting,
+                const FormulaTerm& result, const FormulaTerm& coefficient, const char* plain,
+                const char* byRecipe) {
+    const FormulaTerm stress{"σ_i", project.material->flow_stress_mpa, "MPa"},
+        work{"V_d", cutting.Vd_mm_s, "mm/s"}, wheel{"V_k", cutting.Vk_mm_s, "mm/s"};
+    const auto& recipe = project.wheel->force_recipe;
+    if (recipe && recipe->cut_width_mm) {
+        const double shear = recipeShares(*project.wheel, *recipe).shear;
+        state(sheet, byRecipe, result, {{"κ", shear, ""}, coefficient, stress, work, wheel});
+    } else {
+        state(sheet, plain, result, {coefficient, stress, work, wheel});
+    }
+}
 
 void stateFriction(FormulaSheet* sheet, const Project& project, const Cutting& cutting) {
     state(sheet, "{k_r} = {η}·{σ_i}·√({D_e})/{c}", {"k_r", cutting.law.kr, "N/mm^1.5"},
@@ -48,23 +94,20 @@ void stateContact(FormulaSheet* sheet, const Project& project, const Cutting& cu
           {{"d", cutting.d_mm, "mm"},
            {"n", cutting.n_rpm, "rev/min"},
            constantTerm("s", units::secondsPerMinute)});
+    stateRecipe(sheet, *project.wheel);
 }
 
 void stateNormal(FormulaSheet* sheet, const Project& project, const Cutting& cutting) {
-    state(sheet, "{k_s} = {ε_i·tg β}·{σ_i}·{V_d}/{V_k}", {"k_s", cutting.law.ks, "MPa"},
-          {{"ε_i·tg β", project.material->shear_factor, ""},
-           {"σ_i", project.material->flow_stress_mpa, "MPa"},
-           {"V_d", cutting.Vd_mm_s, "mm/s"},
-           {"V_k", cutting.Vk_mm_s, "mm/s"}});
+    stateShear(sheet, project, cutting, {"k_s", cutting.law.ks, "MPa"},
+               {"ε_i·tg β", project.material->shear_factor, ""},
+               "{k_s} = {ε_i·tg β}·{σ_i}·{V_d}/{V_k}", "{k_s} = {κ}·{ε_i·tg β}·{σ_i}·{V_d}/{V_k}");
     stateFriction(sheet, project, cutting);
 }
 
 void stateTangential(FormulaSheet* sheet, const Project& project, const Cutting& cutting) {
-    state(sheet, "{k_t} = {ε_i}·{σ_i}·{V_d}/{V_k}", {"k_t", cutting.law.kt, "MPa"},
-          {{"ε_i", project.material->shear_strain, ""},
-           {"σ_i", project.material->flow_stress_mpa, "MPa"},
-           {"V_d", cutting.Vd_mm_s, "mm/s"},
-           {"V_k", cutting.Vk_mm_s, "mm/s"}});
+    stateShear(sheet, project, cutting, {"k_t", cutting.law.kt, "MPa"},
+               {"ε_i", project.material->shear_strain, ""}, "{k_t} = {ε_i}·{σ_i}·{V_d}/{V_k}",
+               "{k_t} = {κ}·{ε_i}·{σ_i}·{V_d}/{V_k}");
     stateFriction(sheet, project, cutting);
 }
 

@@ -2,14 +2,18 @@
 #include "core/optimisation/limit.h"
 
 #include "core/optimisation/variants.h"
+#include "core/process/contact_compliance.h"
 #include "core/process/coupled_sections.h"
+#include "core/process/force.h"
 #include "core/process/profile.h"
+#include "core/process/system_compliance.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
 #include "core/project/optimisation.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
+#include "core/quality/accuracy_limit.h"
 #include "core/quality/constraints.h"
 #include "core/quality/depth_limits.h"
 #include "core/simulation/cycle_steps.h"
@@ -19,7 +23,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -123,6 +129,73 @@ double leftByField_mm(const Part& part) {
     return std::max(shaft * (edge_mm - targetRadius(part)), 0.0) + diameterSlack_mm;
 }
 
+/// The least number of passes in which a radius of the gauged section of a plunge loses its stock.
+class LeastPasses {
+public:
+    /// @param left_mm above the target that its last pass may leave
+    LeastPasses(const Project& project, double infeed_mm, double stock_mm, double left_mm,
+                const std::stop_token& stop)
+        : m_law(forceLaw(project))
+        , m_b(project.part->length_mm)
+        , m_gamma(compliantPoints(project)[gaugeSection(project)].gamma_mm_n)
+        , m_infeed_mm(infeed_mm)
+        , m_cell_mm(stock_mm / cells) {
+        const double lastCut_mm = provedLastCut_mm(project, m_b, m_gamma);
+        LimitPoints release;
+        if (std::isfinite(lastCut_mm)) {
+            release = releaseCurve(m_law, m_b, m_gamma, lastCut_mm, stock_mm);
+        }
+        auto next = release.begin();
+        for (int i = 1; i <= cells && !stop.stop_requested(); ++i) {
+            const double upper_mm = i * m_cell_mm;
+            while (next != release.end() && next->stock_mm < upper_mm) {
+                ++next;
+            }
+            const bool known = next != release.end(); // it rises: its value further on is no less
+            m_most_mm.push_back(
+                std::min(leastLimit(project, m_b, left_mm + upper_mm),
+                         known ? next->depth_mm : std::numeric_limits<double>::infinity()));
+        }
+    }
+
+    /// None where it cannot be lost in so many.
+    [[nodiscard]] std::optional<int> count(const std::stop_token& stop) const {
+        constexpr int most = 1'000'000;
+        constexpr double lastBits = 1e-9;
+        double left_mm = cells * m_cell_mm * (1 - lastBits), reached_mm = 0;
+        std::size_t cell = cells - 1;
+        for (int n = 1; n <= most && !stop.stop_requested(); ++n) {
+            reached_mm = depthAfter(m_law, m_b, m_gamma, reached_mm, m_infeed_mm);
+            const auto lowest = [&](std::size_t i) { // that is left after a pass that ends in i
+                return left_mm - std::min(reached_mm, m_most_mm[i]) * (1 + lastBits);
+            };
+            while (cell > 0 && lowest(cell - 1) <= static_cast<double>(cell) * m_cell_mm) {
+                --cell;
+            }
+            const double after_mm = std::max(lowest(cell), static_cast<double>(cell) * m_cell_mm);
+            if (after_mm <= 0) {
+                return n;
+            }
+            if (after_mm >= left_mm) {
+                return std::nullopt;
+            }
+            left_mm = after_mm;
+        }
+        return std::nullopt;
+    }
+
+private:
+    static constexpr int cells = 200;
+    ForceLaw m_law;
+    double m_b, m_gamma, m_infeed_mm, m_cell_mm;
+    std::vector<double> m_most_mm; ///< of a pass that leaves up to the upper end of a cell
+};
+
+/// Whether passes of a radius follow one another as the release and the build-up suppose.
+bool countsPasses(const Project& project) {
+    return !project.operation->travels && !isCoupled(project) && !wheelContact(project);
+}
+
 /// Of one variant.
 double limitOf(const Project& project, bool sparksOut, const std::stop_token& stop) {
     const Blank blank = makeBlank(*project.part);
@@ -148,6 +221,11 @@ double limitOf(const Project& project, bool sparksOut, const std::stop_token& st
             sum_s += cell / times.rate(left + 2 * stageSlack_mm + i * cell); // each cell adds to it
         }
         limit_s = std::max(limit_s, sum_s);
+        if (all > deepest && countsPasses(project)) {
+            const LeastPasses passes(project, times.infeed_mm, all - deepest,
+                                     left + 2 * stageSlack_mm, stop);
+            limit_s = std::max(limit_s, passes.count(stop).value_or(0) * times.least_s());
+        }
     }
     return limit_s * (1 - 1e-9);
 }

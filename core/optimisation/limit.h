@@ -7,8 +7,9 @@
 
 namespace sparkout {
 
-/// The stepless limit: no cycle that ends by the gauge and holds the requirements on burn, power
-/// and self-sharpening is quicker, however many stages it has and whatever their feeds [MODEL-8].
+/// The stepless limit: no cycle that ends by the gauge, never draws the wheel head back and holds
+/// the requirements on burn, power, self-sharpening and, in a plunge, accuracy is quicker, however
+/// many stages it has and whatever their feeds [MODEL-8].
 ///
 /// When the gauge ends the cycle, Π_rem ≤ slack. Π_rem is |R_first − R_t| less a mean of depths of
 /// the gauged section, so one of its radii stands within the slack of target or beyond. It came
@@ -33,6 +34,20 @@ namespace sparkout {
 /// project's cycle. With the greatest infeed f of a step also T ≥ ⌈|R_first − R_t|/f⌉ steps, since
 /// no depth exceeds t_П; the greater of the two bounds holds. Under position control, where the
 /// size is not gauged, only the second does.
+///
+/// In a plunge of uncoupled sections without wheel contact passes are whole, and counted [MODEL-8].
+/// A radius that loses at least the same Π makes one in each revolution. Where the wheel head never
+/// draws back, each keeps a + γ·P(a) = γ·P(a_before) + Δt, 0 ≤ Δt ≤ f, from no deflection on. So
+///
+/// * build-up: the i-th cut is A_i at most, A_i + γ·P(A_i) = γ·P(A_{i−1}) + f, A_0 = 0;
+/// * release: a cut after which S is still lost is at most the release curve of
+///   core/quality/accuracy_limit.h at S, for the last cut that is proved there for every radius;
+/// * burn, power and self-sharpening: at most L(S + what may be left).
+///
+/// The least of the last two, M(S), does not fall with S. From S a pass leads to the least S' with
+/// S' + min(A_i, M(S')) ≥ S, whose left side rises; and from less, with more passes made, to no
+/// more. So the cuts that are greatest throughout need the least passes N, and T ≥ N/n. M is taken
+/// at the upper end of each of its cells.
 ///
 /// Work speeds and dwells are those the grid lists: the least over its variants is returned, whose
 /// n and dwells are in τ and in L_b.

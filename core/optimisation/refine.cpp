@@ -275,7 +275,7 @@ std::optional<Project> failing(const Project& project, const Cycle& cycle,
     }
     ++candidates;
     if (canDecidePhases(best)) {
-        return failingStock(best, options.stop);
+        return failingCase(best, options.stop);
     }
     constexpr std::uint32_t otherThanTheSearch = 1U << 31U;
     return failingPhase(best, otherThanTheSearch + static_cast<std::uint32_t>(round), options.stop);

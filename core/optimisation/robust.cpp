@@ -120,7 +120,7 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
         if (!failing && !options.search.stop.stop_requested()) {
             candidates.push_back(found);
             ++summary.candidates;
-            failing = canDecidePhases(best) ? failingStock(best, options.search.stop)
+            failing = canDecidePhases(best) ? failingCase(best, options.search.stop)
                                             : failingPhase(best, static_cast<std::uint32_t>(draws),
                                                            options.search.stop);
             summary.freshFailures += failing ? 1 : 0;
@@ -158,7 +158,7 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
             if (canDecidePhases(project)) {
                 Project best = variants.project(summary.search.best->variant);
                 *best.cycle = summary.search.cycle;
-                summary.decided = usualPhases(best);
+                summary.decided = phaseCases(best);
             } else {
                 summary.freshPhases = freshPhaseCount;
             }
@@ -183,27 +183,6 @@ std::vector<Project> stockPhases(const Project& project, int phases, double from
         }
     }
     return spread;
-}
-
-std::optional<Project> failingStock(const Project& best, const std::stop_token& stop) {
-    const PhaseDecision decision = decidePhases(best, usualPhases(best), stop);
-    std::optional<Project> worst;
-    double least = std::numeric_limits<double>::infinity();
-    for (const FailingStocks& failing : decision.failing) {
-        // Next to the end of a piece the control may make the steps of its neighbour.
-        for (const double share : {0.01, 0.99, 0.5}) {
-            Project part = best;
-            part.runs.clear();
-            part.part->stock_mm =
-                failing.stocks.from_mm + share * (failing.stocks.to_mm - failing.stocks.from_mm);
-            const std::optional<Trial> trial = tried(part, stop);
-            if (trial && !trial->holds && (!worst || trial->leastMargin < least)) {
-                least = trial->leastMargin;
-                worst = std::move(part);
-            }
-        }
-    }
-    return worst;
 }
 
 std::optional<Project> failingPhase(const Project& best, std::uint32_t draw,

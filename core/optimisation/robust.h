@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/optimisation/optimise.h"
-#include "core/phases/phase_decision.h"
+#include "core/optimisation/phase_cases.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ struct RobustSummary {
     long long visits = 0;              ///< of all rounds, without the tests
     bool holdsInSample = false;        ///< none of the last round's scenarios failed, nor of
                                        ///< the fresh phases
-    std::optional<StockRange> decided; ///< stocks for each of which the answer holds
+    std::optional<PhaseCases> decided; ///< cases for each of which the answer holds
     int freshPhases = 0;               ///< else those that it was tried on at last, and held in all
     int freshFailures = 0;             ///< cycles that failed in one of theirs; it was added
     int candidates = 0;                ///< cycles that were tried on fresh phases, each on its own
@@ -43,8 +43,8 @@ struct RobustSummary {
 /// where draws correspond they are tried in the order of the last cycle that was tried on all, the
 /// worst first, and added is the first that fails. The answer is the best of the grid for the
 /// scenarios in the set. Under gauge control it is then decided for each cycle that may be the
-/// answer whether it holds for every stock of usualPhases(); a stock for which it fails is added
-/// and the search goes on. Under position control that is not proved: it is tried on phases of the
+/// answer whether it holds in all its phaseCases(); one in which it fails is added and the search
+/// goes on. Under position control that is not proved: it is tried on phases of the
 /// stock drawn at random, fresh for each such cycle; the answer is one that failed in none of its
 /// own, so that with 95 % confidence no more than mostFailing() of the phases fail. A stop leaves a
 /// trial unchecked: it counts neither as one that failed nor as one that held.
@@ -83,12 +83,6 @@ inline constexpr int freshPhaseCount = 500;
     const double k = candidate;
     return std::min(std::log(k * (k + 1) / risk) / phases, 1.0);
 }
-
-/// A stock of usualPhases() for which the project's cycle fails, where it fails by most; nothing:
-/// it holds for each of them. Of a project whose phases can be decided. A stop ends it with
-/// nothing.
-[[nodiscard]] std::optional<Project> failingStock(const Project& best,
-                                                  const std::stop_token& stop = {});
 
 /// One of `count` phases in which the project's cycle fails, the one by most; nothing: none. The
 /// phases are independent and even over one infeed of each stage around the stock; other ones for

@@ -109,24 +109,21 @@ private:
     DecidedPiece m_decided;
 };
 
-void addFailing(const DecidedPiece& decided, std::vector<FailingStocks>& failing) {
-    const PhasePiece& piece = decided.piece;
-    const auto add = [&](double from_mm, double to_mm) {
-        failing.push_back({{from_mm, to_mm}, piece.status, decided.worst});
-    };
-    if (!decided.holds) {
-        add(piece.from_mm, piece.to_mm);
-        return;
-    }
-    if (decided.holds->from_mm > piece.from_mm) {
-        add(piece.from_mm, decided.holds->from_mm);
-    }
-    if (decided.holds->to_mm < piece.to_mm) {
-        add(decided.holds->to_mm, piece.to_mm);
-    }
-}
-
 } // namespace
+
+std::vector<StockRange> DecidedPiece::failing() const {
+    if (!holds) {
+        return {{piece.from_mm, piece.to_mm}};
+    }
+    std::vector<StockRange> ranges;
+    if (holds->from_mm > piece.from_mm) {
+        ranges.push_back({piece.from_mm, holds->from_mm});
+    }
+    if (holds->to_mm < piece.to_mm) {
+        ranges.push_back({holds->to_mm, piece.to_mm});
+    }
+    return ranges;
+}
 
 std::vector<StockRange> PhaseDecision::failingRanges() const {
     std::vector<StockRange> ranges;
@@ -153,17 +150,27 @@ StockRange usualPhases(const Project& project) {
     return {std::max(stock_mm - most_mm / 2, leastShare * stock_mm), stock_mm + most_mm / 2};
 }
 
+DecidedPiece decidePiece(const Project& project, PhasePiece piece, const std::stop_token& stop) {
+    return PieceJudge(project, std::move(piece), stop).decide();
+}
+
 PhaseDecision decidePhases(const Project& project, StockRange range, const std::stop_token& stop) {
     PhaseDecision decision;
     decision.range = range;
     if (!canDecidePhases(project) || hasErrors(validate(project))) {
         return decision;
     }
-    for (PhasePiece& piece : phasePieces(project, range.from_mm, range.to_mm, stop)) {
-        decision.pieces.push_back(PieceJudge(project, std::move(piece), stop).decide());
-        addFailing(decision.pieces.back(), decision.failing);
+    std::vector<PhasePiece> pieces =
+        phasePieces(project, range.from_mm, range.to_mm, stop, mostDecidedPieces);
+    decision.hasTooMany = pieces.empty() && !stop.stop_requested();
+    for (PhasePiece& piece : pieces) {
+        decision.pieces.push_back(decidePiece(project, std::move(piece), stop));
+        const DecidedPiece& decided = decision.pieces.back();
+        for (const StockRange& stocks : decided.failing()) {
+            decision.failing.push_back({stocks, decided.piece.status, decided.worst});
+        }
     }
-    decision.isDecided = !stop.stop_requested();
+    decision.isDecided = !decision.hasTooMany && !stop.stop_requested();
     return decision;
 }
 

@@ -4,6 +4,7 @@
 #include "core/phases/phase_pieces.h"
 #include "core/quality/constraints.h"
 
+#include <cstddef>
 #include <optional>
 #include <stop_token>
 #include <vector>
@@ -43,6 +44,8 @@ struct DecidedPiece {
     [[nodiscard]] bool holdsWhole() const {
         return holds == StockRange{piece.from_mm, piece.to_mm};
     }
+    /// Its stocks for which a requirement fails, one part below those that hold and one above.
+    [[nodiscard]] std::vector<StockRange> failing() const;
 };
 
 /// Stocks for which a cycle fails, and what fails first there.
@@ -52,8 +55,14 @@ struct FailingStocks {
     std::optional<ConstraintResult> worst; ///< of cycles that end
 };
 
+/// Pieces that are listed at most. An infeed of an ordinary cycle has 5 to 30; many small infeeds
+/// after a large one may make millions.
+inline constexpr std::size_t mostDecidedPieces = 20'000;
+
 struct PhaseDecision {
-    bool isDecided = false; ///< not under position control, nor when stopped or refused
+    /// Not under position control, nor when stopped or refused, nor where there are too many.
+    bool isDecided = false;
+    bool hasTooMany = false; ///< pieces: more than mostDecidedPieces
     StockRange range;
     std::vector<DecidedPiece> pieces;   ///< in rising order, all of the range
     std::vector<FailingStocks> failing; ///< in rising order; none: it holds for every stock
@@ -68,6 +77,10 @@ struct PhaseDecision {
 /// The stocks around the stated one over which each way of the last steps of the stages to fall
 /// comes up: half the largest infeed of a stage on either side.
 [[nodiscard]] StockRange usualPhases(const Project& project);
+
+/// Decides on a piece of a valid project.
+[[nodiscard]] DecidedPiece decidePiece(const Project& project, PhasePiece piece,
+                                       const std::stop_token& stop = {});
 
 /// Decides whether the project's cycle holds every requirement for each stock of a range, its other
 /// inputs as they are.

@@ -23,36 +23,30 @@ std::unique_ptr<CycleSteps> stepsOf(const Project& project, const std::stop_toke
                                        : plungeSteps(project, nullptr, stop);
 }
 
-/// Follows the cycles of an interval of stocks, as offsets from that of the project.
+/// Follows the cycles of an interval of stocks, as offsets from its lower end.
 class PhaseWalk {
 public:
-    PhaseWalk(Project project, double from_mm, double to_mm, std::stop_token stop)
-        : m_project(std::move(project)), m_stop(std::move(stop)) {
-        const double runout = initialRunout(*m_project.part);
-        const double share = runout / targetRadius(*m_project.part);
+    PhaseWalk(Project project, double from_mm, double to_mm, const PieceVisitor& visit,
+              std::stop_token stop)
+        : m_project(std::move(project)), m_visit(visit), m_stop(std::move(stop)) {
+        m_project.part->stock_mm = from_mm;
         constexpr double rounding_mm = 1e-12;
-        const double stock_mm = m_project.part->stock_mm;
-        m_overlap_mm =
-            2 * share * share * std::max(stock_mm - from_mm, to_mm - stock_mm) + rounding_mm;
+        m_overlap_mm = formChange_mm(m_project, to_mm - from_mm) + rounding_mm;
         std::unique_ptr<CycleSteps> steps = stepsOf(m_project, m_stop);
         CycleLoop loop(m_project, steps->run());
-        m_branches.push_back(
-            {std::move(steps), std::move(loop), from_mm - stock_mm, to_mm - stock_mm, {}, {}});
+        m_branches.push_back({std::move(steps), std::move(loop), 0, to_mm - from_mm, {}, {}});
     }
 
-    std::vector<PhasePiece> pieces() {
-        while (!m_branches.empty() && !m_stop.stop_requested()) {
+    /// Whether all were visited.
+    bool visit() {
+        while (!m_branches.empty()) {
             Branch branch = std::move(m_branches.back());
             m_branches.pop_back();
-            follow(branch);
+            if (!follow(branch)) {
+                return false;
+            }
         }
-        if (m_stop.stop_requested()) {
-            return {};
-        }
-        std::ranges::sort(m_pieces, {}, [](const PhasePiece& piece) {
-            return std::pair(piece.from_mm, piece.to_mm);
-        });
-        return std::move(m_pieces);
+        return true;
     }
 
 private:
@@ -66,7 +60,7 @@ private:
         std::vector<bool> answers;
     };
 
-    void follow(Branch& branch) {
+    bool follow(Branch& branch) {
         if (!branch.answers.empty()) {
             judge(branch);
         }
@@ -81,10 +75,13 @@ private:
         if (branch.loop.isStuck()) {
             run.setStatus(RunStatus::cannotReachSize);
         }
-        const double stock_mm = m_project.part->stock_mm;
+        const double from_mm = m_project.part->stock_mm;
         const std::vector<int>& counts = branch.loop.control().stepsByStage();
-        m_pieces.push_back({stock_mm + branch.low_mm, stock_mm + branch.high_mm, counts,
-                            branch.steps->finish(counts).status});
+        const SimulationResult result = branch.steps->finish(counts);
+        return !m_stop.stop_requested()
+               && m_visit(
+                   {from_mm + branch.low_mm, from_mm + branch.high_mm, counts, result.status},
+                   result);
     }
 
     /// Goes on with the stocks of which what the loop asks next is true, and leaves the others for
@@ -114,18 +111,38 @@ private:
     }
 
     Project m_project;
+    const PieceVisitor& m_visit;
     std::stop_token m_stop;
     double m_overlap_mm = 0;
     std::vector<Branch> m_branches;
-    std::vector<PhasePiece> m_pieces;
 };
 
 } // namespace
 
-std::vector<PhasePiece> phasePieces(const Project& project, double from_mm, double to_mm,
-                                    const std::stop_token& stop) {
+double formChange_mm(const Project& project, double stock_mm) {
+    const double share = initialRunout(*project.part) / targetRadius(*project.part);
+    return 2 * share * share * stock_mm;
+}
+
+bool visitPhasePieces(const Project& project, double from_mm, double to_mm,
+                      const PieceVisitor& visit, const std::stop_token& stop) {
     assert(from_mm <= to_mm);
-    return PhaseWalk(project, from_mm, to_mm, stop).pieces();
+    return PhaseWalk(project, from_mm, to_mm, visit, stop).visit();
+}
+
+std::vector<PhasePiece> phasePieces(const Project& project, double from_mm, double to_mm,
+                                    const std::stop_token& stop, std::size_t most) {
+    std::vector<PhasePiece> pieces;
+    const auto keep = [&pieces, most](const PhasePiece& piece, const SimulationResult&) {
+        pieces.push_back(piece);
+        return pieces.size() <= most;
+    };
+    if (!visitPhasePieces(project, from_mm, to_mm, keep, stop)) {
+        return {};
+    }
+    std::ranges::sort(
+        pieces, {}, [](const PhasePiece& piece) { return std::pair(piece.from_mm, piece.to_mm); });
+    return pieces;
 }
 
 SimulationResult simulatePiece(const Project& project, const PhasePiece& piece, double stock_mm,

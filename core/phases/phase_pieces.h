@@ -4,6 +4,9 @@
 #include "core/project/project.h"
 #include "core/simulation/result.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <stop_token>
 #include <vector>
 
@@ -35,10 +38,22 @@ struct PhasePiece {
 /// no greater. So a piece is continued by that much beyond its ends: neighbours overlap there, and
 /// no stock is missed.
 ///
-/// Position control is not for it: the first step meets the part somewhere within its infeed. A
-/// stop leaves the list empty.
+/// Position control is not for it: the first step meets the part somewhere within its infeed. After
+/// a stop the list is empty; so it is where there are more than `most`.
 [[nodiscard]] std::vector<PhasePiece> phasePieces(const Project& project, double from_mm,
-                                                  double to_mm, const std::stop_token& stop = {});
+                                                  double to_mm, const std::stop_token& stop = {},
+                                                  std::size_t most = SIZE_MAX);
+
+/// Takes a piece, and what its cycle makes of the stock `from_mm` of the interval; false: no more.
+using PieceVisitor = std::function<bool(const PhasePiece& piece, const SimulationResult& result)>;
+
+/// Visits the pieces in no order, each as soon as it is known. Whether all were visited.
+bool visitPhasePieces(const Project& project, double from_mm, double to_mm,
+                      const PieceVisitor& visit, const std::stop_token& stop = {});
+
+/// By how much a depth below the blank's circumscribed circle changes at most with so much of stock
+/// [mm].
+[[nodiscard]] double formChange_mm(const Project& project, double stock_mm);
 
 /// The project's cycle on a stock of a piece: that stock's blank, with the piece's steps. At the
 /// ends, where neighbours overlap, the control itself may make those of the neighbour.

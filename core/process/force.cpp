@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/process/force.h"
 
+#include "core/process/recipe_force.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/part.h"
@@ -24,10 +25,16 @@ ForceLaw forceLaw(const Project& project) {
     const double Vk =
         project.machine->wheel_speed_m_s * units::mmPerM * units::secondsPerMinute; // mm/min
     const double sigma = material.flow_stress_mpa;
-    return {.ks = material.shear_factor * sigma * Vd / Vk,
-            .kr = project.wheel->dullness * sigma * std::sqrt(De) / 3,
-            .kt = material.shear_strain * sigma * Vd / Vk,
-            .mu = material.friction};
+    ForceLaw law{.ks = material.shear_factor * sigma * Vd / Vk,
+                 .kr = dullnessOf(*project.wheel) * sigma * std::sqrt(De) / 3,
+                 .kt = material.shear_strain * sigma * Vd / Vk,
+                 .mu = material.friction};
+    if (project.wheel->force_recipe) {
+        const double shear = recipeShares(*project.wheel, *project.wheel->force_recipe).shear;
+        law.ks *= shear;
+        law.kt *= shear;
+    }
+    return law;
 }
 
 } // namespace sparkout

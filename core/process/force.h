@@ -15,7 +15,8 @@ enum class Surface; // core/project/part.h
 ///     P_y(a) = b·( k_s·a + k_r·√a )             normal force [N]
 ///     P_z(a) = b·( k_t·a + μ·k_r·√a )           tangential force [N]
 ///
-/// b effective width of cut [mm], a depth of cut [mm]; valid for a ≥ 0.
+/// b effective width of cut [mm], a depth of cut [mm]; valid for a ≥ 0. By the wheel's recipe κ,
+/// see RecipeShares, stands before k_s and k_t.
 struct ForceLaw {
     double ks = 0; ///< k_s = ε_i·tg β·σ_i·V_d/V_k [N/mm²]
     double kr = 0; ///< k_r = η·σ_i·√D_e/3 [N/mm^1.5]

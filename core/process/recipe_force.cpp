@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace sparkout {
 
@@ -15,31 +16,40 @@ double sineOf(double angle_deg) {
     return std::sin(angle_deg * std::numbers::pi / halfTurn_deg);
 }
 
+bool hasWearFlats(const Wheel& wheel) {
+    return wheel.force_recipe && wheel.force_recipe->wear_flat_mm;
+}
+
 } // namespace
 
-RecipeShares recipeShares(const Project& project, const ForceRecipe& recipe) {
-    const Wheel& wheel = *project.wheel;
+RecipeShares recipeShares(const Wheel& wheel, const ForceRecipe& recipe) {
     const double Wg = wheel.grain_share, Wb = wheel.bond_share, dg = wheel.grain_mm;
     RecipeShares shares;
-    shares.cuttingGrains_mm2 = recipe.contactFactor * Wg * Wb / ((1 - Wg - Wb) * dg * dg);
-    const double perMm2 = recipe.cutWidth_mm * shares.cuttingGrains_mm2;
-    shares.shear = 2 * perMm2 / (recipe.grainsPerMm * sineOf(recipe.shearAngle_deg));
-    shares.dullness = recipe.flatLength_mm * perMm2;
+    shares.cuttingGrains_mm2 = recipe.contact_factor * Wg * Wb / ((1 - Wg - Wb) * dg * dg);
+    const double balanced = // b_j·n_c of κ = 1
+        recipe.grains_per_mm * sineOf(recipe.shear_angle_deg) / 2;
+    shares.cutWidth_mm = recipe.cut_width_mm.value_or(balanced / shares.cuttingGrains_mm2);
+    const double perMm = shares.cutWidth_mm * shares.cuttingGrains_mm2;
+    shares.shear = recipe.cut_width_mm ? perMm / balanced : 1;
+    shares.dullness = recipe.wear_flat_mm ? *recipe.wear_flat_mm * perMm : wheel.dullness;
     return shares;
 }
 
-ForceLaw forceLawOf(const Project& project, const ForceRecipe& recipe) {
-    const RecipeShares shares = recipeShares(project, recipe);
-    Project plain = project;
-    plain.wheel->dullness = shares.dullness;
-    ForceLaw law = forceLaw(plain);
-    law.ks *= shares.shear;
-    law.kt *= shares.shear;
-    return law;
+double dullnessOf(const Wheel& wheel) {
+    return hasWearFlats(wheel) ? recipeShares(wheel, *wheel.force_recipe).dullness : wheel.dullness;
 }
 
-double balancedCutWidth(const Project& project, const ForceRecipe& recipe) {
-    return recipe.cutWidth_mm / recipeShares(project, recipe).shear;
+void setDullness(Wheel& wheel, double dullness) {
+    if (!hasWearFlats(wheel)) {
+        wheel.dullness = dullness;
+        return;
+    }
+    const RecipeShares shares = recipeShares(wheel, *wheel.force_recipe);
+    wheel.force_recipe->wear_flat_mm = dullness / (shares.cutWidth_mm * shares.cuttingGrains_mm2);
+}
+
+const char* dullnessPath(const Wheel& wheel) {
+    return hasWearFlats(wheel) ? "/wheel/force_recipe/wear_flat_mm" : "/wheel/dullness";
 }
 
 } // namespace sparkout

@@ -76,6 +76,7 @@ struct Calibration {
     std::string data;
     int count = 1; ///< of measured values
     std::string date;
+    friend bool operator==(const Calibration&, const Calibration&) = default;
 };
 
 struct Measured {

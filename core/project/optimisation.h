@@ -28,6 +28,7 @@ struct Optimisation {
     std::optional<std::vector<double>>
         last_stock_mm; ///< least and most of the last of several [mm]
     bool non_increasing = false;
+    bool adaptive = false; ///< levels are added around and beyond the answer
     OptimisationScenarios scenarios = OptimisationScenarios::nominal;
     Levels radial_feed_mm;     ///< traverse, per double stroke [mm]
     Levels axial_feed_mm_min;  ///< traverse [mm/min]

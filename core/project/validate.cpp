@@ -45,6 +45,7 @@ public:
         checkMachineLimits();
         checkRoom();
         checkWheelSpeed();
+        checkRecipe();
         checkStages();
         checkOptimisation();
         checkBatch();
@@ -335,6 +336,18 @@ private:
         } else {
             compare("/part/shaft/segments", lengthOf(part.shaft), "part_length_mm",
                     limits.part_length_mm);
+        }
+    }
+
+    /// Pores are left between grains and bond.
+    void checkRecipe() {
+        const Wheel& wheel = *project().wheel;
+        if (wheel.force_recipe && wheel.grain_share + wheel.bond_share >= 1
+            && sound({"/wheel/grain_share", "/wheel/bond_share"})) {
+            add(IssueCode::outOfRange, "/wheel/bond_share", Amount{wheel.bond_share},
+                Bounds{.range = {.high = 1 - wheel.grain_share},
+                       .formula = "1 − W_g",
+                       .highOpen = true});
         }
     }
 

@@ -6,6 +6,59 @@
 
 namespace sparkout {
 
+namespace {
+
+bool dullnessCounts(const Project& p, const void*) {
+    const auto& recipe = p.wheel->force_recipe;
+    return !recipe || !recipe->wear_flat_mm;
+}
+
+} // namespace
+
+template <>
+const StructInfo& tableOf<ForceRecipe>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(
+            ForceRecipe, contact_factor, .label = SPARKOUT_NOOP("Input", "Contact factor"),
+            .symbol = "k_Y", .hard = {0, 1000, true}, .soft = {0.05, 20}, .page = Page::wheel,
+            .hint = SPARKOUT_NOOP("Input", "Factor of the number of cutting grains in the contact, "
+                                           "of the conditions of grinding; to be calibrated."),
+            .formula = "n_c = k_Y·W_g·W_b/((1 − W_g − W_b)·d_g²)", .source = "PEREVERZEV1999"),
+        SPARKOUT_FIELD(
+            ForceRecipe, grains_per_mm,
+            .label = SPARKOUT_NOOP("Input", "Cutting grains per length"), .symbol = "m_D",
+            .unit = "1/mm", .hard = {0, 1000, true}, .soft = {0.1, 20}, .page = Page::wheel,
+            .hint = SPARKOUT_NOOP("Input", "Cutting grains on a millimetre of the wheel's "
+                                           "circumference; they set the thickness of a chip."),
+            .formula = "a_k = 2·(V_d/V_k)·√(a/D_e)/m_D", .source = "PEREVERZEV1999"),
+        SPARKOUT_FIELD(ForceRecipe, shear_angle_deg, .label = SPARKOUT_NOOP("Input", "Shear angle"),
+                       .symbol = "β_1", .unit = "°", .hard = {1, 89}, .soft = {15, 60},
+                       .page = Page::wheel,
+                       .hint = SPARKOUT_NOOP("Input", "Angle of the plane in which a grain's "
+                                                      "chip shears."),
+                       .source = "PEREVERZEV1999"),
+        SPARKOUT_FIELD(
+            ForceRecipe, cut_width_mm, .label = SPARKOUT_NOOP("Input", "Width of a grain's cut"),
+            .symbol = "b_j", .unit = "mm", .hard = {0, 10, true}, .soft = {0.001, 1},
+            .nullMeaning = SPARKOUT_NOOP("Input", "chips make up the metal removed"),
+            .page = Page::wheel,
+            .hint = SPARKOUT_NOOP("Input", "Width of the cut of one grain. Where it is not given, "
+                                           "it is such that the chips together are the metal "
+                                           "removed."),
+            .formula = "κ = 2·b_j·n_c/(m_D·sin β_1)", .source = "PEREVERZEV1999"),
+        SPARKOUT_FIELD(
+            ForceRecipe, wear_flat_mm, .label = SPARKOUT_NOOP("Input", "Length of a wear flat"),
+            .symbol = "l_g", .unit = "mm", .hard = {0, 10}, .soft = {0, 0.2},
+            .nullMeaning = SPARKOUT_NOOP("Input", "from the dullness"), .page = Page::wheel,
+            .hint = SPARKOUT_NOOP("Input", "Length of the wear flat of one grain; with it the "
+                                           "dullness follows from the recipe."),
+            .formula = "η = l_g·b_j·n_c", .source = "PEREVERZEV1999"),
+    };
+    static const StructInfo info =
+        makeTable<ForceRecipe>(SPARKOUT_NOOP("Struct", "Force by the wheel's recipe"), rows);
+    return info;
+}
+
 template <>
 const StructInfo& tableOf<Wheel>() {
     static const std::array rows{
@@ -27,7 +80,7 @@ const StructInfo& tableOf<Wheel>() {
                        .formula = "b = min(S_ax/n, B)", .source = "MODEL-1"),
         SPARKOUT_FIELD(Wheel, dullness, .label = SPARKOUT_NOOP("Input", "Dullness"), .symbol = "η",
                        .hard = {0, 1}, .soft = {0.005, 0.25}, .required = conditions::always,
-                       .slider = true, .page = Page::wheel,
+                       .relevant = dullnessCounts, .slider = true, .page = Page::wheel,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Share of the working surface that is wear flats: 0 is ideally "
                                     "sharp. It drives the friction term k_r = η·σ_i·√D_e/3."),
@@ -106,6 +159,14 @@ const StructInfo& tableOf<Wheel>() {
                        .page = Page::wheel,
                        .hint = SPARKOUT_NOOP("Input", "Dressing tool and how it is used, for the "
                                                       "operation card.")),
+        SPARKOUT_FIELD(
+            Wheel, force_recipe, .label = SPARKOUT_NOOP("Input", "Force by the wheel's recipe"),
+            .nullMeaning = SPARKOUT_NOOP("Input", "by the law's coefficients"), .page = Page::wheel,
+            .hint =
+                SPARKOUT_NOOP("Input", "The cutting force from grain size and structure, summed "
+                                       "over the grains in contact, in place of the law that "
+                                       "takes all chips together for the metal removed."),
+            .source = "PEREVERZEV1999"),
     };
     static const StructInfo info = makeTable<Wheel>(SPARKOUT_NOOP("Struct", "Wheel"), rows);
     return info;

@@ -8,6 +8,17 @@
 
 namespace sparkout {
 
+/// The force by the wheel's recipe, summed over the grains in contact [PEREVERZEV1999, eq. 1–7]:
+/// what it needs beside the wheel's grain size and shares of volume. None of it is found in
+/// catalogues.
+struct ForceRecipe {
+    double contact_factor = 1;          ///< k_Y, of the conditions of grinding
+    double grains_per_mm = 1;           ///< m_D, cutting grains on the circumference [1/mm]
+    double shear_angle_deg = 30;        ///< β_1 [°]
+    std::optional<double> cut_width_mm; ///< b_j, of a grain; not given: chips make up the metal
+    std::optional<double> wear_flat_mm; ///< l_g, of a grain; not given: as the dullness has it
+};
+
 /// The grinding wheel: size, sharpness, structure.
 struct Wheel {
     std::string marking;
@@ -28,8 +39,11 @@ struct Wheel {
     std::optional<double> grains_per_mm2;            ///< n_g; not given: from the lattice [1/mm²]
     std::optional<double> max_speed_m_s; ///< highest working speed; not given: not limited [m/s]
     std::string dressing;                ///< tool and settings, in words
+    std::optional<ForceRecipe> force_recipe; ///< not given: the force by η alone
 };
 
+template <>
+const StructInfo& tableOf<ForceRecipe>();
 template <>
 const StructInfo& tableOf<Wheel>();
 

@@ -42,9 +42,14 @@ bool retracts(const Project& project) {
     });
 }
 
-/// How far the radii of two lanes may stand apart at the end [mm].
-double greatestSpread(const Part& part, double geometricRunout_mm) {
-    double s = (part.upper_deviation_um - part.lower_deviation_um) / 2 / units::umPerMm;
+/// How far the radii of two lanes may stand apart at the end [mm], of each radius or of one of two
+/// that are opposite.
+enum class SpreadOf { eachRadius, oneOfTwo };
+double greatestSpread(const Part& part, double geometricRunout_mm, SpreadOf of) {
+    double s = (part.upper_deviation_um - part.lower_deviation_um) / units::umPerMm;
+    if (of == SpreadOf::oneOfTwo) {
+        s /= 2;
+    }
     if (part.tolerance.total_runout_um) {
         s = std::min(s, *part.tolerance.total_runout_um / units::umPerMm - geometricRunout_mm);
     }
@@ -80,9 +85,9 @@ double roughnessLimit(const Project& project, double b) {
 /// a* of a lane: by its spread to the stiffest one, or that of the most compliant one and s; as an
 /// estimate that of lanes that cut alike.
 double spreadLimit(const Project& project, const ForceLaw& law, double b, double gamma,
-                   AccuracyProof proof) {
+                   AccuracyProof proof, SpreadOf of = SpreadOf::oneOfTwo) {
     const double s =
-        greatestSpread(*project.part, project.machine->geometric_runout_um / units::umPerMm);
+        greatestSpread(*project.part, project.machine->geometric_runout_um / units::umPerMm, of);
     double stiffest = infinite, softest = 0;
     for (const CompliantPoint& point : compliantPoints(project)) {
         stiffest = std::min(stiffest, point.gamma_mm_n);
@@ -108,9 +113,9 @@ double depthBefore(const ForceLaw& law, double b, double gamma, double a) {
     return root * root;
 }
 
-double depthAfter(const ForceLaw& law, double b, double gamma, double a) {
+double depthAfter(const ForceLaw& law, double b, double gamma, double a, double infeed_mm) {
     const double A = 1 + gamma * b * law.ks, C = gamma * b * law.kr;
-    const double h = gamma * forceAt(law, b, a);
+    const double h = gamma * forceAt(law, b, a) + infeed_mm;
     const double root = h > 0 ? 2 * h / (C + std::sqrt(C * C + 4 * A * h)) : 0;
     return root * root;
 }
@@ -180,6 +185,13 @@ LimitPoints releaseCurve(const ForceLaw& law, double b, double gamma, double las
         }
     }
     return points;
+}
+
+double provedLastCut_mm(const Project& project, double b, double gamma) {
+    return isProvable(project) ? std::min(spreadLimit(project, forceLaw(project), b, gamma,
+                                                      AccuracyProof::proved, SpreadOf::eachRadius),
+                                          roughnessLimit(project, b))
+                               : infinite;
 }
 
 std::optional<AccuracyLimit> accuracyLimit(const SimulationResult& result,

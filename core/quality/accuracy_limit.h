@@ -42,8 +42,10 @@ namespace sparkout {
 
 /// σ^(−1): the greatest cut after which one of a may follow [mm].
 [[nodiscard]] double depthBefore(const ForceLaw& law, double b, double gamma, double a_mm);
-/// σ: the least cut that may follow one of a [mm].
-[[nodiscard]] double depthAfter(const ForceLaw& law, double b, double gamma, double a_mm);
+/// σ: the least cut that may follow one of a [mm], and the greatest one where so much is fed [mm]
+/// between the two.
+[[nodiscard]] double depthAfter(const ForceLaw& law, double b, double gamma, double a_mm,
+                                double infeed_mm = 0);
 
 /// The greatest last cut of the more compliant of two lanes whose radii may differ by s [mm];
 /// infinite where γ_1 = γ_2.
@@ -69,6 +71,11 @@ struct AccuracyLimit {
     double lastCut_mm = 0; ///< a*
     LimitPoints curve;
 };
+
+/// a* of every radius of a lane that the project is held to, proved: the spread of all its radii is
+/// the total runout or the whole field of the diameter, since each pair of opposite radii keeps it
+/// in sum and the difference of lanes has one sign. Infinite where nothing is proved.
+[[nodiscard]] double provedLastCut_mm(const Project& project, double b, double gamma);
 
 /// Of a group of the series; nothing where the drawing and the project bound no last cut, the wheel
 /// head may retract, or nothing is proved.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/estimates.h"
 
+#include "core/process/recipe_force.h"
 #include "core/project/member.h"
+#include "core/project/wheel.h"
 
 namespace sparkout {
 
-std::vector<const Field*> estimatesBehind(ConstraintKind kind) {
+std::vector<const Field*> estimatesBehind(const Project& project, ConstraintKind kind) {
     const Requirement& row = requirementOf(kind);
     if (row.scope == ConstraintScope::setting) {
         return {};
@@ -13,8 +15,8 @@ std::vector<const Field*> estimatesBehind(ConstraintKind kind) {
     static const Project any;
     std::vector<const Field*> fields;
     const auto add = [&fields](const char* path) { fields.push_back(findMember(any, path).field); };
-    for (const char* path :
-         {"/material/flow_stress_mpa", "/wheel/dullness", "/machine/compliance_mm_per_n"}) {
+    for (const char* path : {"/material/flow_stress_mpa", dullnessPath(*project.wheel),
+                             "/machine/compliance_mm_per_n"}) {
         add(path);
     }
     for (const char* path : row.estimates) {

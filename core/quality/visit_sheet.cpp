@@ -2,6 +2,7 @@
 #include "core/quality/visit_sheet.h"
 
 #include "core/process/coupled_sections.h"
+#include "core/process/force.h"
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
 #include "core/project/part.h"
@@ -15,6 +16,21 @@ namespace {
 
 void append(FormulaSheet& sheet, const FormulaSheet& more) {
     sheet.steps.insert(sheet.steps.end(), more.steps.begin(), more.steps.end());
+}
+
+/// The coefficients of the force as the sources name them: K_1 and K_2 with axial feed, K_3 and K_4
+/// in plunge [MODEL-2].
+void stateCoefficients(FormulaSheet& sheet, const Project& project, const Pass& pass) {
+    const ForceLaw law = forceLaw(project);
+    const double b = pass.effectiveWidth_mm;
+    const bool isPlunge = pass.axialFeed_mm_min == 0;
+    const FormulaTerm width{"b", b, "mm"};
+    const char* const shear = isPlunge ? "K_3" : "K_1";
+    const char* const friction = isPlunge ? "K_4" : "K_2";
+    state(&sheet, isPlunge ? "{K_3} = {b}·{k_s}" : "{K_1} = {b}·{k_s}", {shear, b * law.ks, "N/mm"},
+          {width, {"k_s", law.ks, "MPa"}});
+    state(&sheet, isPlunge ? "{K_4} = {b}·{k_r}" : "{K_2} = {b}·{k_r}",
+          {friction, b * law.kr, "N/mm^0.5"}, {width, {"k_r", law.kr, "N/mm^1.5"}});
 }
 
 } // namespace
@@ -47,10 +63,12 @@ FormulaSheet visitSheet(const SimulationResult& result, const Trajectory& trajec
     } else if (isCoupled(project) || wheelContact(project)) {
         state(&sheet, "{a}", {"a", a, "mm"}, {});
         append(sheet, normalForceSheet(project, b, a));
+        stateCoefficients(sheet, project, of);
         state(&sheet, "{y} = {h} − {a}", {"y", h - a, "mm"}, {{"h", h, "mm"}, {"a", a, "mm"}});
     } else {
         const double gamma = compliantPoints(project)[sectionOf(of.place)].gamma_mm_n;
         append(sheet, balanceSheet(project, b, gamma, h));
+        stateCoefficients(sheet, project, of);
     }
     const FormulaTerm cut{"a", a, "mm"}, left{"R_k′", after, "mm"};
     const FormulaTerm target{"R_t", targetRadius(*project.part), "mm"};

@@ -71,8 +71,8 @@ struct Question {
     void (*answer)(Project& project, Stage& stage, std::size_t choice);
 };
 
-const std::array<Question, 8>& questions() {
-    static const std::array<Question, 8> all{{
+const std::array<Question, 9>& questions() {
+    static const std::array<Question, 9> all{{
         {{SPARKOUT_NOOP("Condition", "traverse"), SPARKOUT_NOOP("Condition", "plunge")},
          [](Project& p, Stage&, std::size_t i) { p.operation = Operation::ofIndex(i); }},
         {{SPARKOUT_NOOP("Condition", "external"), SPARKOUT_NOOP("Condition", "internal")},
@@ -95,6 +95,13 @@ const std::array<Question, 8>& questions() {
         {{SPARKOUT_NOOP("Condition", "surface without gaps"),
           SPARKOUT_NOOP("Condition", "interrupted surface")},
          [](Project& p, Stage&, std::size_t i) { p.part->gaps = std::vector<SurfaceGap>(i); }},
+        {{SPARKOUT_NOOP("Condition", "no length of a wear flat"),
+          SPARKOUT_NOOP("Condition", "a wear flat of a given length")},
+         [](Project& p, Stage&, std::size_t i) {
+             if (i == 1) {
+                 p.wheel->force_recipe.emplace().wear_flat_mm = 0;
+             }
+         }},
         {{SPARKOUT_NOOP("Condition", "the stage feeds"),
           SPARKOUT_NOOP("Condition", "the stage is a spark-out")},
          [](Project&, Stage& stage, std::size_t i) {

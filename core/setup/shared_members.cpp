@@ -2,16 +2,21 @@
 #include "core/setup/shared_members.h"
 
 #include "core/format/table_writer.h"
+#include "core/measured/calibrated_inputs.h"
 #include "core/project/card_entries.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
+#include "core/project/measured.h"
 #include "core/project/part.h"
 #include "core/project/project.h"
 #include "core/project/wheel.h"
+#include "core/setup/setup.h"
 #include "core/setup/split_project.h"
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <vector>
 
 namespace sparkout {
 
@@ -62,6 +67,54 @@ bool holdsShared(std::string_view path) {
     });
 }
 
+namespace {
+
+/// A record of `from` takes the place of the one before.
+void copyCalibrations(const Project& from, Project& to, bool onlyWhereNoneHolds) {
+    if (!from.measured) {
+        return;
+    }
+    for (const Calibration& record : from.measured->calibrations) {
+        const Calibration* const before = calibrationOf(to, record.input);
+        if (!isShared(record.input) || (before && *before == record)
+            || (onlyWhereNoneHolds
+                && (!hasCalibratedValue(from, record)
+                    || (before && hasCalibratedValue(to, *before))))) {
+            continue;
+        }
+        Measured& measured = to.measured ? *to.measured : to.measured.emplace();
+        const auto found =
+            std::ranges::find(measured.calibrations, record.input, &Calibration::input);
+        if (found == measured.calibrations.end()) {
+            measured.calibrations.push_back(record);
+        } else {
+            *found = record;
+        }
+    }
+}
+
+/// Of shared inputs.
+std::vector<Calibration> sharedCalibrations(const Project& project) {
+    std::vector<Calibration> records;
+    if (project.measured) {
+        std::ranges::copy_if(project.measured->calibrations, std::back_inserter(records),
+                             [](const Calibration& record) { return isShared(record.input); });
+    }
+    return records;
+}
+
+} // namespace
+
+void shareCalibrations(Setup& setup) {
+    for (GroundSurface& to : setup.surfaces) {
+        for (const GroundSurface& from : setup.surfaces) {
+            if (&from != &to) {
+                copyCalibrations(from.project, to.project, true);
+            }
+        }
+    }
+}
+
 void copyShared(const Project& from, Project& to) {
     to.title = from.title;
     to.author = from.author;
@@ -86,11 +139,16 @@ void copyShared(const Project& from, Project& to) {
     machine.wheel_contact = shared.wheel_contact;
     machine.feed_change_delay_s = shared.feed_change_delay_s;
     machine.limits = shared.limits;
+    copyCalibrations(from, to, false);
 }
 
 bool haveSameShared(const Project& a, const Project& b) {
     return splitProject(writeByTable(tableOf<Project>(), &a, {"measured", "runs"})).shared
            == splitProject(writeByTable(tableOf<Project>(), &b, {"measured", "runs"})).shared;
+}
+
+bool haveSameSharedCalibrations(const Project& a, const Project& b) {
+    return sharedCalibrations(a) == sharedCalibrations(b);
 }
 
 } // namespace sparkout

@@ -9,6 +9,7 @@
 namespace sparkout {
 
 struct Project;
+struct Setup;
 
 [[nodiscard]] std::span<const std::string_view> sharedMembers(); ///< as JSON pointers
 
@@ -17,8 +18,14 @@ struct Project;
 /// Whether a path names an object that has shared members among others.
 [[nodiscard]] bool holdsShared(std::string_view path);
 
-/// Gives a project what is shared of another.
+/// Gives a project what is shared of another, with the records of where it was calibrated.
 void copyShared(const Project& from, Project& to);
 [[nodiscard]] bool haveSameShared(const Project& a, const Project& b);
+
+/// Whether the records of shared inputs are the same.
+[[nodiscard]] bool haveSameSharedCalibrations(const Project& a, const Project& b);
+
+/// Gives every surface the records of shared inputs that hold in one of them.
+void shareCalibrations(Setup& setup);
 
 } // namespace sparkout

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/wheel_wear.h"
 
+#include "core/process/recipe_force.h"
 #include "core/project/wheel.h"
 #include "core/text.h"
 
@@ -18,7 +19,8 @@ Wheel wheelAfter(const Wheel& dressed, const WheelWear& wear, double removed_mm3
     }
     if (wear.dulling_per_mm2) {
         const double specific_mm2 = removed_mm3 / dressed.width_mm;
-        wheel.dullness = std::min(1.0, dressed.dullness + *wear.dulling_per_mm2 * specific_mm2);
+        setDullness(wheel,
+                    std::min(1.0, dullnessOf(dressed) + *wear.dulling_per_mm2 * specific_mm2));
     }
     if (wear.grinding_ratio) {
         const double worn_mm3 = removed_mm3 / *wear.grinding_ratio;

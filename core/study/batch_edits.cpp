@@ -5,6 +5,7 @@
 #include "core/batch/factor_law.h"
 #include "core/batch/scenario_source.h"
 #include "core/format/project_file.h"
+#include "core/process/recipe_force.h"
 #include "core/project/batch.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
@@ -296,7 +297,7 @@ Factor usualFactor(FactorKind kind, const Project& project) {
                           : uniformFactor({0, 0.01});
     }
     case FactorKind::dullness:
-        return growingFactor(times(project.wheel->dullness, {0.75, 1.5}), betweenDressings);
+        return growingFactor(times(dullnessOf(*project.wheel), {0.75, 1.5}), betweenDressings);
     case FactorKind::wheelDiameter:
         return growingFactor(times(project.wheel->diameter_mm, {1, 0.9}), betweenDressings);
     case FactorKind::flowStress: {
@@ -325,7 +326,7 @@ Project withUsualBatch(Project project) {
     if (project.part->initial_runout_mm > 0) {
         tryFactor(FactorKind::runout, &Factors::initial_runout_mm);
     }
-    if (project.wheel->dullness > 0) {
+    if (dullnessOf(*project.wheel) > 0) {
         tryFactor(FactorKind::dullness, &Factors::dullness);
     }
     return project;

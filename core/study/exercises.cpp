@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/exercises.h"
 
+#include "core/process/recipe_force.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/part.h"
@@ -39,8 +40,8 @@ Change changeOf(const Project& project, ExerciseChange kind, std::vector<Asked> 
 MadeChange duller(const Project& project) {
     Change change = changeOf(project, ExerciseChange::dullerWheel,
                              {Asked::stepFeed_um, Asked::stepForce_n, Asked::time_min});
-    change.run.changed.wheel->dullness *= dullerBy;
-    return project.wheel->dullness > 0 ? MadeChange(change) : std::nullopt;
+    setDullness(*change.run.changed.wheel, dullnessOf(*project.wheel) * dullerBy);
+    return dullnessOf(*project.wheel) > 0 ? MadeChange(change) : std::nullopt;
 }
 
 MadeChange softer(const Project& project) {

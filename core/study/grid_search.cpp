@@ -26,13 +26,13 @@ const std::vector<Project>& scenariosAdded(const GridSearchReport& report) {
 /// The limit, and what binds the best of the grid.
 void aboutTheBest(GridSearchReport& report, const std::stop_token& stop) {
     const GraceStop grace(stop);
-    report.limit_s = steplessLimit_s(report.project, grace.token());
+    report.limit_s = steplessLimit_s(report.searched, grace.token());
     if (report.search.status == SearchStatus::stopped
         || isHeuristic(report.method)) { // no cycle at all is quicker than that
         report.search.bound_s = std::max(report.search.bound_s, report.limit_s);
     }
     if (report.search.best) {
-        report.binding = bindingRequirements(report.project, *report.search.best,
+        report.binding = bindingRequirements(report.searched, *report.search.best,
                                              scenariosAdded(report), grace.token());
     }
 }
@@ -42,8 +42,8 @@ RefineSummary refined(const GridSearchReport& report, const std::stop_token& sto
     if (report.robust) {
         robust = {report.robust->added, report.robust->candidates};
     }
-    return refineAnswer({.asked = report.project,
-                         .best = withBest(report.project, report.search),
+    return refineAnswer({.asked = report.searched,
+                         .best = withBest(report.searched, report.search),
                          .cycle = report.search.cycle,
                          .robust = std::move(robust)},
                         stop);
@@ -86,6 +86,23 @@ GridSearchReport checked(const Project& project, const GridSearchOptions& option
     return report;
 }
 
+/// One round of levels.
+void searchOnce(GridSearchReport& report, const Project& searched, const GridSearchOptions& options,
+                const SearchOptions& search) {
+    report.searched = searched;
+    if (options.robust || asksForABatch(searched)) {
+        report.robust = optimiseRobustly(searched, scenariosAskedFor(searched, options.stop),
+                                         {.search = search});
+        report.search = report.robust->search;
+    } else {
+        report.search = optimise(searched, search);
+    }
+}
+
+bool isDone(const GridSearchReport& report) {
+    return hasAnswer(report) && report.search.status != SearchStatus::stopped;
+}
+
 } // namespace
 
 GridSearchReport searchGrid(const Project& project, const GridSearchOptions& options) {
@@ -98,12 +115,20 @@ GridSearchReport searchGrid(const Project& project, const GridSearchOptions& opt
     search.threads = options.threads;
     search.onProgress = options.onProgress;
     search.stop = options.stop;
-    if (options.robust || asksForABatch(project)) {
-        report.robust =
-            optimiseRobustly(project, scenariosAskedFor(project, options.stop), {.search = search});
-        report.search = report.robust->search;
-    } else {
-        report.search = optimise(project, search);
+    SearchLevels levels(project);
+    searchOnce(report, levels.searched(), options, search);
+    while (isDone(report) && levels.goOn(report.search.cycle, report.search.best->time_s)) {
+        GridSearchReport finer = report;
+        searchOnce(finer, levels.searched(), options, search);
+        if (finer.search.status == SearchStatus::stopped) {
+            report.areLevelsCutShort = true; // the answer of the round before stands
+            break;
+        }
+        finer.rounds = levels.round();
+        report = std::move(finer);
+    }
+    if (hasAnswer(report)) {
+        report.edges = edgesReached(report.searched, report.search.cycle);
     }
     aboutTheBest(report, options.stop);
     if (options.refine && hasAnswer(report)) {

@@ -5,6 +5,7 @@
 #include "core/optimisation/optimise.h"
 #include "core/optimisation/refine.h"
 #include "core/optimisation/robust.h"
+#include "core/study/search_levels.h"
 
 #include <functional>
 #include <optional>
@@ -39,6 +40,10 @@ struct GridSearchReport {
     Issues issues;                     ///< errors of the project, or why its batch cannot be run
     GridFault fault = GridFault::none; ///< why its grid cannot be searched
     bool isOtherOperation = false;     ///< the method is for plunge grinding alone
+    Project searched;                  ///< the project with the levels of the last round
+    int rounds = 1;                    ///< of SearchLevels
+    bool areLevelsCutShort = false;    ///< a further round was stopped
+    std::vector<LevelEdge> edges;      ///< of its grid that the answer of the grid reaches
     SearchSummary search;
     std::optional<RobustSummary> robust; ///< of which the search is the last
     std::optional<RefineSummary> refined;

@@ -2,6 +2,8 @@
 #include "core/study/profile_series.h"
 
 #include "core/form/accuracy.h"
+#include "core/form/gaussian_filter.h"
+#include "core/form/reference_circles.h"
 #include "core/process/ground_stretch.h"
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
@@ -15,6 +17,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace sparkout {
 
@@ -152,12 +155,32 @@ ProfileSeries makeProfileSeries(const SimulationResult& result, const Trajectory
     return series;
 }
 
-void addMinimumZones(ProfileSeries& series, const std::vector<int>& shown) {
-    const Directions directions(series.blank_mm.size());
-    for (const int index : shown) {
-        Profile& p = series.profiles[static_cast<std::size_t>(index)];
-        p.minimumZone = minimumZoneCircles(p.radii_mm, directions, p.leastSquares);
-    }
+void addMinimumZone(Profile& profile) {
+    const Directions directions(profile.radii_mm.size());
+    profile.minimumZone = minimumZoneCircles(profile.radii_mm, directions, profile.leastSquares);
+}
+
+void addHeldCircles(Profile& profile) {
+    const Directions directions(profile.radii_mm.size());
+    profile.inscribed = maximumInscribedCircle(profile.radii_mm, directions);
+    profile.circumscribed = minimumCircumscribedCircle(profile.radii_mm, directions);
+}
+
+void filterProfile(Profile& profile, int cutoff_upr) {
+    const Directions directions(profile.radii_mm.size());
+    profile.radii_mm = gaussianFiltered(profile.radii_mm, directions, cutoff_upr);
+    profile.mean_mm = meanOfGround(profile.radii_mm);
+    profile.leastSquares = leastSquaresCircle(profile.radii_mm, directions);
+}
+
+Profile measuredProfile(const ProfileSeries& series, std::vector<double> radii_mm) {
+    Profile profile;
+    profile.radii_mm = std::move(radii_mm);
+    measure(profile, series.nominal_mm, 0);
+    profile.mean_mm = meanOfGround(profile.radii_mm);
+    profile.leastSquares =
+        leastSquaresCircle(profile.radii_mm, Directions(profile.radii_mm.size()));
+    return profile;
 }
 
 int gaugeProfile(const SimulationResult& result) {
@@ -197,7 +220,11 @@ int nearestRadius(double angle, int radii) {
 double diameterAt(const Profile& profile, int k) {
     const std::size_t K = profile.radii_mm.size();
     const auto i = static_cast<std::size_t>(k);
-    return profile.radii_mm[i] + profile.radii_mm[(i + K / 2) % K];
+    const double across = profile.radii_mm[(i + K / 2) % K];
+    if (K % 2 == 0) {
+        return profile.radii_mm[i] + across;
+    }
+    return profile.radii_mm[i] + (across + profile.radii_mm[(i + K / 2 + 1) % K]) / 2;
 }
 
 } // namespace sparkout

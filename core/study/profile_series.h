@@ -39,7 +39,9 @@ struct Profile {
     double radialRunout_mm = 0;   ///< R_max − R_min plus the machine's geometric runout
     double mean_mm = 0;           ///< of the radii
     RoundnessZone leastSquares;
-    RoundnessZone minimumZone; ///< once addMinimumZones() has been asked for it
+    RoundnessZone minimumZone; ///< once addMinimumZone() has been asked for it
+    /// Once addHeldCircles() has; not given: no circle is held beside a wide gap.
+    std::optional<RoundnessZone> inscribed, circumscribed;
 };
 
 /// All profiles of a run at one moment of its cycle.
@@ -72,8 +74,19 @@ struct ProfileSeries {
                                               const Trajectory& trajectory,
                                               const std::optional<Progress>& moment = {});
 
-/// The circles of the minimum zone for the profiles with these indices: each takes a search.
-void addMinimumZones(ProfileSeries& series, const std::vector<int>& shown);
+/// The circles of the minimum zone: a search.
+void addMinimumZone(Profile& profile);
+
+/// The maximum inscribed and the minimum circumscribed circle: a search each.
+void addHeldCircles(Profile& profile);
+
+/// Puts the radii as the Gaussian filter leaves them, which roundness machines apply, in place of
+/// those of a profile, and its mean and least-squares circle anew; its diameters and its runout
+/// stay those of the surface.
+void filterProfile(Profile& profile, int cutoff_upr);
+
+/// A profile that was measured, of K ≥ 4 radii at even angles.
+[[nodiscard]] Profile measuredProfile(const ProfileSeries& series, std::vector<double> radii_mm);
 
 /// Index of the zone or section that carries the gauge, or stands nearest to it.
 [[nodiscard]] int gaugeProfile(const SimulationResult& result);

@@ -2,6 +2,7 @@
 #include "core/study/search_edits.h"
 
 #include "core/format/project_file.h"
+#include "core/optimisation/levels.h"
 #include "core/optimisation/variants.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
@@ -9,6 +10,7 @@
 #include "core/project/part.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -18,8 +20,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr double levelsOfAFeed = 12, stepsOfStock = 15;
-constexpr double beyondTheFastest = 1.5;
+constexpr double stepsOfStock = 15;
 
 /// The nearest of 1, 2 and 5 times a power of ten.
 double roundStep(double value) {
@@ -28,33 +29,50 @@ double roundStep(double value) {
     return power * (digits < 1.5 ? 1 : digits < 3.5 ? 2 : digits < 7.5 ? 5 : 10);
 }
 
-/// `count` steps as the decimal it is.
-double times(double step, double count) {
-    return step < 1 ? count / std::round(1 / step) : count * step;
+/// The preferred numbers R5 from one to the other, both of which are among them [ISO 3].
+std::vector<double> preferred(double from, double to) {
+    constexpr std::array series{1.0, 1.6, 2.5, 4.0, 6.3};
+    std::vector<double> values{from};
+    for (int decade = static_cast<int>(std::floor(std::log10(from))); std::pow(10, decade) < to;
+         ++decade) {
+        for (const double each : series) {
+            const double value =
+                decade < 0 ? each / std::round(std::pow(10, -decade)) : each * std::pow(10, decade);
+            if (value > from && value < to) {
+                values.push_back(value);
+            }
+        }
+    }
+    values.push_back(to);
+    return values;
 }
 
-/// Levels of a feed up to half above the fastest of these, within the machine's range and up to
-/// what a level may be; none where the machine's range begins beyond that.
+/// Levels of a feed: preferred numbers over the machine's range, in its steps; where it has none
+/// from a fortieth of the fastest of these to twice that. None where the range lies beyond what a
+/// level may be.
 Levels usualLevels(const std::vector<double>& feeds,
                    const std::optional<std::vector<double>>& range, double highest) {
-    const bool limited = range && range->size() == 3;
-    const double lower = limited ? (*range)[0] : 0;
-    const double upper = limited ? std::min((*range)[1], highest) : highest;
-    const double fastest = feeds.empty() ? 0 : std::min(*std::ranges::max_element(feeds), highest);
-    if (!(fastest > 0) || lower > upper) {
-        return {};
+    constexpr double below = 20, above = 2;
+    const double fastest = feeds.empty() ? 0 : *std::ranges::max_element(feeds);
+    std::vector<double> levels;
+    if (range && range->size() == 3) {
+        const double low = (*range)[0], high = std::min((*range)[1], highest), step = (*range)[2];
+        const double least = low > 0 ? low : step;
+        if (!(least > 0) || least > high) {
+            return {};
+        }
+        for (const double each : preferred(least, high)) {
+            const double steps = std::round((each - low) / step);
+            const double level = each >= high ? high : asWritten(low + steps * step);
+            if (level > 0 && level <= high && (levels.empty() || level > levels.back())) {
+                levels.push_back(level);
+            }
+        }
+    } else if (fastest > 0 && fastest <= highest) {
+        levels =
+            preferred(roundStep(fastest / below), std::min(roundStep(fastest * above), highest));
     }
-    const double most = std::clamp(fastest * beyondTheFastest, lower, upper);
-    double step = roundStep(fastest * beyondTheFastest / levelsOfAFeed);
-    double least = step;
-    if (limited) {
-        step = std::max(step, (*range)[2]);
-        least = std::max(step, lower);
-    }
-    const double from = times(step, std::ceil(least / step - 1e-9));
-    const double to = times(step, std::floor(most / step + 1e-9));
-    return from < to ? Levels(SteppedLevels{from, to, times(step, 1)})
-                     : Levels(std::vector<double>{std::clamp(fastest, lower, upper)});
+    return levels.empty() ? Levels() : Levels(levels);
 }
 
 template <class Member>
@@ -80,6 +98,7 @@ Project withUsualSearch(Project project) {
     }
     search.stock_step_mm = std::clamp(roundStep(project.part->stock_mm / stepsOfStock), 1e-4, 5.0);
     search.non_increasing = true;
+    search.adaptive = true;
     for (const StageFeed& feed : project.operation->feeds) {
         search.*feed.levels = usualLevels(feedsOf(*project.cycle, feed.value), limits.*feed.range,
                                           tableOf<Optimisation>().find(feed.key)->hard.high);

@@ -6,9 +6,9 @@
 /// Edits of a project that have to do with the search for its quickest cycle.
 namespace sparkout {
 
-/// The project with a usual grid: a dozen levels of each feed up to half above the fastest stage of
-/// its cycle and within the machine's range, as many steps of stock, up to two stages or as many as
-/// the cycle has, feeds that never rise.
+/// The project with a usual grid: preferred numbers over the whole of the machine's ranges as
+/// levels of the feeds, which follow the answer, some 15 steps of stock, up to two stages or three
+/// where the cycle has them, feeds that never rise.
 [[nodiscard]] Project withUsualSearch(Project project);
 
 /// The project with levels in its search for the feeds of its operation where there are none: usual

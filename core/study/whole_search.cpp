@@ -12,6 +12,7 @@
 #include "core/project/optimisation.h"
 #include "core/project/validate.h"
 #include "core/study/refine_answer.h"
+#include "core/study/search_levels.h"
 
 #include <algorithm>
 #include <chrono>
@@ -33,12 +34,13 @@ public:
 
     Search(const Project& project, SearchWish wish, std::stop_token stop, Note note)
         : m_outcome(std::make_shared<SearchOutcome>())
-        , m_variants(project, stop)
+        , m_levels(project)
+        , m_now(project, stop)
         , m_refine(wish.refine)
         , m_stop(std::move(stop))
         , m_note(std::move(note)) {
         m_outcome->project = project;
-        m_outcome->fault = m_variants.fault();
+        m_outcome->fault = m_now.variants->fault();
         if (m_outcome->fault == GridFault::none) {
             const bool asked = project.optimisation->scenarios != OptimisationScenarios::nominal;
             m_outcome->robust = wish.phases || asked;
@@ -51,14 +53,11 @@ public:
     SearchOutcomePtr run() {
         m_began = Clock::now();
         if (m_outcome->ran()) {
-            for (const double stages : m_outcome->project.optimisation->stages) {
-                if (m_stop.stop_requested()) {
-                    m_outcome->stopped = true;
-                    break;
-                }
-                searchNumber(static_cast<int>(stages));
+            searchNumbers();
+            while (goOn()) {
             }
-            if (!m_outcome->stopped && !m_outcome->robust && !m_found.empty()) {
+            takeRound();
+            if (!m_outcome->stopped && !m_outcome->robust && !m_now.found.empty()) {
                 lookForMargins();
             }
             finish();
@@ -71,8 +70,88 @@ public:
     }
 
 private:
+    struct Noted {
+        FeasibleCycle cycle;
+        FoundBy by = FoundBy::search;
+        int candidate = 0; ///< on fresh phases
+    };
+
+    /// What is known of the grid with the levels of a round.
+    struct Round {
+        Round(const Project& project, const std::stop_token& stop)
+            : searched(project), variants(std::make_shared<Variants>(project, stop)) {}
+        Project searched;
+        std::shared_ptr<const Variants> variants;
+        std::vector<SearchedNumber> numbers;
+        std::vector<Noted> found;
+        std::vector<Project> scenarios; ///< that robust searches added
+        int candidates = 0;             ///< tried on fresh phases
+    };
+
+    void searchNumbers() {
+        for (const double stages : m_now.searched.optimisation->stages) {
+            if (m_stop.stop_requested()) {
+                m_outcome->stopped = true;
+                return;
+            }
+            searchNumber(static_cast<int>(stages));
+        }
+    }
+
+    /// Whether a grid with further levels was searched to its end.
+    bool goOn() {
+        const Noted* const best = quickest();
+        if (m_outcome->stopped || !best) {
+            return false;
+        }
+        const Cycle cycle = gridOf(*best).cycle(best->cycle.cycle);
+        if (!m_levels.goOn(cycle, best->cycle.time_s)) {
+            return false;
+        }
+        Round before = std::exchange(m_now, Round(m_levels.searched(), m_stop));
+        m_best_s = best_s(before.found);
+        searchNumbers();
+        if (m_outcome->stopped) {
+            m_now = std::move(before); // its answer stands
+            m_outcome->stopped = false;
+            m_outcome->areLevelsCutShort = true;
+            return false;
+        }
+        m_outcome->rounds = m_levels.round();
+        return true;
+    }
+
+    void takeRound() {
+        m_outcome->searched = m_now.searched;
+        m_outcome->numbers = m_now.numbers;
+        if (const Noted* const best = quickest()) {
+            m_outcome->edges = edgesReached(m_now.searched, gridOf(*best).cycle(best->cycle.cycle));
+        }
+    }
+
+    [[nodiscard]] const Grid& gridOf(const Noted& each) const {
+        return m_now.variants->grid(each.cycle.variant);
+    }
+
+    /// Null: nothing was found.
+    [[nodiscard]] const Noted* quickest() const {
+        const auto best =
+            std::ranges::min_element(m_now.found, [this](const Noted& a, const Noted& b) {
+                return isBetter(a.cycle, b.cycle, gridOf(a));
+            });
+        return best == m_now.found.end() ? nullptr : &*best;
+    }
+
+    [[nodiscard]] static std::optional<double> best_s(const std::vector<Noted>& found) {
+        std::optional<double> least_s;
+        for (const Noted& each : found) {
+            least_s = std::min(least_s.value_or(each.cycle.time_s), each.cycle.time_s);
+        }
+        return least_s;
+    }
+
     void searchNumber(int stages) {
-        Project project = m_outcome->project;
+        Project project = m_now.searched;
         project.optimisation->stages = {static_cast<double>(stages)};
         if (Variants(project, m_stop).fault() != GridFault::none) {
             return; // the stock cannot be divided so often
@@ -90,12 +169,12 @@ private:
         if (m_outcome->robust) {
             RobustSummary robust =
                 optimiseRobustly(project, scenariosAskedFor(project, m_stop), {.search = options});
-            candidate = m_candidates + robust.candidate;
-            m_candidates += robust.candidates;
+            candidate = m_now.candidates + robust.candidate;
+            m_now.candidates += robust.candidates;
             number.scenariosAdded = static_cast<int>(robust.added.size());
             number.holds = robust.holdsInSample;
             number.nominalTime_s = robust.nominalTime_s;
-            std::ranges::move(robust.added, std::back_inserter(m_scenarios));
+            std::ranges::move(robust.added, std::back_inserter(m_now.scenarios));
             number.search = std::move(robust.search);
         } else {
             number.search = optimise(project, options);
@@ -106,22 +185,16 @@ private:
         if (number.search.best && number.holds) {
             addFound(*number.search.best, FoundBy::search, candidate);
         }
-        m_outcome->numbers.push_back(std::move(number));
+        m_now.numbers.push_back(std::move(number));
     }
-
-    struct Noted {
-        FeasibleCycle cycle;
-        FoundBy by = FoundBy::search;
-        int candidate = 0; ///< on fresh phases
-    };
 
     /// A cycle is noted once.
     void addFound(const FeasibleCycle& cycle, FoundBy by = FoundBy::search, int candidate = 0) {
-        const auto known = std::ranges::find_if(m_found, [&cycle](const Noted& each) {
+        const auto known = std::ranges::find_if(m_now.found, [&cycle](const Noted& each) {
             return each.cycle.variant == cycle.variant && each.cycle.cycle == cycle.cycle;
         });
-        if (known == m_found.end()) {
-            m_found.push_back({cycle, by, candidate});
+        if (known == m_now.found.end()) {
+            m_now.found.push_back({cycle, by, candidate});
         } else if (by == FoundBy::margin) {
             known->by = by;
         }
@@ -129,11 +202,14 @@ private:
 
     void report(int stages, double bound_s, long long evaluations,
                 FoundBy looksFor = FoundBy::search) const {
-        SearchState state{
-            .looksFor = looksFor, .stages = stages, .bound_s = bound_s, .evaluations = evaluations};
-        for (const Noted& each : m_found) {
-            const double time_s = each.cycle.time_s;
-            state.best_s = std::min(state.best_s.value_or(time_s), time_s);
+        SearchState state{.looksFor = looksFor,
+                          .stages = stages,
+                          .round = m_levels.round(),
+                          .best_s = best_s(m_now.found),
+                          .bound_s = bound_s,
+                          .evaluations = evaluations};
+        if (m_best_s && (!state.best_s || *m_best_s < *state.best_s)) {
+            state.best_s = m_best_s;
         }
         m_note(state);
     }
@@ -144,11 +220,11 @@ private:
         constexpr std::chrono::seconds grace(2);
         const Clock::time_point end = Clock::now() + (Clock::now() - m_began) + grace;
         const SearchSummary* quickest = nullptr;
-        for (const SearchedNumber& number : m_outcome->numbers) {
+        for (const SearchedNumber& number : m_now.numbers) {
             if (number.search.best
                 && (!quickest
                     || isBetter(*number.search.best, *quickest->best,
-                                m_variants.grid(number.search.best->variant)))) {
+                                m_now.variants->grid(number.search.best->variant)))) {
                 quickest = &number.search;
             }
         }
@@ -163,7 +239,7 @@ private:
             report(0, 0, progress.evaluations, FoundBy::margin);
         };
         for (const SearchSummary& each :
-             tradeOff(m_outcome->project, *quickest, options, most).cycles) {
+             tradeOff(m_now.searched, *quickest, options, most).cycles) {
             addFound(*each.best, FoundBy::margin);
         }
     }
@@ -172,14 +248,15 @@ private:
     void refineBest() {
         report(0, 0, 0, FoundBy::refinement);
         const FoundCycle best = *m_outcome->best();
-        Project project = m_outcome->project;
+        Project project = m_now.searched;
         setMachine(project, best.machine);
         const RefineSummary refined = refineAnswer(
-            {.asked = m_outcome->project,
+            {.asked = m_now.searched,
              .best = project,
              .cycle = best.cycle,
-             .robust = m_outcome->robust ? std::optional(RobustTrail{m_scenarios, m_candidates})
-                                         : std::nullopt},
+             .robust = m_outcome->robust
+                           ? std::optional(RobustTrail{m_now.scenarios, m_now.candidates})
+                           : std::nullopt},
             m_stop);
         if (refined.isQuicker) {
             m_outcome->found.insert(m_outcome->found.begin(),
@@ -191,21 +268,21 @@ private:
                                      .candidate = refined.candidate});
             const GraceStop grace(m_stop);
             m_outcome->binding = bindingRequirements(project, refined.cycle, refined.time_us,
-                                                     m_scenarios, grace.token());
+                                                     m_now.scenarios, grace.token());
         }
     }
 
     void finish() {
-        std::ranges::sort(m_found, [this](const Noted& a, const Noted& b) {
-            return isBetter(a.cycle, b.cycle, m_variants.grid(a.cycle.variant));
+        std::ranges::sort(m_now.found, [this](const Noted& a, const Noted& b) {
+            return isBetter(a.cycle, b.cycle, m_now.variants->grid(a.cycle.variant));
         });
         std::vector<std::size_t> numbers; // of stages, met already
-        for (const auto& [each, by, candidate] : m_found) {
+        for (const auto& [each, by, candidate] : m_now.found) {
             const bool first = std::ranges::find(numbers, each.cycle.size()) == numbers.end();
             m_outcome->found.push_back(
                 {.by = by,
-                 .cycle = m_variants.grid(each.variant).cycle(each.cycle),
-                 .machine = machineSettings(m_variants.project(each.variant)),
+                 .cycle = m_now.variants->grid(each.variant).cycle(each.cycle),
+                 .machine = machineSettings(m_now.variants->project(each.variant)),
                  .time_s = each.time_s,
                  .leastRelativeMargin = each.leastRelativeMargin,
                  .isBest = numbers.empty(),
@@ -217,22 +294,22 @@ private:
         }
         for (FoundCycle& found : m_outcome->found) {
             if (found.candidate > 0 && canDecidePhases(m_outcome->project)) {
-                found.decided = usualPhases(withFound(m_outcome->project, found));
+                found.decided = phaseCases(withFound(m_outcome->project, found));
             }
         }
         const GraceStop grace(m_stop); // for both
-        m_outcome->limit_s = steplessLimit_s(m_outcome->project, grace.token());
+        m_outcome->limit_s = steplessLimit_s(m_now.searched, grace.token());
         m_outcome->bound_s = bound();
-        if (!m_found.empty()) {
-            m_outcome->binding = bindingRequirements(m_outcome->project, m_found.front().cycle,
-                                                     m_scenarios, grace.token());
+        if (!m_now.found.empty()) {
+            m_outcome->binding = bindingRequirements(m_now.searched, m_now.found.front().cycle,
+                                                     m_now.scenarios, grace.token());
         }
     }
 
     /// Of the whole grid: the least of those of the numbers of stages, if all were searched.
     [[nodiscard]] double bound() const {
         if (m_outcome->numbers.empty()
-            || m_outcome->numbers.size() < m_outcome->project.optimisation->stages.size()) {
+            || m_outcome->numbers.size() < m_now.searched.optimisation->stages.size()) {
             return m_outcome->limit_s;
         }
         double least = std::numeric_limits<double>::infinity();
@@ -244,14 +321,13 @@ private:
     }
 
     std::shared_ptr<SearchOutcome> m_outcome;
-    Variants m_variants;
+    SearchLevels m_levels;
+    Round m_now;
+    std::optional<double> m_best_s; ///< of the rounds before
     bool m_refine;
     Clock::time_point m_began;
     std::stop_token m_stop;
     Note m_note;
-    std::vector<Noted> m_found;
-    std::vector<Project> m_scenarios;
-    int m_candidates = 0; ///< cycles tried on fresh phases so far
 };
 
 } // namespace

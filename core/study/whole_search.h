@@ -3,9 +3,10 @@
 
 #include "core/issue.h"
 #include "core/optimisation/optimise.h"
+#include "core/optimisation/phase_cases.h"
 #include "core/optimisation/variants.h"
-#include "core/phases/phase_decision.h"
 #include "core/project/cycle.h"
+#include "core/study/search_levels.h"
 
 #include <array>
 #include <functional>
@@ -35,8 +36,8 @@ struct FoundCycle {
     bool isBest = false;            ///< of the whole grid, as far as it was searched
     bool isBestOfItsNumber = false; ///< of stages
     int candidate = 0; ///< its number among those tried on fresh phases, from 1; 0: not tried
-    /// Of a robust search under gauge control the stocks per side for each of which it holds.
-    std::optional<StockRange> decided{};
+    /// Of a robust search under gauge control the cases for each of which it holds.
+    std::optional<PhaseCases> decided{};
 };
 
 /// A project with the cycle and the machine's settings that were found.
@@ -59,6 +60,10 @@ struct SearchOutcome {
     Issues batchIssues; ///< why the batch that the cycle must hold for cannot be run
     bool robust = false;
     bool refines = false;                ///< looked between the levels too
+    Project searched;                    ///< the project with the levels of the last round
+    int rounds = 1;                      ///< of SearchLevels
+    bool areLevelsCutShort = false;      ///< a further round was stopped
+    std::vector<LevelEdge> edges;        ///< of its grid that the best of the grid reaches
     std::vector<SearchedNumber> numbers; ///< of stages, as listed; fewer when it was stopped
     std::vector<FoundCycle> found;       ///< the quickest first
     double limit_s = 0;                  ///< of the stepless cycle
@@ -93,6 +98,7 @@ struct SearchWish {
 struct SearchState {
     FoundBy looksFor = FoundBy::search;
     int stages = 0;                    ///< the number that is searched now
+    int round = 1;                     ///< of SearchLevels
     std::optional<double> best_s = {}; ///< quickest so far
     double bound_s = 0;                ///< no cycle with so many stages is quicker
     long long evaluations = 0;         ///< of these

@@ -6,6 +6,7 @@
 #include "core/format/project_file.h"
 #include "core/optimisation/optimise.h"
 #include "core/optimisation/robust.h"
+#include "core/project/batch.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/optimisation.h"
@@ -55,28 +56,28 @@ Project plunge(int feeds, int levels) {
     return p;
 }
 
-/// 64 corners: stock, runout, dullness, flow stress, wheel diameter and compliance, two each.
-std::vector<Project> corners(const Project& part) {
-    std::vector<Project> all{part};
-    const auto vary = [&all](const auto& change) {
-        std::vector<Project> both = all;
-        for (Project& p : both) {
-            change(p);
-        }
-        all.insert(all.end(), both.begin(), both.end());
+/// With a batch of 64 corners: stock, runout, dullness, flow stress, wheel diameter and compliance,
+/// two each.
+Project withCorners(Project project) {
+    const auto between = [](double from, double to) {
+        Factor factor;
+        factor.uniform = {from, to};
+        return factor;
     };
-    vary([](Project& p) { p.part->stock_mm += 0.01; });
-    vary([](Project& p) { p.part->initial_runout_mm += 0.01; });
-    vary([](Project& p) { p.wheel->dullness += 0.01; });
-    vary([](Project& p) { p.material->flow_stress_mpa *= 1.05; });
-    vary([](Project& p) { p.wheel->diameter_mm -= 20; });
-    vary([](Project& p) {
-        ZoneCompliance& zones = std::get<ZoneCompliance>(p.machine->compliance_mm_per_n);
-        zones.rz1 *= 1.1;
-        zones.nz *= 1.1;
-        zones.rz2 *= 1.1;
-    });
-    return all;
+    Batch batch;
+    batch.scenarios = Scenarios::corners;
+    batch.factors.stock_mm = between(project.part->stock_mm, project.part->stock_mm + 0.01);
+    batch.factors.initial_runout_mm =
+        between(project.part->initial_runout_mm, project.part->initial_runout_mm + 0.01);
+    batch.factors.dullness = between(project.wheel->dullness, project.wheel->dullness + 0.01);
+    batch.factors.flow_stress_mpa =
+        between(project.material->flow_stress_mpa, 1.05 * project.material->flow_stress_mpa);
+    batch.factors.wheel_diameter_mm =
+        between(project.wheel->diameter_mm - 20, project.wheel->diameter_mm);
+    batch.factors.compliance = between(1, 1.1);
+    project.batch = batch;
+    project.optimisation->scenarios = OptimisationScenarios::corners;
+    return project;
 }
 
 struct Timed {
@@ -129,17 +130,20 @@ void stopped(const char* name, const Project& project) {
     std::printf("BENCH %s %.3g - -\n", name, 1 - search.bound_s / best_s);
 }
 
-/// Both searches once, as a user has them: against the nominal one.
-void robust(const Project& project, double nominal_s) {
+/// Both searches once, as a user has them: against the nominal one. The answer holds for every
+/// stock at each corner of the other factors. The aim is 10 nominal searches; today's are 100.
+void robust(const Project& asked, double nominal_s) {
+    const Project project = withCorners(asked);
     RobustSummary summary;
-    const double cpu_s = processorTime_s([&] {
-        summary = optimiseRobustly(project, [](const Project& best, int) { return corners(best); });
-    });
-    report("optimise_robust_64_corners", cpu_s * ns, 10, cpu_s / nominal_s);
-    const Project best = withBest(project, summary.search);
-    const double fresh_s = processorTime_s([&] { (void)failingPhase(best, 0); });
-    std::printf("BENCH optimise_robust_fresh_phases %.4g - -\n", fresh_s * ns); // among it
-    beyond |= !summary.holdsInSample;
+    const double cpu_s =
+        processorTime_s([&] { summary = optimiseRobustly(project, scenariosAskedFor(project)); });
+    report("optimise_robust_every_stock_at_64_corners", cpu_s * ns, 100, cpu_s / nominal_s);
+    beyond |= !summary.holdsInSample || !summary.decided || summary.decided->corners != 32;
+    if (summary.search.best) {
+        const Project best = withBest(project, summary.search);
+        const double decided_s = processorTime_s([&] { beyond |= failingCase(best).has_value(); });
+        std::printf("BENCH optimise_robust_decided %.4g - -\n", decided_s * ns); // among it
+    }
 }
 
 } // namespace

@@ -346,6 +346,7 @@ private slots:
         const json& stocks = answer.at("decided_stock_mm"); // half an infeed on either side
         const double stock_mm = file["part"]["stock_mm"];
         QVERIFY(stocks.at(0) < stock_mm && stocks.at(1) > stock_mm);
+        QVERIFY(answer.at("decided_corners") == 0);          // of no batch
         QVERIFY(answer.at("fresh_phases").at("tried") == 0); // none was drawn
         const std::string text = optimize({saved, "--robust"}).out;
         QVERIFY2(text.find("holds for every stock per side of ") != std::string::npos,

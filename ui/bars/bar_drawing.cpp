@@ -403,6 +403,27 @@ QString BarDrawing::totalText(std::size_t category) const {
                                                     : shownTotal(category));
 }
 
+/// A number's place, farther on where the line of a limit would run through it.
+QRectF BarDrawing::beyondLimits(QRectF box, const Layout& layout, bool upwards) const {
+    std::vector<double> lines;
+    for (const BarLimit& limit : m_drawn.limits) {
+        lines.push_back(layout.area.at(m_drawn, layout.scales.first, limit.at));
+    }
+    const bool isAscending = upwards == m_drawn.isLying; // on the screen, where y leads down
+    std::ranges::sort(lines);
+    if (!isAscending) {
+        std::ranges::reverse(lines);
+    }
+    for (const double at : lines) {
+        if (m_drawn.isLying && box.left() - textGap < at && at < box.right() + textGap) {
+            upwards ? box.moveLeft(at + textGap) : box.moveRight(at - textGap);
+        } else if (!m_drawn.isLying && box.top() - 1 < at && at < box.bottom() + 1) {
+            upwards ? box.moveBottom(at - 2) : box.moveTop(at + 2);
+        }
+    }
+    return box;
+}
+
 /// Beyond the end of a stack; of sums, beyond all of it.
 void BarDrawing::paintTotals(QPainter& painter, const Layout& layout) {
     for (std::size_t c = 0; c < static_cast<std::size_t>(m_drawn.categories.size()); ++c) {
@@ -424,12 +445,15 @@ void BarDrawing::paintTotals(QPainter& painter, const Layout& layout) {
         if (m_drawn.isLying) {
             const QRectF box(stack.right() + textGap, stack.center().y() - size.height() / 2,
                              size.width(), size.height());
+            const QRectF clear = beyondLimits(box, layout, true);
             if (all.contains(box)) {
-                write(painter, box, text, true);
+                write(painter, all.contains(clear) ? clear : box, text, true);
             }
         } else if (size.width() <= layout.area.room(m_drawn)) {
-            const QRectF above(stack.center().x() - size.width() / 2, stack.top() - size.height(),
-                               size.width(), size.height());
+            const QRectF top(stack.center().x() - size.width() / 2, stack.top() - size.height(),
+                             size.width(), size.height());
+            const QRectF clear = beyondLimits(top, layout, true);
+            const QRectF above = clear.top() >= 0 ? clear : top;
             write(painter, above.top() >= 0 ? above : above.translated(0, 2 * size.height()), text,
                   true);
         }
@@ -484,6 +508,8 @@ void BarDrawing::paintNumbers(QPainter& painter, const Layout& layout) {
         if (narrow) {
             continue;
         }
+        const QRectF clear = beyondLimits(beyond, layout, sign > 0);
+        beyond = all.contains(clear) ? clear : beyond;
         if (!all.contains(beyond) || !write(painter, beyond, text, true)) {
             (void)(fits && write(painter, within, text, true));
         }

@@ -62,6 +62,7 @@ private:
     void paintBand(QPainter& painter, const Layout& layout) const;
     void paintHatches(QPainter& painter) const;
     void paintMarks(QPainter& painter, const Layout& layout) const;
+    [[nodiscard]] QRectF beyondLimits(QRectF box, const Layout& layout, bool upwards) const;
     void paintNumbers(QPainter& painter, const Layout& layout);
     void paintTotals(QPainter& painter, const Layout& layout);
     void paintSliceNumbers(QPainter& painter, const Layout& layout);

@@ -72,12 +72,12 @@ QString CompareChart::briefName(Quantity quantity) {
     switch (quantity) {
     case Quantity::actual: return tr("Feed, µm");
     case Quantity::force: return tr("Force, N");
-    case Quantity::actualSum: return tr("Σ feed,\nµm");
-    case Quantity::left: return tr("Radius,\nµm");
-    case Quantity::programmed: return tr("Programmed,\nµm");
-    case Quantity::axialFeed: return tr("Axial,\nmm/min");
-    case Quantity::came: return tr("Radius\nbefore, µm");
-    case Quantity::programmedSum: return tr("Σ program-\nmed, µm");
+    case Quantity::actualSum: return tr("Σ feed, µm");
+    case Quantity::left: return tr("Radius, µm");
+    case Quantity::programmed: return tr("Programmed, µm");
+    case Quantity::axialFeed: return tr("Axial, mm/min");
+    case Quantity::came: return tr("Radius before, µm");
+    case Quantity::programmedSum: return tr("Σ programmed, µm");
     }
     return {};
 }

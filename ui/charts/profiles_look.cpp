@@ -18,6 +18,8 @@ Drawn drawnAs(ProfileLine line) {
     case ProfileLine::target: return Drawn::target;
     case ProfileLine::gauge: return Drawn::gauge;
     case ProfileLine::leastSquares:
+    case ProfileLine::inscribed:
+    case ProfileLine::circumscribed:
     case ProfileLine::minimumZone: return Drawn::referenceCircle;
     case ProfileLine::field: break;
     }
@@ -50,6 +52,8 @@ QString ProfileLook::name(ProfileLine line) {
     case ProfileLine::target: return tr("target radius");
     case ProfileLine::leastSquares: return tr("least-squares circle");
     case ProfileLine::minimumZone: return tr("circles of the minimum zone");
+    case ProfileLine::inscribed: return tr("maximum inscribed circle");
+    case ProfileLine::circumscribed: return tr("minimum circumscribed circle");
     case ProfileLine::field: return tr("tolerance field");
     case ProfileLine::gauge: return tr("gauge");
     }

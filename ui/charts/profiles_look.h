@@ -12,19 +12,21 @@ namespace sparkout {
 
 /// What the two plots of the zone profiles draw; each can be hidden in both at once.
 enum class ProfileLine {
-    profile,      ///< the cross-section; along the axis its mean
-    spread,       ///< smallest…largest over the radii, along the axis
-    blank,        ///< before the first touch
-    target,       ///< R_t
-    leastSquares, ///< least-squares circle, across the axis
-    minimumZone,  ///< the two circles of the minimum zone, across the axis
-    field,        ///< tolerance field of the drawing
-    gauge,        ///< where the gauge stands, along the axis
+    profile,       ///< the cross-section; along the axis its mean
+    spread,        ///< smallest…largest over the radii, along the axis
+    blank,         ///< before the first touch
+    target,        ///< R_t
+    leastSquares,  ///< least-squares circle, across the axis
+    minimumZone,   ///< the two circles of the minimum zone, across the axis
+    inscribed,     ///< maximum inscribed circle and the one about its centre that holds all
+    circumscribed, ///< minimum circumscribed circle and the one about its centre within all
+    field,         ///< tolerance field of the drawing
+    gauge,         ///< where the gauge stands, along the axis
 };
 using ProfileLines = std::set<ProfileLine>;
 
 /// The reference circles of the roundness that are drawn and stated.
-enum class ReferenceCircles { leastSquares, minimumZone, none };
+enum class ReferenceCircles { leastSquares, minimumZone, inscribed, circumscribed, none };
 
 /// Colours, dashes and names of those lines.
 class ProfileLook {

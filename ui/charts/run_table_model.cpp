@@ -14,6 +14,11 @@ QString briefly(const QString& text, qsizetype longest) {
     return text.size() > longest ? text.left(longest - 1) + u'…' : text;
 }
 
+/// A unit is never broken at its stroke.
+QString inOneLine(QString text) {
+    return text.replace(u'/', QStringLiteral("\u2060/\u2060"));
+}
+
 } // namespace
 
 void RunTableModel::setRows(std::vector<RunRow> rows, const QStringList& runs) {
@@ -50,7 +55,7 @@ QString RunTableModel::text(int row, int column) const {
 QVariant RunTableModel::cell(int row, int column, int role) const {
     const QString whole = text(row, column);
     switch (role) {
-    case Qt::DisplayRole: return column > 0 ? briefly(whole, longestCell) : whole;
+    case Qt::DisplayRole: return column > 0 ? briefly(whole, longestCell) : inOneLine(whole);
     case Qt::AccessibleTextRole: return whole;
     case Qt::ToolTipRole: return column > 0 && whole.size() > longestCell ? whole : QVariant();
     case Qt::TextAlignmentRole: return aligned(column > 0);
@@ -65,7 +70,7 @@ QVariant RunTableModel::cell(int row, int column, int role) const {
 
 QVariant RunTableModel::head(int column, int role) const {
     if (role == Qt::TextAlignmentRole) {
-        return aligned(column > 0);
+        return aligned(column > 0).toInt() | static_cast<int>(Qt::TextWordWrap);
     }
     if (role != Qt::DisplayRole && role != Qt::ToolTipRole) {
         return {};

@@ -4,6 +4,7 @@
 #include "core/files/safe_file.h"
 #include "ui/dialogs/saved_file.h"
 #include "ui/dialogs/watched_work.h"
+#include "ui/kit/file_dialog.h"
 #include "ui/session/background.h"
 #include "ui/session/settings.h"
 #include "ui/text/file_error_text.h"
@@ -11,7 +12,6 @@
 #include <QApplication>
 #include <QDir>
 #include <QFile>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPointer>
@@ -35,12 +35,9 @@ public:
 };
 
 QString SaveDialog::askPath(QWidget* window, const QString& folder, const SaveRequest& request) {
-    QFileDialog dialog(window, request.title, folder, request.filter);
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setFileMode(QFileDialog::AnyFile);
-    dialog.setDefaultSuffix(request.suffix);
-    dialog.selectFile(request.name + u'.' + request.suffix);
-    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+    return FileDialog::savePath(window, request.title,
+                                folder + u'/' + request.name + u'.' + request.suffix,
+                                request.filter, request.suffix);
 }
 
 bool SaveDialog::offerAnother(QWidget* window, const QString& text) {

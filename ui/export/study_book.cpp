@@ -272,7 +272,7 @@ CsvTable searchFacts(const SearchOutcome& outcome, const std::optional<double>& 
     addTime(StudyBook::tr("No cycle of the grid is quicker than"), outcome.bound_s);
     addTime(StudyBook::tr("Stepless limit"), outcome.limit_s);
     addFact(table, StudyBook::tr("Size of the grid"),
-            OptimiseText::gridSize(gridSize(outcome.project)));
+            OptimiseText::gridSize(gridSize(outcome.searched)));
     if (outcome.robust) {
         double added = 0;
         for (const SearchedNumber& number : outcome.numbers) {
@@ -314,7 +314,8 @@ std::vector<NamedSheet> searchSheets(const Study& study) {
     const SearchOutcome& outcome = *study.search;
     std::vector<NamedSheet> sheets{
         {StudyBook::tr("Search"), searchFacts(outcome, study.before_s)},
-        {StudyBook::tr("Settings"), inputsOf(outcome.project, {QStringLiteral("/optimisation/")})}};
+        {StudyBook::tr("Settings"),
+         inputsOf(outcome.searched, {QStringLiteral("/optimisation/")})}};
     if (const FoundCycle* found = outcome.refined() ? outcome.refined() : outcome.best()) {
         const Project project = withFound(outcome.project, *found);
         sheets.push_back({StudyBook::tr("Cycle found"),

@@ -4,6 +4,8 @@
 #include "core/measured/calibrated_inputs.h"
 #include "core/project/measured.h"
 #include "ui/identification/cycle_fit_page.h"
+#include "ui/identification/stiffness_page.h"
+#include "ui/identification/trial_page.h"
 #include "ui/identification/wheel_page.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
@@ -61,6 +63,10 @@ CalibrationDialog::CalibrationDialog(const Project& project, QWidget* parent)
     auto* wheel = new WheelPage(m_project, tabs);
     connect(wheel, &WheelPage::taken, this, &CalibrationDialog::take);
     tabs->addTab(wheel, tr("Ra and strengths"));
+    auto* stiffness = new StiffnessPage(m_project, tabs);
+    connect(stiffness, &StiffnessPage::taken, this, &CalibrationDialog::take);
+    tabs->addTab(stiffness, tr("Stiffness trial"));
+    tabs->addTab(new TrialPage(m_project, tabs), tr("Which trial"));
     auto* buttons = new QDialogButtonBox(this);
     QPushButton* const close = buttons->addButton(tr("&Close"), QDialogButtonBox::RejectRole);
     close->setAutoDefault(false);

@@ -81,6 +81,10 @@ QString FitWords::advice(Advice advice) {
     return worded(wordsOf(advice));
 }
 
+QString FitWords::trial(const MeasuredWords& words) {
+    return QCoreApplication::translate("Trial", words.text);
+}
+
 QString FitWords::unidentified(const Project& project, const std::vector<FittedParameter>& list,
                                const Unidentified& one) {
     QStringList names;

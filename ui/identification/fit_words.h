@@ -12,6 +12,8 @@
 
 namespace sparkout {
 
+struct MeasuredWords; // words/measured_words.h
+
 /// A fit and its data in the present language.
 class FitWords {
     Q_DECLARE_TR_FUNCTIONS(FitWords)
@@ -24,6 +26,7 @@ public:
     static QString group(const Project& project, const FitResiduals& residuals);
     static QString status(IdentificationStatus status);
     static QString advice(Advice advice);
+    static QString trial(const MeasuredWords& words); ///< of a trial
     /// "factor of α, factor of β: record …", what the data do not tell.
     static QString unidentified(const Project& project, const std::vector<FittedParameter>& list,
                                 const Unidentified& one);

@@ -49,9 +49,13 @@ ThemeStyle::ThemeStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fus
 int ThemeStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
                             const QWidget* widget) const {
     // All tabs of the views side by side on a small screen.
-    constexpr int besideTabText = 8;
-    return metric == PM_TabBarTabHSpace ? besideTabText
-                                        : QProxyStyle::pixelMetric(metric, option, widget);
+    constexpr int besideTabText = 8, besideNarrowText = 6;
+    if (metric == PM_TabBarTabHSpace) {
+        const bool isNarrow = widget && widget->font().stretch() != QFont::AnyStretch
+                              && widget->font().stretch() < QFont::Unstretched;
+        return isNarrow ? besideNarrowText : besideTabText;
+    }
+    return QProxyStyle::pixelMetric(metric, option, widget);
 }
 
 void ThemeStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option,

@@ -4,6 +4,7 @@
 #include "core/files/safe_file.h"
 #include "core/measured/measured_table.h"
 #include "ui/dialogs/watched_work.h"
+#include "ui/kit/file_dialog.h"
 #include "ui/measured/import_dialog.h"
 #include "ui/session/document.h"
 #include "ui/session/settings.h"
@@ -13,7 +14,6 @@
 
 #include <QClipboard>
 #include <QFile>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QMessageBox>
@@ -36,8 +36,8 @@ void MeasuredImport::say(const QString& title, const QString& text) {
 
 void MeasuredImport::importFile() {
     const QString path =
-        QFileDialog::getOpenFileName(m_window, tr("Import measurements"), m_settings.lastFolder(),
-                                     tr("Tables (*.csv *.txt *.tsv *.dat);;All files (*)"));
+        FileDialog::openPath(m_window, tr("Import measurements"), m_settings.lastFolder(),
+                             tr("Tables (*.csv *.txt *.tsv *.dat);;All files (*)"));
     if (path.isEmpty()) {
         return;
     }

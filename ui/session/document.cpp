@@ -125,7 +125,9 @@ SetupState Document::with(Project changed, std::vector<std::string> open) const 
     const SurfaceState& before = m_present.inFront();
     SurfaceState after = surfaceState(before.id, before.name, std::move(changed), &before);
     after.open = std::move(open);
-    if (made.surfaces.size() > 1 && !haveSameShared(before.project, after.project)) {
+    if (made.surfaces.size() > 1
+        && (!haveSameShared(before.project, after.project)
+            || !haveSameSharedCalibrations(before.project, after.project))) {
         for (SurfaceStatePtr& surface : made.surfaces) {
             auto other = std::make_shared<SurfaceState>(*surface);
             copyShared(after.project, other->project);
@@ -335,6 +337,7 @@ void Document::reload(Setup setup, const QByteArray& hash) {
 }
 
 void Document::take(Setup setup, const QString& path, const QByteArray& hash, bool readOnly) {
+    shareCalibrations(setup); // older files have them with one surface
     replace(stateOf(std::move(setup)), path, hash, readOnly, Kept::onDisk);
 }
 

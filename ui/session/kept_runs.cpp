@@ -130,6 +130,10 @@ bool KeptRuns::restore(int index) {
         // It was run with the wheel as the surfaces before had left it.
         project.wheel->diameter_mm = m_document.project().wheel->diameter_mm;
         project.wheel->dullness = m_document.project().wheel->dullness;
+        const auto& dressed = m_document.project().wheel->force_recipe;
+        if (auto& recipe = project.wheel->force_recipe; recipe && dressed) {
+            recipe->wear_flat_mm = dressed->wear_flat_mm;
+        }
     }
     m_document.endMerge();
     m_document.edit(std::move(project), restoreText);

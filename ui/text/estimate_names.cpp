@@ -11,7 +11,7 @@ namespace sparkout {
 
 QString EstimateNames::inputs(const Project& project, ConstraintKind kind) {
     QStringList names;
-    for (const Field* field : estimatesBehind(kind)) {
+    for (const Field* field : estimatesBehind(project, kind)) {
         if (!isCalibrated(project, *field)) {
             names += inputText(field->label).toLower();
         }

@@ -10,6 +10,7 @@
 #include <QRegularExpression>
 #include <QStringList>
 
+#include <algorithm>
 #include <cmath>
 
 namespace sparkout {
@@ -24,6 +25,7 @@ namespace {
     QT_TRANSLATE_NOOP("Unit", "mm/s"),     QT_TRANSLATE_NOOP("Unit", "mm²"),
     QT_TRANSLATE_NOOP("Unit", "mm^0.25"),  QT_TRANSLATE_NOOP("Unit", "mm^0.5"),
     QT_TRANSLATE_NOOP("Unit", "mm^0.75"),  QT_TRANSLATE_NOOP("Unit", "mm^1.5"),
+    QT_TRANSLATE_NOOP("Unit", "N/mm^0.5"),
 };
 
 /// Decimals of a length in mm beyond its significant digits: a form error is the difference of two
@@ -86,6 +88,20 @@ QString formulaNumber(const FormulaTerm& term, int digits) {
 
 double shownValue(const FormulaTerm& term, int digits) {
     return digitsOf(term, digits, QLocale::c()).toDouble();
+}
+
+QString sourceCoefficients(const FormulaSheet& sheet, bool withAxialFeed) {
+    const bool has = std::ranges::any_of(sheet.steps, [](const FormulaStep& step) {
+        return QLatin1StringView(step.result.symbol) == QLatin1StringView("k_r");
+    });
+    const auto text = [](const char* english) {
+        return QCoreApplication::translate("Formula", english);
+    };
+    return !has ? QString()
+           : withAxialFeed
+               ? text(QT_TRANSLATE_NOOP("Formula", "In the sources K_1 = b·k_s and K_2 = b·k_r "
+                                                   "with axial feed, K_3 and K_4 in plunge."))
+               : text(QT_TRANSLATE_NOOP("Formula", "In the sources K_3 = b·k_s and K_4 = b·k_r."));
 }
 
 QString formulaText(const FormulaSheet& sheet) {

@@ -23,4 +23,7 @@ inline constexpr int sheetDigits = 5;
 /// paragraph a step, "L = √(a·D_e) = √(0.005·28.6) = 0.378 mm".
 [[nodiscard]] QString formulaText(const FormulaSheet& sheet);
 
+/// What the sources call its coefficients of the force; empty where it has none.
+[[nodiscard]] QString sourceCoefficients(const FormulaSheet& sheet, bool withAxialFeed);
+
 } // namespace sparkout

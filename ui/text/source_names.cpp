@@ -84,6 +84,7 @@ constexpr std::array names{
                QT_TRANSLATE_NOOP("Source", "Stephens, 1974, statistics of goodness of fit")},
     SourceName{"DAGOSTINO1986",
                QT_TRANSLATE_NOOP("Source", "D'Agostino and Stephens, 1986, goodness of fit")},
+    SourceName{"FEPA42", QT_TRANSLATE_NOOP("Source", "sizes of F grits after FEPA 42-D-1986")},
     SourceName{"ALORO40X", QT_TRANSLATE_NOOP("Source", "aloro.org, steel 40Х")},
     SourceName{"ALORO38XMA", QT_TRANSLATE_NOOP("Source", "aloro.org, steel 38ХМА")},
     SourceName{"ALLMETALS38XMA", QT_TRANSLATE_NOOP("Source", "allmetals.ru, steel 38ХМА")},

@@ -5,6 +5,7 @@
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/dialogs/notice_bar.h"
 #include "ui/dialogs/watched_work.h"
+#include "ui/kit/file_dialog.h"
 #include "ui/session/document.h"
 #include "ui/session/program_log.h"
 #include "ui/session/settings.h"
@@ -16,7 +17,6 @@
 #include "ui/window/recent_files_menu.h"
 
 #include <QEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -98,8 +98,8 @@ void FileCommands::startNew(Operation operation) {
 
 void FileCommands::open() {
     const QString path =
-        QFileDialog::getOpenFileName(m_window, tr("Open a project"), m_settings.lastFolder(),
-                                     tr("Sparkout projects (*.sparkout);;All files (*)"));
+        FileDialog::openPath(m_window, tr("Open a project"), m_settings.lastFolder(),
+                             tr("Sparkout projects (*.sparkout);;All files (*)"));
     if (!path.isEmpty()) {
         openInstead(path);
     }

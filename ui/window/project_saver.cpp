@@ -4,13 +4,13 @@
 #include "core/project/part.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/files/file_guard.h"
+#include "ui/kit/file_dialog.h"
 #include "ui/session/document.h"
 #include "ui/session/program_log.h"
 #include "ui/session/settings.h"
 #include "ui/text/texts.h"
 #include "ui/window/disk_wait.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QStandardPaths>
 
@@ -57,8 +57,8 @@ bool ProjectSaver::saveAs() {
     if (!isComplete()) {
         return false;
     }
-    QString path = QFileDialog::getSaveFileName(m_window, tr("Save the project"), suggestedPath(),
-                                                tr("Sparkout projects (*.sparkout)"));
+    QString path = FileDialog::savePath(m_window, tr("Save the project"), suggestedPath(),
+                                        tr("Sparkout projects (*.sparkout)"));
     if (path.isEmpty()) {
         return false;
     }

@@ -11,7 +11,9 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDataStream>
+#include <QFontMetrics>
 #include <QMenu>
+#include <QStyle>
 #include <QTabBar>
 #include <QTimer>
 #include <QToolButton>
@@ -62,6 +64,39 @@ ViewTabs::ViewTabs(QWidget* parent) : QTabWidget(parent), m_tear(new QToolButton
     connect(m_tear, &QToolButton::clicked, this, [this, detachAt] { detachAt(currentIndex()); });
     connect(this, &QTabWidget::tabBarDoubleClicked, this, detachAt);
     connect(tabBar(), &QWidget::customContextMenuRequested, this, &ViewTabs::openMenu);
+}
+
+/// In narrower type where they would not all be in sight: a tab has its view's name, not another.
+void ViewTabs::fitTabs() {
+    constexpr int narrow = 90; // per cent
+    const QTabBar& bar = *tabBar();
+    QFont wide = bar.font();
+    wide.setStretch(QFont::AnyStretch);
+    const auto around = [this](const QWidget* tabs) {
+        return style()->pixelMetric(QStyle::PM_TabBarTabHSpace, nullptr, tabs);
+    };
+    int need = count() * (around(nullptr) - around(&bar)); // in wide type
+    for (int i = 0; i < count(); ++i) {
+        const QString text = tabText(i);
+        need += bar.tabRect(i).width() + QFontMetrics(wide).horizontalAdvance(text)
+                - bar.fontMetrics().horizontalAdvance(text);
+    }
+    const int room = width() - (cornerWidget() ? cornerWidget()->sizeHint().width() : 0);
+    QFont font = wide;
+    if (need > room) {
+        font.setStretch(narrow);
+    }
+    if (bar.font() != font) {
+        tabBar()->setFont(font);
+    }
+}
+
+bool ViewTabs::event(QEvent* event) {
+    const bool done = QTabWidget::event(event);
+    if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize) {
+        fitTabs();
+    }
+    return done;
 }
 
 ViewTabs::~ViewTabs() {

@@ -42,12 +42,16 @@ public:
 signals:
     void detachableChanged();
 
+protected:
+    bool event(QEvent* event) override;
+
 private:
     class Window;
 
     [[nodiscard]] Window* findWindow(const View* view) const;
     void openMenu(const QPoint& place);
     void showTexts();
+    void fitTabs();
 
     std::vector<View*> m_views;
     std::vector<Window*> m_windows;

@@ -73,6 +73,10 @@ private slots:
                         QVERIFY(within(termOf(sheet, "P_y")->value, visit.normalForce_n,
                                        1e-6 * visit.normalForce_n));
                         QVERIFY(termOf(sheet, "h")->value > visit.actual_mm);
+                        // The coefficients as the sources name them.
+                        const bool isPlunge = trajectory.passes[i].axialFeed_mm_min == 0;
+                        QVERIFY(termOf(sheet, isPlunge ? "K_3" : "K_1"));
+                        QVERIFY(!termOf(sheet, isPlunge ? "K_1" : "K_3"));
                         ++cuts;
                     } else {
                         QVERIFY(termOf(sheet, "h")->value <= 1e-12);

@@ -259,6 +259,44 @@ private slots:
         }
     }
 
+    void noNumberStandsOnTheLineOfALimit_data() {
+        QTest::addColumn<bool>("lying");
+        QTest::addColumn<bool>("totals");
+        for (const bool lying : {false, true}) {
+            for (const bool totals : {false, true}) {
+                QTest::addRow("%s, %s", lying ? "lying" : "standing", totals ? "sums" : "values")
+                    << lying << totals;
+            }
+        }
+    }
+
+    void noNumberStandsOnTheLineOfALimit() {
+        QFETCH(bool, lying);
+        QFETCH(bool, totals);
+        BarChart chart = chartOf(totals ? Shape::stacked : Shape::grouped, lying, 7, 1);
+        chart.series[0].values = {99.5, 97, 92, 88, 83, 100, 40};
+        chart.limits = {{100, QStringLiteral("limit"), Qt::DashLine, {}}};
+        chart.most = 150;
+        chart.hasTotals = totals;
+        QStringList texts;
+        const Drawn drawn(chart, {640, 420}, &texts);
+        const QRectF full = drawn.drawing.parts()[5].rect; // it ends at the limit
+        QRectF bars;
+        for (const BarPart& part : drawn.drawing.parts()) {
+            bars |= part.rect;
+        }
+        int numbers = 0;
+        for (const QRectF& box : drawn.drawing.numberBoxes()) {
+            const QPointF at = box.center();
+            if (lying ? at.y() < bars.bottom() : at.x() > bars.left()) { // else of the axis
+                ++numbers;
+                QVERIFY(lying ? box.right() <= full.right() || box.left() >= full.right()
+                              : box.bottom() <= full.top() || box.top() >= full.top());
+            }
+        }
+        QCOMPARE(numbers, 7);
+    }
+
     void aCutBarTellsItsWholeValue() {
         BarChart chart = chartOf(Shape::stacked, true, 2, 1);
         chart.series[0].values = {50, 4321};

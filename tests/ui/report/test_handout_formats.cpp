@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The formats of the course hand-out, read back: pages, a web page, Markdown; languages, figures.
+#include "core/dynamic_programming/exact_answer.h"
+#include "core/dynamic_programming/state_grid.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/part.h"
@@ -7,6 +9,7 @@
 #include "tests/registry.h"
 #include "tests/ui/report/handout_bench.h"
 #include "tests/ui/support/report_reading.h"
+#include "ui/dynamic_programming/state_grid_text.h"
 #include "ui/report/format/formula_markup.h"
 #include "ui/report/format/pages.h"
 #include "ui/text/source_names.h"
@@ -93,6 +96,39 @@ private slots:
         }
     }
 
+    // Both answers and the way back are the engine's.
+    void theGridOfDynamicProgrammingIsPrinted() {
+        for (const char* name : {"shaft-30h6-factory", "plunge-shaft-two-stage"}) {
+            const OutcomePtr outcome =
+                exampleOutcome(QStringLiteral(":/examples/%1.sparkout").arg(QLatin1String(name)));
+            QVERIFY(outcome);
+            const Project& project = outcome->result.project;
+            const auto grid = fillStateGrid(project, usualStateGrid(project));
+            const ExactAnswer exact = exactAnswer(*grid);
+            const HandoutOptions options{.views = {HandoutView::grid}};
+            const Report report = handout(outcome, options);
+            QStringList paragraphs;
+            int figures = 0;
+            std::vector<std::size_t> rows;
+            for (const report::Block& block : report.blocks) {
+                if (const auto* paragraph = std::get_if<report::Paragraph>(&block)) {
+                    paragraphs << paragraph->text;
+                } else if (const auto* table = std::get_if<report::Table>(&block)) {
+                    if (table->head.contains(QStringLiteral("m*"))) {
+                        rows.push_back(table->rows.size());
+                    }
+                } else if (std::holds_alternative<report::Figure>(block)) {
+                    ++figures;
+                }
+            }
+            QVERIFY(paragraphs.contains(StateGridText::ruleAnswer(*grid)));
+            QVERIFY(paragraphs.contains(StateGridText::provenAnswer(exact)));
+            QVERIFY(figures >= 1);
+            QVERIFY(rows
+                    == (grid->time_s ? std::vector<std::size_t>{10} : std::vector<std::size_t>{}));
+        }
+    }
+
     void theRussianHandoutHasNoEnglishWord() {
         m_language.apply(QStringLiteral("ru"));
         for (Project project :
@@ -100,6 +136,7 @@ private slots:
             project.machine->name = project.material->grade = project.wheel->marking = {};
             HandoutOptions options;
             options.views.insert(HandoutView::limits);
+            options.views.insert(HandoutView::grid);
             QString text = reading::textOfHtml(
                 bytesOf(handout(fixtures::run(project), options), Format::html));
             for (const auto& [key, name] : sourceTexts()) {
@@ -111,7 +148,7 @@ private slots:
                 words << it.next().captured();
             }
             for (const char* kept : {"Sparkout", "part", "sparkout", "HRC", "Srad", "rad", "max0",
-                                     "exp", "ierfc", "RONt"}) { // names, symbols, functions
+                                     "exp", "ierfc", "RONt", "min"}) { // names, symbols, functions
                 words.removeAll(QString::fromLatin1(kept));
             }
             QVERIFY2(words.isEmpty(), qPrintable(words.join(u' ')));

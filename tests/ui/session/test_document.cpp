@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/format/difference.h"
+#include "core/measured/calibrated_inputs.h"
 #include "core/project/batch.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
+#include "core/project/measured.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "core/setup/setup_file.h"
@@ -310,6 +312,51 @@ private slots:
     }
 
     // --- several surfaces ---------------------------------------------------------------------
+
+    /// Of a shared input, not of one that each surface has for itself.
+    void aCalibrationOfASharedInputIsRecordedWithEverySurface() {
+        Document document;
+        document.startUntitled(threeSurfaces());
+        document.showSurface(1);
+        Project project = document.project();
+        project.wheel->dullness = 0.031;
+        Measured& measured = project.measured.emplace();
+        measured.calibrations = {{"/wheel/dullness", 0.031, 0.03, 0.032, "cycle.csv", 90, {}},
+                                 {"/part/initial_runout_mm", 0.02, {}, {}, "cycle.csv", 90, {}}};
+        document.edit(project, editText);
+        for (std::size_t i = 0; i < 3; ++i) {
+            document.showSurface(i);
+            const Calibration* const dullness =
+                calibrationOf(document.project(), "/wheel/dullness");
+            QVERIFY(dullness && hasCalibratedValue(document.project(), *dullness));
+            QCOMPARE(calibrationOf(document.project(), "/part/initial_runout_mm") != nullptr,
+                     i == 1);
+        }
+        // The same value found again from other data.
+        project = document.project();
+        project.measured->calibrations.front().data = "cycle-2.csv";
+        document.edit(project, editText);
+        for (const GroundSurface& surface : document.setup().surfaces) {
+            QCOMPARE(calibrationOf(surface.project, "/wheel/dullness")->data,
+                     std::string("cycle-2.csv"));
+        }
+        // A set-up that has it with one surface alone, as older files do.
+        Setup older = document.setup();
+        older.surfaces[0].project.measured.reset();
+        older.surfaces[2].project.measured.reset();
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("older.sparkout"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        const QByteArray text = QByteArray::fromStdString(writeSetup(older));
+        file.write(text);
+        file.close();
+        Document opened;
+        opened.take(older, path, QCryptographicHash::hash(text, QCryptographicHash::Sha256), false);
+        for (const GroundSurface& surface : opened.setup().surfaces) {
+            QVERIFY(calibrationOf(surface.project, "/wheel/dullness"));
+        }
+    }
 
     void whatIsSharedChangesInEverySurface() {
         Document document;

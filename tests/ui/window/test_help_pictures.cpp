@@ -80,6 +80,7 @@ std::vector<Scene> scenes() {
         {"layers-en", factory, "layers", "en", Theme::light, atStroke45},
         {"compliance-en", slender, "compliance"},
         {"batch-en", factory, "batch"},
+        {"measured-en", "shaft-30h6-measured", "measured"},
         {"sweep-en", optimal, "sweep", "en", Theme::dark, varyTwoInputs},
         {"optimise-en", factory, "optimise", "en", Theme::light, search},
         {"compare-en", optimal, "compare", "en", Theme::light, keepAndChange},

@@ -174,6 +174,10 @@ private slots:
             QVERIFY(bench.open(examplePaths().front()));
             const QTabBar& tabs = *bench.window->findChild<ViewTabs*>()->tabBar();
             QVERIFY2(tabs.tabRect(tabs.count() - 1).right() < tabs.width(), language);
+            for (View* view : bench.window->views()) { // by no other name
+                const QString tab = tabs.tabText(bench.window->viewTabs().indexOf(view));
+                QVERIFY2(view->title().contains(tab, Qt::CaseInsensitive), qPrintable(tab));
+            }
             Project project = bench.window->document().project();
             project.cycle->stages.front().radial_feed_mm = 0.00025; // a number of many digits
             bench.window->document().startUntitled(project);

@@ -104,6 +104,32 @@ class TestLayout : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Wide again as soon as they have room.
+    void tabsAreInNarrowTypeOnlyWhereTheyWouldNotAllBeInSight() {
+        Bench bench(QStringLiteral("ru"));
+        QVERIFY(bench.open(examplePaths().front()));
+        const auto narrow = [&bench] {
+            bench.settle();
+            return bench.window->viewTabs().tabBar()->font().stretch() == 90;
+        };
+        const QTabBar& bar = *bench.window->viewTabs().tabBar();
+        for (int i = 0; i < 2; ++i) {
+            bench.window->resize(1366, 768);
+            QVERIFY(narrow());
+            QVERIFY(bar.tabRect(bar.count() - 1).right() < bar.width());
+            bench.window->resize(1920, 1080);
+            QVERIFY(!narrow());
+            QVERIFY(bar.tabRect(bar.count() - 1).right() < bar.width());
+        }
+        bench.window->resize(1366, 768);
+        bench.action("fontSize-130")->trigger();
+        QVERIFY(narrow());
+        bench.action("fontSize-100")->trigger();
+        QVERIFY(narrow());
+        bench.action("english")->trigger(); // shorter words
+        QVERIFY(!narrow());
+    }
+
     void aDoubleClickOnATabTearsItOffAndClosingBringsItBack() {
         Tabs t;
         const QRect tab = t.tabs->tabBar()->tabRect(1);

@@ -3,6 +3,7 @@
 #include "core/project/cycle.h"
 #include "core/project/wheel.h"
 #include "tests/registry.h"
+#include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/inputs/forms/stage_table.h"
 #include "ui/inputs/inputs_panel.h"
@@ -221,6 +222,36 @@ private slots:
                     QVERIFY(i == 0 || !room.intersects(legend->entryRect(i - 1)));
                 }
             }
+        }
+    }
+
+    /// Of the present run and two kept ones, neither curves nor what differs.
+    void nothingOfCompareIsScrolledSideways_data() { languages(); }
+    void nothingOfCompareIsScrolledSideways() {
+        QFETCH(QString, language);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        Bench bench(language);
+        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        (void)keepAs(bench, language == u"ru" ? QStringLiteral("Заводской")
+                                              : QStringLiteral("Factory")); // beside the best one
+        Project project = bench.window->document().project();
+        project.cycle->stages.front().axial_feed_mm_min = 1800;
+        bench.window->document().edit(project, {"Edit", "Axial feed"});
+        const auto* table = bench.window->findChild<QTableView*>(QStringLiteral("compareTable"));
+        const auto* area = bench.window->findChild<QScrollArea*>(QStringLiteral("compareArea"));
+        for (const int percent : {130, 100, 115}) {
+            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            wait(bench);
+            QTRY_COMPARE(table->model()->columnCount(), 4);
+            wait(bench);
+            qInfo("ROOM compared at %d %%: curves %d × %d, name %d of %d", percent,
+                  area->viewport()->width(), area->viewport()->height(), table->columnWidth(0),
+                  table->viewport()->width());
+            QCOMPARE(area->horizontalScrollBar()->maximum(), 0);
+            QCOMPARE(table->horizontalScrollBar()->maximum(), 0);
+            QVERIFY(table->columnWidth(0) >= atFontSize(130));
+            const QStringList cut = textsWithoutRoom(*bench.window->viewTabs().currentView());
+            QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
         }
     }
 

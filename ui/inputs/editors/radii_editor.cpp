@@ -3,6 +3,7 @@
 
 #include "core/files/safe_file.h"
 #include "core/study/operation.h"
+#include "ui/kit/file_dialog.h"
 #include "ui/session/document.h"
 #include "ui/tables/profile_csv.h"
 #include "ui/text/file_error_text.h"
@@ -10,7 +11,6 @@
 #include "ui/text/texts.h"
 
 #include <QFile>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
@@ -50,8 +50,8 @@ RadiiEditor::RadiiEditor(const std::string& path, const Field& field, Document& 
 
 void RadiiEditor::askForFile() {
     const QString path =
-        QFileDialog::getOpenFileName(m_body->window(), tr("Read a measured profile"), {},
-                                     tr("Tables (*.csv *.txt *.tsv *.dat);;All files (*)"));
+        FileDialog::openPath(m_body->window(), tr("Read a measured profile"), {},
+                             tr("Tables (*.csv *.txt *.tsv *.dat);;All files (*)"));
     if (!path.isEmpty()) {
         readFrom(path);
     }

@@ -11,6 +11,7 @@
 #include "ui/inputs/editors/hint_strip.h"
 #include "ui/inputs/editors/number_lines.h"
 #include "ui/inputs/forms/page_columns.h"
+#include "ui/kit/file_dialog.h"
 #include "ui/kit/font_size.h"
 #include "ui/session/document.h"
 #include "ui/text/file_error_text.h"
@@ -20,7 +21,6 @@
 
 #include <QCheckBox>
 #include <QFile>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -149,8 +149,8 @@ void FactorBox::setTruncated(bool truncated) {
 
 void FactorBox::askForFile() {
     const QString path =
-        QFileDialog::getOpenFileName(window(), tr("Read measured blanks"), {},
-                                     tr("Tables (*.csv *.txt *.tsv *.dat);;All files (*)"));
+        FileDialog::openPath(window(), tr("Read measured blanks"), {},
+                             tr("Tables (*.csv *.txt *.tsv *.dat);;All files (*)"));
     if (!path.isEmpty()) {
         readFrom(path);
     }

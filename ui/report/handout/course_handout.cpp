@@ -6,6 +6,7 @@
 #include "ui/report/handout/exercises.h"
 #include "ui/report/handout/handout_figures.h"
 #include "ui/report/handout/handout_task.h"
+#include "ui/report/handout/state_grid_sheet.h"
 #include "ui/report/handout/worked_step.h"
 #include "ui/report/parts/begun_report.h"
 #include "ui/report/parts/operation_setup.h"
@@ -52,6 +53,10 @@ public:
         add(std::move(inputs));
         addStep(step, worked.blocks);
         addFigures(step);
+        if (m_options.views.contains(HandoutView::grid)) {
+            heading(tr("Dynamic programming"));
+            add(StateGridSheet::blocks(m_outcome, m_breathe));
+        }
         if (!exercises.empty()) {
             heading(tr("Questions"));
             add(ExerciseSheet::questions(exercises));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/handout/exercises.h"
 
+#include "core/process/recipe_force.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/part.h"
@@ -64,8 +65,8 @@ QString mm(double value) {
 
 ChangeWords duller(const Project& project, const ExerciseRun& run) {
     return {ExerciseText::tr("The wheel has become dull: η rises from %1 to %2.")
-                .arg(printedNumber(project.wheel->dullness),
-                     printedNumber(run.changed.wheel->dullness)),
+                .arg(printedNumber(dullnessOf(*project.wheel)),
+                     printedNumber(dullnessOf(*run.changed.wheel))),
             {{Asked::stepFeed_um, false, ExerciseText::tr("at the same lag less is cut")},
              {Asked::stepForce_n, true,
               ExerciseText::tr("the friction of the wear flats, kr·√a, grows with η")}},

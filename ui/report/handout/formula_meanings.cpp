@@ -29,10 +29,18 @@ struct Meaning {
 constexpr Meaning meanings[] = {
     {"D_e", QT_TRANSLATE_NOOP("Symbol", "equivalent diameter of wheel and part")},
     {"V_d", QT_TRANSLATE_NOOP("Symbol", "surface speed of the part")},
+    {"n_c", QT_TRANSLATE_NOOP("Symbol", "cutting grains on a square millimetre of the contact")},
+    {"b_j", QT_TRANSLATE_NOOP("Symbol", "width of the cut of one grain")},
+    {"κ", QT_TRANSLATE_NOOP("Symbol", "chips of the grains over the metal removed")},
+    {"η", QT_TRANSLATE_NOOP("Symbol", "dullness: share of wear flats")},
     {"k_s", QT_TRANSLATE_NOOP("Symbol", "normal force of shear, per width and depth")},
     {"k_r", QT_TRANSLATE_NOOP("Symbol", "normal force of the wear flats, per width and root of "
                                         "the depth")},
     {"k_t", QT_TRANSLATE_NOOP("Symbol", "tangential force of shear, per width and depth")},
+    {"K_1", QT_TRANSLATE_NOOP("Symbol", "the sources' name of b·k_s with axial feed")},
+    {"K_2", QT_TRANSLATE_NOOP("Symbol", "the sources' name of b·k_r with axial feed")},
+    {"K_3", QT_TRANSLATE_NOOP("Symbol", "the sources' name of b·k_s in plunge")},
+    {"K_4", QT_TRANSLATE_NOOP("Symbol", "the sources' name of b·k_r in plunge")},
     {"P_y", QT_TRANSLATE_NOOP("Symbol", "normal force")},
     {"P_z", QT_TRANSLATE_NOOP("Symbol", "tangential force")},
     {"a", QT_TRANSLATE_NOOP("Symbol", "limiting depth of cut"), burnName},

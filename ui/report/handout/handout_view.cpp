@@ -20,6 +20,8 @@ constexpr std::array viewRows{
                    QT_TRANSLATE_NOOP("HandoutView", "Zone profiles at the end")},
     HandoutViewRow{HandoutView::limits, "limits",
                    QT_TRANSLATE_NOOP("HandoutView", "Actual feed under its limits")},
+    HandoutViewRow{HandoutView::grid, "grid",
+                   QT_TRANSLATE_NOOP("HandoutView", "Grid of dynamic programming")},
 };
 
 } // namespace

@@ -15,6 +15,7 @@ enum class HandoutView {
     cycle,    ///< feeds over the whole cycle
     profiles, ///< cross-sections at the end
     limits,   ///< actual feed under its limits
+    grid,     ///< of dynamic programming
 };
 struct HandoutViewRow {
     HandoutView view;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/parts/operation_setup.h"
 
+#include "core/process/recipe_force.h"
 #include "core/process/system_compliance.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
@@ -53,7 +54,7 @@ Facts OperationSetup::settings(const Outcome& outcome) {
                   withUnit(printedNumber(wheel.diameter_mm) + QStringLiteral(" × ")
                                + printedNumber(wheel.width_mm),
                            "mm")},
-                 inputFact(project, "/wheel/dullness"),
+                 inputFact(project, dullnessPath(wheel)),
                  inputFact(project, "/machine/wheel_speed_m_s"),
                  {tr("Wheel rotation"),
                   withUnit(Names::significant(outcome.shop.wheelSpeed_rpm, 4), "rev/min")},

@@ -24,6 +24,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSplitter>
+#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -36,7 +37,7 @@ namespace {
 
 constexpr int runsWidth = 184, curvesWidth = 500;
 constexpr int curvesHeight = 330, tableHeight = 170;
-constexpr int widestValue = 120, leastName = 200; ///< columns, at the usual size of type
+constexpr int widestValue = 120, leastName = 130, wantedName = 220; ///< columns, at usual type
 constexpr int mostChanges = 3; ///< named of a run in the notice; the list's tooltip has all
 
 } // namespace
@@ -71,11 +72,7 @@ void CompareView::build() {
     m_columns->addWidget(buildCurves());
     m_columns->setStretchFactor(1, 1);
     m_columns->setSizes({runsWidth, curvesWidth});
-    auto* upper = new QWidget(this);
-    auto* column = rowIn<QVBoxLayout>(upper);
-    column->addWidget(m_columns, 1);
-    column->addWidget(values());
-    m_halves->addWidget(upper);
+    m_halves->addWidget(buildUpper());
     m_halves->addWidget(buildTable());
     m_halves->setStretchFactor(0, 1);
     m_heights = {curvesHeight, tableHeight};
@@ -92,24 +89,33 @@ void CompareView::build() {
                  {m_keepHere, "compareStart"}});
 }
 
-QWidget* CompareView::buildCurves() {
-    auto* panel = new QWidget(this);
-    auto* column = rowIn<QVBoxLayout>(panel);
+/// Tools and legend have the whole width: beside the list the curves need what height there is.
+QWidget* CompareView::buildUpper() {
+    auto* upper = new QWidget(this);
+    auto* column = rowIn<QVBoxLayout>(upper);
     auto* row = new ToolRow;
     column->addLayout(row);
     row->setSpacing(metrics::hair); // many stand in it
     addBoxes(*row, {m_zone, m_axis});
     row->addStretch(1);
-    QToolButton* second = PlotTools::button(m_second->menuAction(), panel);
+    QToolButton* second = PlotTools::button(m_second->menuAction(), upper);
     second->setPopupMode(QToolButton::InstantPopup);
     second->setObjectName(QStringLiteral("secondAxisButton"));
     row->addWidget(second);
     addButtons(*row, {cursors()->toggle, tools()->back, tools()->forward, tools()->fit});
+    column->addWidget(legend());
+    column->addWidget(m_columns, 1);
+    column->addWidget(values());
+    return upper;
+}
+
+QWidget* CompareView::buildCurves() {
+    auto* panel = new QWidget(this);
+    auto* column = rowIn<QVBoxLayout>(panel);
     m_plot->setMinimumSize(240, 150);
     QScrollArea* area = scrolled(*m_plot);
     area->setObjectName(QStringLiteral("compareArea"));
     hideUntilDrawn({area});
-    column->addWidget(legend());
     column->addWidget(area, 1);
     column->addWidget(strip());
     return panel;
@@ -123,6 +129,9 @@ QWidget* CompareView::buildTable() {
     m_table->setMinimumHeight(80);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setMinimumSectionSize(10);
+    QHeaderView* const head = m_table->horizontalHeader();
+    head->setDefaultAlignment(
+        Qt::Alignment::fromInt(head->defaultAlignment().toInt() | Qt::TextWordWrap));
     connect(m_table, &CopyTable::resized, this, &CompareView::fitTable);
     connect(m_tableModel, &QAbstractItemModel::modelReset, this, &CompareView::fitTable);
     column->addWidget(m_table, 1);
@@ -258,20 +267,67 @@ void CompareView::shareHeight(bool withTable) {
     }
 }
 
+/// Heads and long values are wrapped where the columns would not all be in sight.
 void CompareView::fitTable() {
     const QAbstractItemView& table = *m_table; // where it is public
     QHeaderView* const head = m_table->horizontalHeader();
+    const int columns = m_tableModel->columnCount() - 1;
+    std::vector<int> least, wanted;
+    int rest = m_table->viewport()->width() - atFontSize(wantedName);
+    for (int column = 1; column <= columns; ++column) {
+        least.push_back(widthOfWords(column));
+        wanted.push_back(
+            std::max({std::min(table.sizeHintForColumn(column), atFontSize(widestValue)),
+                      head->sectionSizeHint(column), least.back()}));
+        rest -= least.back();
+    }
+    const int spare = columns > 0 ? std::max(rest, 0) / columns : 0;
     int values = 0;
-    for (int column = 1; column < m_tableModel->columnCount(); ++column) {
-        const int width =
-            std::max(std::min(table.sizeHintForColumn(column), atFontSize(widestValue)),
-                     head->sectionSizeHint(column));
+    for (int column = 1; column <= columns; ++column) {
+        const auto i = static_cast<std::size_t>(column - 1);
+        const int width = std::min(wanted[i], least[i] + spare);
         head->resizeSection(column, width);
         values += width;
     }
-    const int rest = m_table->viewport()->width() - values;
-    head->resizeSection(0, std::max(rest, atFontSize(leastName)));
+    head->resizeSection(0, std::max(m_table->viewport()->width() - values, atFontSize(leastName)));
+    head->setFixedHeight(heightOfHeads());
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents); // measures
+}
+
+/// Of the longest word in a column, with its margins.
+int CompareView::widthOfWords(int column) const {
+    const QHeaderView& head = *m_table->horizontalHeader();
+    int words = 0, heads = 0;
+    const auto widest = [](const QFontMetrics& metrics, const QString& text) {
+        int width = 0;
+        for (const QString& word : text.split(u' ')) {
+            width = std::max(width, metrics.horizontalAdvance(word));
+        }
+        return width;
+    };
+    heads = widest(head.fontMetrics(),
+                   m_tableModel->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
+    for (int row = 0; row < m_tableModel->rowCount(); ++row) {
+        words = std::max(words, widest(m_table->fontMetrics(),
+                                       m_tableModel->index(row, column).data().toString()));
+    }
+    const int cell = m_table->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, m_table);
+    const int own = m_table->style()->pixelMetric(QStyle::PM_HeaderMargin, nullptr, &head);
+    return std::max(heads + 2 * own, words + 2 * (cell + 1)) + 2;
+}
+
+int CompareView::heightOfHeads() const {
+    const QHeaderView& head = *m_table->horizontalHeader();
+    const int margin = m_table->style()->pixelMetric(QStyle::PM_HeaderMargin, nullptr, &head);
+    int height = 0;
+    for (int column = 0; column < m_tableModel->columnCount(); ++column) {
+        const QRect room(0, 0, head.sectionSize(column) - 2 * margin, 10'000);
+        const QString text =
+            m_tableModel->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        height = std::max(height,
+                          head.fontMetrics().boundingRect(room, Qt::TextWordWrap, text).height());
+    }
+    return height + 2 * margin;
 }
 
 bool CompareView::drawn() const {

@@ -52,6 +52,7 @@ protected:
 
 private:
     void build();
+    QWidget* buildUpper();
     QWidget* buildCurves();
     QWidget* buildTable();
     void connectParts();
@@ -59,6 +60,8 @@ private:
     void showTable();
     void shareHeight(bool withTable);
     void fitTable(); ///< the values are in sight, what differs has the rest
+    [[nodiscard]] int widthOfWords(int column) const;
+    [[nodiscard]] int heightOfHeads() const;
     void fillAxes();
     void fillZones();
     [[nodiscard]] std::vector<int> chosenRuns() const;

@@ -196,10 +196,6 @@ QString ConstraintsView::title() const {
     return tr("Constraints");
 }
 
-QString ConstraintsView::brief() const {
-    return tr("Constraints", "the view's tab");
-}
-
 void ConstraintsView::forget() {
     m_plot->fitNext();
 }
@@ -328,6 +324,11 @@ void ConstraintsView::showSheet() {
         }
         if (const auto sheet = constraintSheet(good()->result, good()->accuracy, *about)) {
             text << QString() << formulaText(*sheet);
+            if (const QString names =
+                    sourceCoefficients(*sheet, good()->result.project.operation->travels);
+                !names.isEmpty()) {
+                text << names;
+            }
         }
         if (const QString estimates = EstimateNames::behind(good()->result.project, about->kind);
             !estimates.isEmpty()) {

@@ -33,7 +33,6 @@ public:
     [[nodiscard]] MarginModel* margins() const { return m_model; }
 
     [[nodiscard]] QString title() const override;
-    [[nodiscard]] QString brief() const override;
     [[nodiscard]] bool showsMoment() const override { return true; }
     void forget() override;
     /// Chooses it at its place, as by a click on its row.

@@ -320,10 +320,6 @@ QString MeasuredView::title() const {
     return tr("Measured");
 }
 
-QString MeasuredView::brief() const {
-    return tr("Measured", "the view's tab");
-}
-
 QString MeasuredView::hint() const {
     const QString point = tr("Point at a box to read its values.");
     const QString& remark = m_boxes->chart().remark;

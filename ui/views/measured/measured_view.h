@@ -44,7 +44,6 @@ public:
     [[nodiscard]] BatchOutcomePtr prediction() const;
 
     [[nodiscard]] QString title() const override;
-    [[nodiscard]] QString brief() const override;
     void forget() override;
 
 signals:

@@ -9,6 +9,7 @@
 #include "ui/text/joined.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
+#include "ui/text/texts.h"
 
 #include <QLocale>
 
@@ -90,6 +91,9 @@ QString OptimiseText::state(const SearchState& state) {
                       : state.looksFor == FoundBy::refinement
                           ? tr("Between the levels")
                           : tr("%n stage(s)", nullptr, state.stages)};
+    if (state.round > 1 && state.looksFor == FoundBy::search) {
+        parts << tr("rounds of levels: %1").arg(state.round);
+    }
     if (state.best_s) {
         parts << tr("best %1 min").arg(minutes(*state.best_s));
     }
@@ -172,7 +176,7 @@ QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double>
                          "%1 min: of %2 the quickest that holds for the part and the scenarios "
                          "added; proved for these.")
                                     : tr("%1 min: the quickest of %2, proved."))
-                        .arg(minutes(best->time_s), gridSize(sparkout::gridSize(outcome.project)))
+                        .arg(minutes(best->time_s), gridSize(sparkout::gridSize(outcome.searched)))
                   : tr("%1 min is the best so far; no cycle of the grid is quicker than %2 min.")
                         .arg(minutes(best->time_s), minutes(outcome.bound_s)));
     if (const FoundCycle* refined = outcome.refined()) {
@@ -195,6 +199,9 @@ QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double>
                      .arg(minutes(outcome.limit_s), percent(gapToLimit(least_s, outcome.limit_s)));
     }
     lines << bindingOf(outcome);
+    if (const QString levels = levelsOf(outcome); !levels.isEmpty()) {
+        lines << levels;
+    }
     if (outcome.robust) {
         int added = 0;
         for (const SearchedNumber& number : outcome.numbers) {
@@ -212,10 +219,17 @@ QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double>
     return joined(lines, QStringLiteral(" "));
 }
 
-QString OptimiseText::decided(const StockRange& stocks) {
-    return tr("It holds for every stock of %1…%2 mm per side, with the other inputs as they are: "
-              "decided, not sampled.")
-        .arg(Names::significant(stocks.from_mm, 5), Names::significant(stocks.to_mm, 5));
+QString OptimiseText::decided(const PhaseCases& cases) {
+    const QString from = Names::significant(cases.stocks.from_mm, 5),
+                  to = Names::significant(cases.stocks.to_mm, 5);
+    return cases.corners > 0
+               ? tr("It holds for every stock of %1…%2 mm per side, with the other inputs as they "
+                    "are and at each of the %3 corners of the batch's other factors: decided, not "
+                    "sampled.")
+                     .arg(from, to, QLocale().toString(cases.corners))
+               : tr("It holds for every stock of %1…%2 mm per side, with the other inputs as they "
+                    "are: decided, not sampled.")
+                     .arg(from, to);
 }
 
 QString OptimiseText::sampled(int candidate) {
@@ -237,6 +251,33 @@ QString OptimiseText::bindingOf(const SearchOutcome& outcome) {
     return outcome.proved() && !outcome.refined()
                ? tr("No cycle of the grid that differs in one setting is quicker.")
                : QString();
+}
+
+QString OptimiseText::levelsOf(const SearchOutcome& outcome) {
+    QStringList lines;
+    if (outcome.rounds > 1) {
+        lines << tr("Levels were added around the answer; rounds: %1.").arg(outcome.rounds);
+    }
+    if (outcome.areLevelsCutShort) {
+        lines << tr("Stopped while further levels were searched: the answer is that of the grid "
+                    "before.");
+    }
+    for (const LevelEdge& edge : outcome.edges) {
+        const Field& field = *tableOf<Stage>().find(edge.feed->key);
+        const auto value = [&field](double number) {
+            return printedNumber(number) + u'\u00a0' + unitText(field.unit);
+        };
+        const QString where = (edge.isMost ? tr("Stage %1: “%2” has the greatest level, %3;")
+                                           : tr("Stage %1: “%2” has the least level, %3;"))
+                                  .arg(QLocale().toString(qulonglong(edge.stage + 1)),
+                                       inputText(field.label), value(edge.level))
+                              + u' ';
+        lines << where
+                     + (edge.isLimit ? tr("the machine or the stage's limits allow no other.")
+                        : edge.limit ? tr("allowed is %1.").arg(value(*edge.limit))
+                                     : tr("smaller ones are allowed."));
+    }
+    return lines.join(u' ');
 }
 
 } // namespace sparkout

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/phases/phase_decision.h"
+#include "core/study/whole_search.h"
 #include "ui/session/search_runner.h"
 
 #include <QCoreApplication>
@@ -31,9 +31,11 @@ public:
 private:
     static QString names(const std::vector<ConstraintKind>& kinds);
     static QString cutsOf(const SearchOutcome& outcome);
-    static QString decided(const StockRange& stocks);
+    static QString decided(const PhaseCases& cases);
     static QString sampled(int candidate); ///< of fresh phases
     static QString bindingOf(const SearchOutcome& outcome);
+    /// Where the best of the grid stands at its edge, and whether the levels followed it.
+    static QString levelsOf(const SearchOutcome& outcome);
 };
 
 } // namespace sparkout

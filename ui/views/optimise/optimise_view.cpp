@@ -5,6 +5,10 @@
 #include "core/study/search_edits.h"
 #include "ui/charts/compare_plot.h"
 #include "ui/dialogs/copy_table.h"
+#include "ui/dynamic_programming/grid_moment.h"
+#include "ui/dynamic_programming/state_grid_bar.h"
+#include "ui/dynamic_programming/state_grid_plot.h"
+#include "ui/dynamic_programming/state_grid_text.h"
 #include "ui/kit/tool_row.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/run_bar.h"
@@ -37,6 +41,8 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings)
     : PlotView(QStringLiteral("optimise"), parent, settings)
     , m_curves(new ComparePlot(this))
     , m_times(new StageCountPlot(this))
+    , m_grid(new StateGridPlot(this))
+    , m_gridBar(new StateGridBar(this))
     , m_splitter(new QSplitter(Qt::Vertical, this))
     , m_found(new FoundModel(this))
     , m_zone(new QComboBox(this))
@@ -47,20 +53,22 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings)
     , m_refine(new QCheckBox(this))
     , m_runner(new SearchRunner(this))
     , m_trials(new RunController(this)) {
-    for (ViewPlot* plot : std::initializer_list<ViewPlot*>{m_curves, m_times}) {
+    for (ViewPlot* plot : std::initializer_list<ViewPlot*>{m_curves, m_times, m_grid}) {
         plot->setMinimumSize(240, 120);
         addPage(*plot);
     }
     m_bar->takeTurns();
     m_bar->layOut({m_phases, m_refine}, {m_take});
     share(*m_splitter, {{pages(), plotShare}, {buildTable(), foundShare}});
-    QVBoxLayout* const column = addColumn(
-        {m_bar, notice(), m_add, pageTools<ToolRow>({m_zone}), legend(), m_splitter, values()},
-        m_splitter);
+    QVBoxLayout* const column =
+        addColumn({m_bar, m_gridBar, notice(), m_add, pageTools<ToolRow>({m_zone}), legend(),
+                   m_splitter, values()},
+                  m_splitter);
     column->setAlignment(m_add, Qt::AlignLeft);
     column->addStretch(0);
     nameObjects({{m_curves, "optimiseCurves"},
                  {m_times, "optimiseTimes"},
+                 {m_grid, "optimiseGrid"},
                  {m_zone, "optimiseZone"},
                  {m_take, "optimiseTake"},
                  {m_add, "optimiseAdd"},
@@ -105,6 +113,11 @@ void OptimiseView::connectParts() {
     });
     connect(m_runner, &SearchRunner::finished, this, &OptimiseView::takeSearch);
     connect(m_trials, &RunController::finished, this, &OptimiseView::takeTrial);
+    connect(m_gridBar, &StateGridBar::changed, this, &OptimiseView::takeGrid);
+    connect(m_gridBar, &StateGridBar::moved, this, &OptimiseView::moveGrid);
+    connect(m_grid, &StateGridPlot::stateClicked, this, [this](int level, std::size_t feed) {
+        m_gridBar->setMoment(momentOf(m_grid->outcome()->grid, level, feed));
+    });
 }
 
 const FoundCycle* OptimiseView::chosen() const {
@@ -138,7 +151,7 @@ void OptimiseView::takeOutcome(const OutcomePtr& before) {
         m_wanted = good()->result.sections.size() / 2;
         fillZones();
     }
-    if (m_searching && busy() && !sameSearch(*m_searching, good()->result.project)) {
+    if (m_searching && m_runner->running() && !sameSearch(*m_searching, good()->result.project)) {
         m_runner->drop();
     }
     noteStale();
@@ -148,6 +161,11 @@ void OptimiseView::takeOutcome(const OutcomePtr& before) {
     m_found->setBefore(before_s());
     m_times->setSearch(m_search, before_s());
     fillCurves(); // the view shows them with the rest
+    followGrid();
+}
+
+bool OptimiseView::busy() const {
+    return m_runner->running() || m_gridBar->busy();
 }
 
 void OptimiseView::noteStale() {
@@ -173,6 +191,7 @@ void OptimiseView::takeSearch(const SearchOutcomePtr& outcome) {
 
 void OptimiseView::forget() {
     m_runner->drop();
+    m_gridBar->forget();
     m_search.reset();
     noteStale();
     showSearch();
@@ -223,8 +242,35 @@ void OptimiseView::takeCycle() {
 
 // --- showing ------------------------------------------------------------------------------------
 
+bool OptimiseView::showsGrid() const {
+    return &front() == m_grid;
+}
+
+/// Only what is shown is filled.
+void OptimiseView::followGrid() {
+    if (showsGrid() && good()) {
+        m_gridBar->follow(good()->result.project);
+    }
+}
+
+void OptimiseView::takeGrid() {
+    if (m_grid->outcome() != m_gridBar->outcome()) {
+        m_grid->setGrid(m_gridBar->outcome());
+        m_grid->setMoment(m_gridBar->moment());
+    }
+    showState();
+    replotFront();
+}
+
+void OptimiseView::moveGrid(int moment) {
+    m_grid->setMoment(moment);
+    readOut();
+    m_grid->replot(QCustomPlot::rpQueuedReplot);
+}
+
 void OptimiseView::chooseContent() {
     showPage(static_cast<std::size_t>(content()->currentIndex()));
+    followGrid();
     m_zone->setVisible(&front() == m_curves);
     showState();
     replotFront();
@@ -273,16 +319,21 @@ bool OptimiseView::isFound() const {
 }
 
 bool OptimiseView::hasCurves() const {
-    return &front() == m_times ? isFound() : !m_curves->runs().empty();
+    return showsGrid()           ? m_grid->outcome() != nullptr
+           : &front() == m_times ? isFound()
+                                 : !m_curves->runs().empty();
 }
 
 bool OptimiseView::drawn() const {
+    if (showsGrid()) {
+        return m_grid->outcome() != nullptr;
+    }
     return hasCurves() && (isGiven() || isFound());
 }
 
 /// What was found before, while another search runs or after an edit.
 bool OptimiseView::faint() const {
-    return m_stale || busy();
+    return showsGrid() ? m_gridBar->stale() || refused() : m_stale || m_runner->running();
 }
 
 bool OptimiseView::isFaint(const ViewPlot& plot) const {
@@ -293,36 +344,46 @@ void OptimiseView::showState() {
     PlotView::showState();
     tools()->setEnabled(hasCurves());
     m_add->setVisible(good() && !isGiven());
-    m_bar->showRunning(busy(), isGiven() && !refused());
+    const bool searching = m_runner->running(), grid = showsGrid();
+    m_bar->setVisible(!grid);
+    m_gridBar->setVisible(grid && isGiven());
+    m_gridBar->showState(!refused());
+    m_bar->showRunning(searching, isGiven() && !refused());
     for (QCheckBox* wish : {m_phases, m_refine}) { // the progress takes their room
-        wish->setVisible(!busy());
+        wish->setVisible(!searching);
         wish->setEnabled(isGiven());
     }
-    m_bar->state()->setText(isGiven() && !busy()
+    m_bar->state()->setText(isGiven() && !searching
                                 ? OptimiseText::gridSize(sparkout::gridSize(good()->result.project))
                                 : QString());
-    m_table->setVisible(isFound());
-    m_take->setEnabled(chosen() && !m_stale && !busy());
+    m_table->setVisible(isFound() && !grid);
+    m_take->setEnabled(chosen() && !m_stale && !searching);
     readOut();
 }
 
 // --- texts --------------------------------------------------------------------------------------
-
-QString OptimiseView::brief() const {
-    return tr("Optimise", "the view's tab");
-}
 
 QString OptimiseView::title() const {
     return tr("Optimise");
 }
 
 QString OptimiseView::hint() const {
+    if (showsGrid()) {
+        return m_grid->outcome() ? StateGridText::moment(
+                   m_grid->outcome()->grid, momentAt(m_grid->outcome()->grid, m_grid->moment()))
+                                 : QString();
+    }
     return &front() == m_curves
                ? tr("Point at a curve to read its values beside those of your cycle.")
                : tr("Point at a number of stages to read its time.");
 }
 
 QString OptimiseView::keptText() const {
+    if (showsGrid()) {
+        return m_grid->outcome()
+                   ? tr("The inputs are refused; the grid is that of the last accepted ones.")
+                   : refusedText();
+    }
     return m_search ? tr("The inputs are refused; the search is that of the last accepted ones.")
                     : refusedText();
 }
@@ -334,14 +395,19 @@ QString OptimiseView::remark() const {
                   "requirement. Choose them on the page Search of the inputs, or start with usual "
                   "ones.");
     }
+    if (showsGrid()) {
+        return m_gridBar->remark();
+    }
     if (!m_search) {
-        return busy() ? QString()
-                      : tr("“Search” finds the quickest cycle of the grid that holds every "
-                           "requirement. It can be stopped at any time and keeps the best so far.");
+        return m_runner->running()
+                   ? QString()
+                   : tr("“Search” finds the quickest cycle of the grid that holds every "
+                        "requirement. It can be stopped at any time and keeps the best so far.");
     }
     if (m_stale) {
-        return busy() ? tr("Of the inputs before the last edit; those of now are being searched.")
-                      : tr("Of the inputs before the last edit. Press “Search” for those of now.");
+        return m_runner->running()
+                   ? tr("Of the inputs before the last edit; those of now are being searched.")
+                   : tr("Of the inputs before the last edit. Press “Search” for those of now.");
     }
     if (!m_search->ran()) {
         return OptimiseText::fault(*m_search);
@@ -349,7 +415,17 @@ QString OptimiseView::remark() const {
     return OptimiseText::answer(*m_search, before_s());
 }
 
+const Project* OptimiseView::shownProject() const {
+    if (showsGrid()) {
+        return m_grid->outcome() ? &m_grid->outcome()->project : nullptr;
+    }
+    return PlotView::shownProject();
+}
+
 QStringList OptimiseView::subheading() const {
+    if (showsGrid()) {
+        return QStringList{tr("Dynamic programming")} + m_gridBar->remark().split(u'\n');
+    }
     return &front() == m_curves ? QStringList(m_zone->currentText()) : QStringList();
 }
 
@@ -358,13 +434,16 @@ void OptimiseView::nameParts() {
                tr("Values under the mouse"));
     m_curves->setAccessibleName(tr("Feeds and radii of your cycle and of the one found"));
     m_times->setAccessibleName(tr("Machining time over the number of stages"));
+    m_grid->setAccessibleName(tr("Grid of dynamic programming"));
     m_bar->state()->setAccessibleName(tr("Size of the grid"));
     m_bar->progress()->setAccessibleName(tr("Progress of the search"));
     m_table->setAccessibleName(tr("The best cycles found"));
-    fillChoice(*content(), {tr("Before and after"), tr("Time by stages")});
+    fillChoice(*content(),
+               {tr("Before and after"), tr("Time by stages"), tr("Dynamic programming")});
     tell(*content(), tr("What is shown of the search"));
     tell(*m_zone, tr("Zone or section of the curves"));
     nameButtons();
+    m_gridBar->retranslate();
     m_found->retranslate();
     m_table->retranslate();
     fillZones();

@@ -21,12 +21,14 @@ class CopyTable;
 class FoundModel;
 class RunBar;
 class StageCountPlot;
+class StateGridBar;
+class StateGridPlot;
 
 /// The view "Optimise": searches the grid of the project for the quickest cycle that holds every
 /// requirement. The best cycles as they were found; the one chosen beside the present cycle, or
 /// the one that it took the place of, curve by curve; the time over the number of stages; what
 /// keeps it from being quicker. A cycle is taken by one edit. Results of other inputs are drawn
-/// faint.
+/// faint. Or, instead of a search, the grid of dynamic programming as the published rule fills it.
 class OptimiseView : public PlotView {
     Q_OBJECT
 public:
@@ -34,14 +36,14 @@ public:
 
     [[nodiscard]] ComparePlot* curves() const { return m_curves; }
     [[nodiscard]] StageCountPlot* times() const { return m_times; }
+    [[nodiscard]] StateGridPlot* stateGrid() const { return m_grid; }
     [[nodiscard]] const SearchOutcomePtr& search() const { return m_search; }
     /// The time of the cycle that is compared with, if it ends by itself.
     [[nodiscard]] std::optional<double> before_s() const;
-    [[nodiscard]] bool busy() const override { return m_runner->running(); }
+    [[nodiscard]] bool busy() const override;
     [[nodiscard]] bool stale() const { return m_stale; } ///< what is shown is of other inputs
 
     [[nodiscard]] QString title() const override;
-    [[nodiscard]] QString brief() const override;
     void forget() override;
 
 signals:
@@ -61,12 +63,17 @@ protected:
     [[nodiscard]] QString keptText() const override;
     [[nodiscard]] QString remark() const override;
     [[nodiscard]] QStringList subheading() const override;
+    [[nodiscard]] const Project* shownProject() const override;
 
 private:
     CopyTable* buildTable();
     void connectParts();
     void nameButtons();
 
+    [[nodiscard]] bool showsGrid() const; ///< of states, else of the search
+    void followGrid();                    ///< where it is shown
+    void takeGrid();
+    void moveGrid(int moment);
     void chooseContent();
     void chooseZone();
     void fillZones();
@@ -88,6 +95,8 @@ private:
 
     ComparePlot* m_curves;
     StageCountPlot* m_times;
+    StateGridPlot* m_grid;
+    StateGridBar* m_gridBar;
     QSplitter* m_splitter;
     FoundModel* m_found;
     CopyTable* m_table = nullptr;

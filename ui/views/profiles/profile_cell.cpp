@@ -3,6 +3,7 @@
 
 #include "ui/plot/view_plot.h"
 #include "ui/views/profiles/profiles_layers.h"
+#include "ui/views/profiles/shown_zone.h"
 
 #include <algorithm>
 
@@ -11,7 +12,7 @@ namespace sparkout {
 namespace {
 
 constexpr int leastCirclePoints = 180;
-constexpr int mostMarkers = 36; ///< more radii are not marked one by one
+constexpr std::size_t mostMarkers = 36; ///< more radii are not marked one by one
 constexpr double markSize_px = 8;
 constexpr int tallest = 100'000;
 
@@ -81,8 +82,8 @@ void ProfileCell::fill(const ProfileSeries& series, const Profile& profile, cons
     m_grid->setScale(scale, reach);
     m_profile->data()->set(toData(closedLine(profile.radii_mm, scale)), true);
     m_blank->data()->set(toData(closedLine(series.blank_mm, scale)), true);
-    fillCircles(series.radii(), profile, scale, hidden, circles);
-    const bool marked = series.radii() <= mostMarkers;
+    fillCircles(profile, scale, hidden, circles);
+    const bool marked = profile.radii_mm.size() <= mostMarkers;
     m_profile->setScatterStyle(marked ? QCPScatterStyle(QCPScatterStyle::ssDisc, 4)
                                       : QCPScatterStyle());
     m_blank->setScatterStyle(marked ? QCPScatterStyle(QCPScatterStyle::ssCross, 4)
@@ -96,33 +97,52 @@ void ProfileCell::fill(const ProfileSeries& series, const Profile& profile, cons
     m_blank->setVisible(!hidden.contains(ProfileLine::blank));
 }
 
+void ProfileCell::leaveOutBlank() const {
+    m_blank->setVisible(false);
+}
+
 /// The circles go through the angles of the samples, so that they are seen to touch.
-void ProfileCell::fillCircles(int radii, const Profile& profile, const PolarScale& scale,
+void ProfileCell::fillCircles(const Profile& profile, const PolarScale& scale,
                               const ProfileLines& hidden, ReferenceCircles circles) {
+    const int radii = static_cast<int>(profile.radii_mm.size());
     const int points = radii * std::max(leastCirclePoints / radii, 1);
-    const RoundnessZone &square = profile.leastSquares, &zone = profile.minimumZone;
     const auto line = [&](const RoundnessZone& about, double radius) {
         return toData(circleLine({about.x_mm, about.y_mm, radius}, scale, points));
     };
-    m_leastSquares->data()->set(line(square, square.reference_mm), true);
-    m_inner->data()->set(line(zone, zone.inner_mm), true);
-    m_outer->data()->set(line(zone, zone.outer_mm), true);
+    const RoundnessZone* const zone = shownZone(profile, circles);
+    const bool squares = circles == ReferenceCircles::leastSquares;
+    const auto shown = lineOf(circles);
+    const bool sees = zone && shown && !hidden.contains(*shown);
+    m_leastSquares->data()->set(line(profile.leastSquares, profile.leastSquares.reference_mm),
+                                true);
     std::vector<ProfilePoint> touching;
-    const std::vector<ProfilePoint> samples = closedLine(profile.radii_mm, scale);
-    for (const std::size_t k : zone.contacts) {
-        touching.push_back(samples[k]);
+    if (zone) {
+        m_inner->data()->set(line(*zone, zone->inner_mm), true);
+        m_outer->data()->set(line(*zone, zone->outer_mm), true);
+        m_centre->data()->set(toData({centrePoint(*zone, scale)}), true);
+    }
+    if (circles == ReferenceCircles::minimumZone) {
+        const std::vector<ProfilePoint> samples = closedLine(profile.radii_mm, scale);
+        for (const std::size_t k : profile.minimumZone.contacts) {
+            touching.push_back(samples[k]);
+        }
     }
     m_contacts->data()->set(toData(touching), true);
-    const bool zones = circles == ReferenceCircles::minimumZone;
-    const bool squares = circles == ReferenceCircles::leastSquares;
-    m_centre->data()->set(toData({centrePoint(zones ? zone : square, scale)}), true);
-    const bool seesZone = zones && !hidden.contains(ProfileLine::minimumZone);
-    for (QCPCurve* curve : {m_inner, m_outer, m_contacts}) {
-        curve->setVisible(seesZone);
-    }
-    const bool seesSquare = squares && !hidden.contains(ProfileLine::leastSquares);
-    m_leastSquares->setVisible(seesSquare);
-    m_centre->setVisible(seesZone || seesSquare);
+    m_inner->setVisible(sees && !squares);
+    m_outer->setVisible(sees && !squares);
+    m_contacts->setVisible(sees && circles == ReferenceCircles::minimumZone);
+    m_leastSquares->setVisible(sees && squares);
+    m_centre->setVisible(sees);
+    m_circles = circles;
+    setCirclePens();
+}
+
+/// Of a circle that is held the other, which only bounds the profile, is dotted.
+void ProfileCell::setCirclePens() {
+    QPen bound = m_circlePen;
+    bound.setStyle(Qt::DotLine);
+    m_inner->setPen(m_circles == ReferenceCircles::circumscribed ? bound : m_circlePen);
+    m_outer->setPen(m_circles == ReferenceCircles::inscribed ? bound : m_circlePen);
 }
 
 void ProfileCell::restyle(const QFont& font, const QPalette& palette, bool dim) {
@@ -135,10 +155,9 @@ void ProfileCell::restyle(const QFont& font, const QPalette& palette, bool dim) 
     m_target->setPen(pen(ProfileLine::target));
     m_blank->setPen(pen(ProfileLine::blank));
     m_leastSquares->setPen(pen(ProfileLine::leastSquares));
-    const QPen circle = pen(ProfileLine::minimumZone);
-    m_inner->setPen(circle);
-    m_outer->setPen(circle);
-    const QPen mark(circle.color(), 1.6);
+    m_circlePen = pen(ProfileLine::minimumZone);
+    setCirclePens();
+    const QPen mark(m_circlePen.color(), 1.6);
     m_centre->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssPlus, mark, Qt::NoBrush, markSize_px));
     m_contacts->setScatterStyle(
@@ -146,12 +165,11 @@ void ProfileCell::restyle(const QFont& font, const QPalette& palette, bool dim) 
     m_profile->setPen(pen(ProfileLine::profile));
 }
 
-void ProfileCell::point(const ProfileSeries& series, const Profile& profile,
-                        const PolarScale& scale, int k) {
+void ProfileCell::point(const Profile& profile, const PolarScale& scale, int k) {
     const auto here = static_cast<std::size_t>(k);
     const std::size_t across = (here + profile.radii_mm.size() / 2) % profile.radii_mm.size();
-    m_pointer->point(angleOf(k, series.radii()), scale.at(profile.radii_mm[here]),
-                     scale.at(profile.radii_mm[across]));
+    m_pointer->point(angleOf(k, static_cast<int>(profile.radii_mm.size())),
+                     scale.at(profile.radii_mm[here]), scale.at(profile.radii_mm[across]));
 }
 
 } // namespace sparkout

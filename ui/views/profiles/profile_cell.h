@@ -6,6 +6,7 @@
 
 #include <QFont>
 #include <QPalette>
+#include <QPen>
 
 class QCPAxisRect;
 class QCPCurve;
@@ -29,8 +30,9 @@ public:
     /// Draws a profile within so far from the centre.
     void fill(const ProfileSeries& series, const Profile& profile, const PolarScale& scale,
               double reach, const ProfileLines& hidden, ReferenceCircles circles);
+    void leaveOutBlank() const; ///< of a profile that was measured
     void restyle(const QFont& font, const QPalette& palette, bool dim);
-    void point(const ProfileSeries& series, const Profile& profile, const PolarScale& scale, int k);
+    void point(const Profile& profile, const PolarScale& scale, int k);
     void removeLayers(); ///< what is no plottable and in no layout
 
     [[nodiscard]] QCPTextElement* header() const { return m_header; }
@@ -50,8 +52,9 @@ public:
 
 private:
     void arrange(QCPLayoutGrid& into, bool numbersBeside) const;
-    void fillCircles(int radii, const Profile& profile, const PolarScale& scale,
-                     const ProfileLines& hidden, ReferenceCircles circles);
+    void fillCircles(const Profile& profile, const PolarScale& scale, const ProfileLines& hidden,
+                     ReferenceCircles circles);
+    void setCirclePens();
 
     QCPTextElement* m_header;
     QCPTextElement* m_numbers;
@@ -62,11 +65,13 @@ private:
     PolarPointer* m_pointer;
     QCPCurve* m_blank;
     QCPCurve* m_leastSquares;
-    QCPCurve* m_inner; ///< circles of the minimum zone
+    QCPCurve* m_inner; ///< circles of the minimum zone, or of those that are held
     QCPCurve* m_outer;
     QCPCurve* m_centre; ///< of the circles shown
     QCPCurve* m_profile;
     QCPCurve* m_contacts; ///< where the minimum zone touches
+    QPen m_circlePen;
+    ReferenceCircles m_circles = ReferenceCircles::none;
 };
 
 } // namespace sparkout

@@ -7,9 +7,11 @@
 #include "ui/views/profiles/profiles_layers.h"
 #include "ui/views/profiles/profiles_table.h"
 #include "ui/views/profiles/profiles_text.h"
+#include "ui/views/profiles/shown_zone.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sparkout {
 
@@ -38,10 +40,10 @@ ProfilesPlot::ProfilesPlot(QWidget* parent) : FramedPlot(parent) {
 }
 
 void ProfilesPlot::setSeries(ProfileSeries series, std::vector<int> shown) {
-    const bool sameCells = shown.size() == m_cells.size() && !m_cells.empty();
     m_series = std::move(series);
     m_shown = std::move(shown);
-    addZones();
+    const bool sameCells = cellCount() == m_cells.size() && !m_cells.empty();
+    draw();
     if (!sameCells || arrangement() != m_arrangement) {
         showAll();
         rebuild();
@@ -63,15 +65,46 @@ void ProfilesPlot::setMagnification(std::optional<double> wanted) {
 
 void ProfilesPlot::setCircles(ReferenceCircles circles) {
     m_circles = circles;
-    addZones();
+    draw();
     showAll();
     rebuild(); // the numbers may take a line more
 }
 
-void ProfilesPlot::addZones() {
-    if (m_circles == ReferenceCircles::minimumZone) {
-        addMinimumZones(m_series, m_shown);
+void ProfilesPlot::setFilter(std::optional<int> cutoff_upr) {
+    m_cutoff_upr = cutoff_upr;
+    draw();
+    fit();
+}
+
+void ProfilesPlot::setMeasured(std::optional<MeasuredSection> measured) {
+    m_measured = std::move(measured);
+    draw();
+    showAll();
+    rebuild();
+}
+
+void ProfilesPlot::draw() {
+    m_drawn.clear();
+    for (const int index : m_shown) {
+        m_drawn.push_back(shownProfile(m_series.profiles[static_cast<std::size_t>(index)],
+                                       m_circles, m_cutoff_upr));
     }
+    if (m_measured && !m_shown.empty()) {
+        m_drawn.push_back(
+            shownProfile(measuredProfile(m_series, m_measured->radii_mm), m_circles, m_cutoff_upr));
+    }
+}
+
+Reach ProfilesPlot::reach() const {
+    Reach reach = reachOf(m_series, m_shown, m_reference, visible(ProfileLine::blank));
+    if (cellCount() > m_shown.size()) {
+        const Profile& measured = m_drawn.back();
+        const PolarScale scale = polarScale(m_series, measured, m_reference, 1);
+        for (const double radius : measured.radii_mm) {
+            reach.include(radius - scale.reference_mm);
+        }
+    }
+    return reach;
 }
 
 void ProfilesPlot::fit() {
@@ -87,7 +120,7 @@ ProfilesPlot::Arrangement ProfilesPlot::arrangement() const {
     const QFontMetrics metrics(font());
     const int line = metrics.height();
     const int beside = metrics.averageCharWidth() * besideLetters;
-    const int count = std::max(static_cast<int>(m_shown.size()), 1);
+    const int count = std::max(static_cast<int>(cellCount()), 1);
     const int lines = numberLines + (m_circles == ReferenceCircles::none ? 0 : 1);
     Arrangement best;
     int largest = 0;
@@ -130,7 +163,7 @@ void ProfilesPlot::rebuild() {
     cells->setColumnSpacing(0);
     plotLayout()->setRowSpacing(0);
     plotLayout()->addElement(0, 0, cells);
-    for (std::size_t i = 0; i < m_shown.size(); ++i) {
+    for (std::size_t i = 0; i < cellCount(); ++i) {
         auto* grid = new QCPLayoutGrid;
         grid->setRowSpacing(0);
         grid->setColumnSpacing(0);
@@ -153,22 +186,21 @@ void ProfilesPlot::buildCell(QCPLayoutGrid& into) {
 // --- contents -----------------------------------------------------------------------------------
 
 std::vector<double> ProfilesPlot::magnifications() const {
-    const Reach reach = reachOf(m_series, m_shown, m_reference, visible(ProfileLine::blank));
-    return possibleMagnifications(reach, m_series.target_mm);
+    return possibleMagnifications(reach(), m_series.target_mm);
 }
 
 void ProfilesPlot::chooseMagnification() {
-    Reach reach = reachOf(m_series, m_shown, m_reference, visible(ProfileLine::blank));
+    Reach all = reach();
     if (m_wanted) {
         m_magnification =
-            std::min(*m_wanted, possibleMagnifications(reach, m_series.target_mm).back());
+            std::min(*m_wanted, possibleMagnifications(all, m_series.target_mm).back());
         return;
     }
     if (m_reference == RadiusReference::target && visible(ProfileLine::field)) {
-        reach.include(m_series.lowerLimit_mm - m_series.target_mm);
-        reach.include(m_series.upperLimit_mm - m_series.target_mm);
+        all.include(m_series.lowerLimit_mm - m_series.target_mm);
+        all.include(m_series.upperLimit_mm - m_series.target_mm);
     }
-    m_magnification = suitableMagnification(reach, m_series.target_mm);
+    m_magnification = suitableMagnification(all, m_series.target_mm);
 }
 
 void ProfilesPlot::fill() {
@@ -177,8 +209,7 @@ void ProfilesPlot::fill() {
     }
     chooseMagnification();
     const double base = m_series.target_mm;
-    const Reach reach = reachOf(m_series, m_shown, m_reference, visible(ProfileLine::blank));
-    m_reach = std::max(base * leastReach, base + m_magnification * reach.outward_mm);
+    m_reach = std::max(base * leastReach, base + m_magnification * reach().outward_mm);
     for (std::size_t i = 0; i < m_cells.size() && visible(ProfileLine::field); ++i) {
         const PolarScale scale = polarScale(m_series, profile(i), m_reference, m_magnification);
         m_reach = std::max(m_reach, std::min(scale.at(m_series.upperLimit_mm), base * mostField));
@@ -188,6 +219,9 @@ void ProfilesPlot::fill() {
         m_cells[i].fill(m_series, profile(i),
                         polarScale(m_series, profile(i), m_reference, m_magnification), m_reach,
                         hidden(), m_circles);
+        if (isMeasured(i)) {
+            m_cells[i].leaveOutBlank();
+        }
     }
     if (m_pointedRadius >= 0) {
         pointAt(m_pointedCell, m_pointedRadius);
@@ -200,7 +234,9 @@ QCPCurve* ProfilesPlot::curve(int index, ProfileLine line) const {
     case ProfileLine::profile: return cell.profile();
     case ProfileLine::blank: return cell.blank();
     case ProfileLine::leastSquares: return cell.leastSquares();
+    case ProfileLine::circumscribed:
     case ProfileLine::minimumZone: return cell.outerCircle();
+    case ProfileLine::inscribed: return cell.innerCircle();
     default: return nullptr;
     }
 }
@@ -211,24 +247,17 @@ QString ProfilesPlot::numbers(int index) const {
 
 std::vector<ProfileLine> ProfilesPlot::lines() const {
     using enum ProfileLine;
-    switch (m_circles) {
-    case ReferenceCircles::leastSquares: return {profile, target, leastSquares, field, blank};
-    case ReferenceCircles::minimumZone: return {profile, target, minimumZone, field, blank};
-    case ReferenceCircles::none: break;
-    }
-    return {profile, target, field, blank};
+    const auto circle = lineOf(m_circles);
+    return circle ? std::vector{profile, target, *circle, field, blank}
+                  : std::vector{profile, target, field, blank};
 }
 
-/// Without the circles that were not chosen.
 CsvTable ProfilesPlot::table() const {
-    ProfileLines without = hidden();
-    if (m_circles != ReferenceCircles::leastSquares) {
-        without.insert(ProfileLine::leastSquares);
+    QStringList names;
+    for (std::size_t i = 0; i < m_drawn.size(); ++i) {
+        names << nameOf(i);
     }
-    if (m_circles != ReferenceCircles::minimumZone) {
-        without.insert(ProfileLine::minimumZone);
-    }
-    return ProfilesTable::across(m_series, m_shown, without);
+    return ProfilesTable::across(m_series, m_drawn, names, m_circles, hidden());
 }
 
 // --- one scale for all --------------------------------------------------------------------------
@@ -271,14 +300,20 @@ void ProfilesPlot::pointAt(int cell, int k) {
     const int radii = m_series.radii();
     m_pointedCell = std::clamp(cell, 0, static_cast<int>(m_cells.size()) - 1);
     m_pointedRadius = (k % radii + radii) % radii;
+    const auto radiusIn = [&](const Profile& p) { // at the same angle
+        const auto own = static_cast<int>(p.radii_mm.size());
+        return own == radii ? m_pointedRadius : nearestRadius(angleOf(m_pointedRadius, radii), own);
+    };
     for (std::size_t i = 0; i < m_cells.size(); ++i) {
         const Profile& p = profile(i);
         const PolarScale scale = polarScale(m_series, p, m_reference, m_magnification);
-        m_cells[i].point(m_series, p, scale, m_pointedRadius);
+        m_cells[i].point(p, scale, radiusIn(p));
     }
     layer(QStringLiteral("overlay"))->replot();
-    emit pointed(ProfilesText::sample(m_series, profile(static_cast<std::size_t>(m_pointedCell)),
-                                      m_pointedRadius, visible(ProfileLine::blank)));
+    const auto pointedAt = static_cast<std::size_t>(m_pointedCell);
+    const Profile& p = profile(pointedAt);
+    emit pointed(ProfilesText::sample(m_series, p, nameOf(pointedAt), radiusIn(p),
+                                      visible(ProfileLine::blank) && !isMeasured(pointedAt)));
 }
 
 void ProfilesPlot::pointAway() {
@@ -321,26 +356,26 @@ void ProfilesPlot::setTexts() {
         m_arrangement.beside ? metrics.averageCharWidth() * besideLetters : room;
     bool brief = false; // all alike
     for (std::size_t i = 0; i < m_cells.size(); ++i) {
-        brief = brief || widthOf(numbersOf(profile(i), false), metrics) > numbersRoom;
+        brief = brief || widthOf(numbersOf(i, false), metrics) > numbersRoom;
     }
     int widest = 1;
     for (std::size_t i = 0; i < m_cells.size(); ++i) {
-        widest = std::max(widest, widthOf(numbersOf(profile(i), brief), metrics));
+        widest = std::max(widest, widthOf(numbersOf(i, brief), metrics));
     }
     const QFont own =
         widest > numbersRoom ? enlarged(font(), double(numbersRoom) / widest) : font();
     for (std::size_t i = 0; i < m_cells.size(); ++i) {
-        const Profile& p = profile(i);
         const ProfileCell& cell = m_cells[i];
-        cell.header()->setText(headerOf(p, room));
+        cell.header()->setText(headerOf(i, room));
         cell.numbers()->setFont(own);
-        cell.numbers()->setText(numbersOf(p, brief));
-        const QString name = Names::zone(p.zone, p.section);
+        cell.numbers()->setText(numbersOf(i, brief));
+        const QString name = nameOf(i);
         cell.profile()->setName(tr("%1: profile").arg(name));
         cell.blank()->setName(tr("%1: blank").arg(name));
         cell.leastSquares()->setName(tr("%1: least-squares circle").arg(name));
-        cell.innerCircle()->setName(tr("%1: inner circle of the minimum zone").arg(name));
-        cell.outerCircle()->setName(tr("%1: outer circle of the minimum zone").arg(name));
+        const auto [inner, outer] = circleNames();
+        cell.innerCircle()->setName(inner.arg(name));
+        cell.outerCircle()->setName(outer.arg(name));
     }
     if (m_caption) {
         QString text = caption();
@@ -356,29 +391,57 @@ void ProfilesPlot::setTexts() {
     }
 }
 
-QString ProfilesPlot::numbersOf(const Profile& p, bool brief) const {
-    const QString numbers = ProfilesText::numbers(m_series, p, brief);
-    switch (m_series.isWhole ? m_circles : ReferenceCircles::none) {
-    case ReferenceCircles::leastSquares:
-        return numbers + u'\n' + ProfilesText::roundness(p.leastSquares, brief);
-    case ReferenceCircles::minimumZone:
-        return numbers + u'\n' + ProfilesText::roundness(p.minimumZone, brief);
-    case ReferenceCircles::none: break;
+/// Of the inner and the outer circle.
+std::pair<QString, QString> ProfilesPlot::circleNames() const {
+    switch (m_circles) {
+    case ReferenceCircles::inscribed:
+        return {tr("%1: maximum inscribed circle"), tr("%1: circle about its centre, outside")};
+    case ReferenceCircles::circumscribed:
+        return {tr("%1: circle about its centre, inside"), tr("%1: minimum circumscribed circle")};
+    default:
+        return {tr("%1: inner circle of the minimum zone"),
+                tr("%1: outer circle of the minimum zone")};
     }
-    return numbers;
+}
+
+QString ProfilesPlot::nameOf(std::size_t cell) const {
+    const Profile& p = profile(cell);
+    return isMeasured(cell) ? tr("Measured") : Names::zone(p.zone, p.section);
+}
+
+QString ProfilesPlot::numbersOf(std::size_t cell, bool brief) const {
+    const Profile& p = profile(cell);
+    const QString numbers =
+        isMeasured(cell) ? ProfilesText::measured(p) : ProfilesText::numbers(m_series, p, brief);
+    if (m_circles == ReferenceCircles::none || !m_series.isWhole) {
+        return numbers;
+    }
+    const RoundnessZone* const zone = shownZone(p, m_circles);
+    return numbers + u'\n'
+           + (zone ? ProfilesText::roundness(*zone, brief) : tr("no circle is held"));
+}
+
+QString ProfilesPlot::describeMeasured() const {
+    return m_measured && !m_drawn.empty()
+               ? tr("Measured profile %1: %2")
+                     .arg(m_measured->name,
+                          numbersOf(m_drawn.size() - 1, false).replace(u'\n', QStringLiteral("; ")))
+               : QString();
 }
 
 /// The longest of the names that fits.
-QString ProfilesPlot::headerOf(const Profile& p, int room) const {
-    const QString full = Names::zoneFull(p.zone, p.section);
+QString ProfilesPlot::headerOf(std::size_t cell, int room) const {
+    const Profile& p = profile(cell);
+    const QString full = isMeasured(cell) ? tr("Measured: %1").arg(m_measured->name)
+                                          : Names::zoneFull(p.zone, p.section);
     const QFontMetrics metrics(font());
-    const QString withGauge = p.gauge ? tr("%1 (gauge)").arg(full) : full;
+    const QString withGauge = p.gauge && !isMeasured(cell) ? tr("%1 (gauge)").arg(full) : full;
     for (const QString& name : {withGauge, full}) {
         if (metrics.horizontalAdvance(name) <= room) {
             return name;
         }
     }
-    return Names::zone(p.zone, p.section);
+    return nameOf(cell);
 }
 
 QString ProfilesPlot::caption() const {
@@ -387,7 +450,9 @@ QString ProfilesPlot::caption() const {
         m_reference == RadiusReference::target
             ? tr("Deviations from the target radius drawn %1, scale in µm").arg(times)
             : tr("Deviations from each one's mean radius drawn %1, scale in µm").arg(times);
-    return tr("%1; straight lines between the %2 radii").arg(scale).arg(m_series.radii());
+    const QString text =
+        tr("%1; straight lines between the %2 radii").arg(scale).arg(m_series.radii());
+    return m_cutoff_upr ? text + QStringLiteral("; ") + ProfilesText::filter(m_cutoff_upr) : text;
 }
 
 void ProfilesPlot::takeLook(bool font) {

@@ -3,9 +3,11 @@
 
 #include "ui/charts/magnified_profile.h"
 #include "ui/views/profiles/framed_plot.h"
+#include "ui/views/profiles/measured_section.h"
 #include "ui/views/profiles/profile_cell.h"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace sparkout {
@@ -22,6 +24,9 @@ public:
     void setReference(RadiusReference reference);
     void setMagnification(std::optional<double> wanted); ///< none: chosen by the program
     void setCircles(ReferenceCircles circles);
+    void setFilter(std::optional<int> cutoff_upr); ///< before the circles are fitted
+    /// A profile that was measured, in a cell of its own behind the others; none: no more.
+    void setMeasured(std::optional<MeasuredSection> measured);
     void fit() override; ///< all of the cells
     /// With names, numbers in three lines and the caption in two.
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeFor(126, 6); }
@@ -42,6 +47,12 @@ public:
     [[nodiscard]] QCPCurve* centreMark(int index) const { return at(index).centreMark(); }
     [[nodiscard]] QCPCurve* contacts(int index) const { return at(index).contacts(); }
     [[nodiscard]] ReferenceCircles circles() const { return m_circles; }
+    [[nodiscard]] const std::optional<MeasuredSection>& measured() const { return m_measured; }
+    /// As it is drawn: filtered, with the circles chosen.
+    [[nodiscard]] const Profile& drawn(int index) const {
+        return m_drawn.at(static_cast<std::size_t>(index));
+    }
+    [[nodiscard]] QString describeMeasured() const; ///< empty: there is none
     [[nodiscard]] PolarRing* field(int index) const { return at(index).field(); }
     [[nodiscard]] PolarCircle* target(int index) const { return at(index).target(); }
     [[nodiscard]] PolarGrid* grid(int index) const { return at(index).grid(); }
@@ -68,23 +79,30 @@ private:
     [[nodiscard]] const ProfileCell& at(int index) const {
         return m_cells.at(static_cast<std::size_t>(index));
     }
-    [[nodiscard]] const Profile& profile(std::size_t cell) const {
-        return m_series.profiles[static_cast<std::size_t>(m_shown[cell])];
+    [[nodiscard]] const Profile& profile(std::size_t cell) const { return m_drawn[cell]; }
+    [[nodiscard]] bool isMeasured(std::size_t cell) const { return cell >= m_shown.size(); }
+    [[nodiscard]] std::size_t cellCount() const {
+        return m_shown.empty() ? 0 : m_shown.size() + (m_measured ? 1 : 0);
     }
+    [[nodiscard]] QString nameOf(std::size_t cell) const;
+    [[nodiscard]] std::pair<QString, QString> circleNames() const;
+    [[nodiscard]] Reach reach() const;
     [[nodiscard]] Arrangement arrangement() const;
     void rebuild();
     void clearCells();
     void buildCell(QCPLayoutGrid& into);
-    void addZones(); ///< where they are shown
+    void draw(); ///< the profiles as they are shown
     void chooseMagnification();
     void fill();
-    [[nodiscard]] QString numbersOf(const Profile& p, bool brief) const;
-    [[nodiscard]] QString headerOf(const Profile& p, int room) const;
+    [[nodiscard]] QString numbersOf(std::size_t cell, bool brief) const;
+    [[nodiscard]] QString headerOf(std::size_t cell, int room) const;
     void keepScales();
     void pointAt(int cell, int k);
 
     ProfileSeries m_series;
     std::vector<int> m_shown;
+    std::optional<MeasuredSection> m_measured;
+    std::vector<Profile> m_drawn; ///< cell by cell
     std::vector<ProfileCell> m_cells;
     QCPTextElement* m_caption = nullptr;
     Arrangement m_arrangement;
@@ -93,6 +111,7 @@ private:
     double m_magnification = 1;
     double m_reach = 1; ///< radius of the drawing
     ReferenceCircles m_circles = ReferenceCircles::leastSquares;
+    std::optional<int> m_cutoff_upr;
     int m_pointedCell = 0;
     int m_pointedRadius = -1;
 };

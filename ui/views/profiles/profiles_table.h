@@ -6,6 +6,7 @@
 #include "ui/tables/csv_table.h"
 
 #include <QCoreApplication>
+#include <QStringList>
 
 #include <vector>
 
@@ -15,12 +16,17 @@ namespace sparkout {
 class ProfilesTable {
     Q_DECLARE_TR_FUNCTIONS(ProfilesTable)
 public:
-    /// A row per angle, columns per shown profile: deviations from the target radius, unmagnified.
-    static CsvTable across(const ProfileSeries& series, const std::vector<int>& shown,
+    /// A row per angle, columns per profile drawn, as it is named: deviations from the target
+    /// radius, unmagnified. A measured profile of other angles has a column of its own for them.
+    static CsvTable across(const ProfileSeries& series, const std::vector<Profile>& drawn,
+                           const QStringList& names, ReferenceCircles circles,
                            const ProfileLines& hidden);
     /// A row per zone or section, from the headstock end on or as the zones are numbered.
     static CsvTable along(const ProfileSeries& series, LengthQuantity quantity,
                           const ProfileLines& hidden);
+
+private:
+    static QStringList circleNames(ReferenceCircles circles);
 };
 
 } // namespace sparkout

@@ -66,31 +66,36 @@ QString ProfilesText::roundness(const RoundnessZone& zone, bool brief) {
         .arg(deviation, eccentricity);
 }
 
-QString ProfilesText::sample(const ProfileSeries& series, const Profile& profile, int k,
-                             bool withBlank) {
-    const double angle = k * 360.0 / series.radii();
+QString ProfilesText::measured(const Profile& profile) {
+    return tr("Measured radii: %1").arg(profile.radii_mm.size());
+}
+
+QString ProfilesText::filter(std::optional<int> cutoff_upr) {
+    return cutoff_upr ? tr("Gaussian filter %1 UPR").arg(*cutoff_upr) : tr("not filtered");
+}
+
+QString ProfilesText::sample(const ProfileSeries& series, const Profile& profile,
+                             const QString& name, int k, bool withBlank) {
+    const double angle = k * 360.0 / static_cast<double>(profile.radii_mm.size());
     const double radius = profile.radii_mm[static_cast<std::size_t>(k)];
     const double across = diameterAt(profile, k);
     if (std::isnan(radius)) {
         return tr("%1, φ = %2° (k = %3): in a gap of the surface")
-            .arg(Names::zone(profile.zone, profile.section), Names::fixed(angle, 1),
-                 QString::number(k));
+            .arg(name, Names::fixed(angle, 1), QString::number(k));
     }
     if (std::isnan(across)) {
         const QString text =
             tr("%1, φ = %2° (k = %3): radius %4 µm from target, %5 µm from its "
                "mean; opposite a gap")
-                .arg(Names::zone(profile.zone, profile.section), Names::fixed(angle, 1),
-                     QString::number(k), signedUm(radius - series.target_mm),
-                     signedUm(radius - profile.mean_mm));
+                .arg(name, Names::fixed(angle, 1), QString::number(k),
+                     signedUm(radius - series.target_mm), signedUm(radius - profile.mean_mm));
         return withBlank ? text + blankText(series, k) : text;
     }
     QString text = tr("%1, φ = %2° (k = %3): radius %4 µm from target, %5 µm from its mean; "
                       "diameter across %6 mm, %7 µm from nominal")
-                       .arg(Names::zone(profile.zone, profile.section), Names::fixed(angle, 1),
-                            QString::number(k), signedUm(radius - series.target_mm),
-                            signedUm(radius - profile.mean_mm), Names::fixed(across, 5),
-                            signedUm(across - series.nominal_mm));
+                       .arg(name, Names::fixed(angle, 1), QString::number(k),
+                            signedUm(radius - series.target_mm), signedUm(radius - profile.mean_mm),
+                            Names::fixed(across, 5), signedUm(across - series.nominal_mm));
     return withBlank ? text + blankText(series, k) : text;
 }
 

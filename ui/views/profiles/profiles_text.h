@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QString>
 
+#include <optional>
 #include <vector>
 
 namespace sparkout {
@@ -20,8 +21,11 @@ public:
     /// Roundness deviation and eccentricity about reference circles, one line.
     static QString roundness(const RoundnessZone& zone, bool brief);
     /// The sample at angle φ_k, and the diameter across it.
-    static QString sample(const ProfileSeries& series, const Profile& profile, int k,
-                          bool withBlank);
+    static QString sample(const ProfileSeries& series, const Profile& profile, const QString& name,
+                          int k, bool withBlank);
+    /// Of a profile that was measured: how many radii, one line.
+    static QString measured(const Profile& profile);
+    static QString filter(std::optional<int> cutoff_upr); ///< "Gaussian filter 50 UPR"
     /// The zone or section at a place along the axis.
     static QString stretch(const ProfileSeries& series, const Profile& profile, bool withBlank);
     static QString moment(const ProfileSeries& series); ///< "After double stroke 27 of 54"

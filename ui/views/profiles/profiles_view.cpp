@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/profiles/profiles_view.h"
 
+#include "core/form/roundness_readings.h"
+#include "core/project/part.h"
 #include "core/simulation/feed_series.h"
 #include "ui/kit/theme_icon.h"
 #include "ui/kit/tool_row.h"
@@ -14,9 +16,11 @@
 #include "ui/views/profiles/profiles_text.h"
 #include "ui/views/profiles/spectrum_plot.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QMenu>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -26,6 +30,8 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 
 namespace sparkout {
 
@@ -46,8 +52,8 @@ ProfilesView::ProfilesView(QWidget* parent, Settings* settings)
     QScrollArea* area = scrolled(*m_splitter);
     area->setObjectName(QStringLiteral("profilesArea"));
     hideUntilDrawn({strokeBar, area});
-    disableUntilDrawn(
-        {m_parts, m_section, m_magnification, m_reference, m_circles, m_blank, m_fit});
+    disableUntilDrawn({m_parts, m_section, m_magnification, m_reference, m_circles, m_filter,
+                       m_measured, m_blank, m_fit});
     addColumn({bar, strokeBar, notice(), legend(), area, strip(), values()}, area)->addStretch();
     nameTools();
     connectTools();
@@ -94,17 +100,26 @@ QWidget* ProfilesView::buildToolBar() {
     m_magnification = new QComboBox(bar);
     m_reference = new QComboBox(bar);
     m_circles = new QComboBox(bar);
+    m_filter = new QComboBox(bar);
+    m_measured = new QToolButton(bar);
+    auto* menu = new QMenu(m_measured);
+    m_readMeasured = menu->addAction(QString());
+    m_removeMeasured = menu->addAction(QString());
+    m_removeMeasured->setEnabled(false);
+    m_measured->setMenu(menu);
+    m_measured->setPopupMode(QToolButton::InstantPopup);
     m_fit = new QToolButton(bar);
     m_alone->setCheckable(true);
     m_fit->setIcon(themeIcon(u"fit"));
     m_fit->setAutoRaise(true);
-    for (QToolButton* button : {m_alone, m_fit}) {
+    for (QToolButton* button : {m_alone, m_measured, m_fit}) {
         button->setFocusPolicy(Qt::TabFocus);
     }
     addBoxes(*row, {m_parts, m_section});
     row->addWidget(m_alone);
     row->addStretch();
-    addBoxes(*row, {m_circles, m_reference, m_magnification});
+    row->addWidget(m_measured);
+    addBoxes(*row, {m_circles, m_filter, m_reference, m_magnification});
     row->addWidget(m_fit);
     m_acrossExport = m_across->tools()->exportButton(bar);
     row->addWidget(m_acrossExport);
@@ -157,6 +172,8 @@ void ProfilesView::nameTools() {
                  {m_blank, "blank"},
                  {m_reference, "reference"},
                  {m_circles, "circles"},
+                 {m_filter, "filter"},
+                 {m_measured, "measuredProfile"},
                  {m_logarithmic, "logarithmicSpectrum"},
                  {m_magnification, "magnification"},
                  {m_fit, "fit"},
@@ -185,12 +202,7 @@ void ProfilesView::connectTools() {
         showDescription();
         replotAll();
     });
-    connect(m_circles, &QComboBox::currentIndexChanged, this, [this](int index) {
-        m_across->setCircles(static_cast<ReferenceCircles>(index));
-        fillMagnifications();
-        showLegend();
-        replotAll();
-    });
+    connectCircles();
     connect(m_logarithmic, &QCheckBox::toggled, this, [this](bool on) {
         m_spectrum->setLogarithmic(on);
         m_spectrum->replot();
@@ -218,11 +230,49 @@ void ProfilesView::connectTools() {
     });
 }
 
+void ProfilesView::connectCircles() {
+    connect(m_circles, &QComboBox::currentIndexChanged, this, [this](int index) {
+        m_across->setCircles(static_cast<ReferenceCircles>(index));
+        fillMagnifications();
+        showLegend();
+        showDescription();
+        replotAll();
+    });
+    connect(m_filter, &QComboBox::currentIndexChanged, this, [this](int index) {
+        const auto chosen = static_cast<std::size_t>(index - 1);
+        m_across->setFilter(chosen < roundnessCutoffs_upr.size()
+                                ? std::optional(roundnessCutoffs_upr.at(chosen))
+                                : std::nullopt);
+        fillMagnifications();
+        showDescription();
+        replotAll();
+    });
+    connect(m_readMeasured, &QAction::triggered, this, [this] {
+        if (auto section = MeasuredSection::ask(
+                window(), good() ? good()->result.project.part->diameter_mm / 2 : 1)) {
+            showMeasured(std::move(section));
+        }
+    });
+    connect(m_removeMeasured, &QAction::triggered, this, [this] { showMeasured(std::nullopt); });
+}
+
+void ProfilesView::showMeasured(std::optional<MeasuredSection> measured) {
+    m_removeMeasured->setEnabled(measured.has_value());
+    m_across->setMeasured(std::move(measured));
+    fillMagnifications();
+    showDescription();
+    replotAll();
+}
+
 // --- what is shown ------------------------------------------------------------------------------
 
 void ProfilesView::takeOutcome(const OutcomePtr& before) {
     if (hasOtherPlaces(before)) {
         m_chosen.reset();
+    }
+    if (before
+        && before->result.project.part->diameter_mm != good()->result.project.part->diameter_mm) {
+        showMeasured(std::nullopt); // it was of another part
     }
     fillStrokes();
     fillSections();
@@ -308,8 +358,9 @@ bool ProfilesView::showsSpectrum() const {
 
 /// The tools of what is not in sight go with it.
 void ProfilesView::showParts() {
-    for (QWidget* w : std::initializer_list<QWidget*>{m_across, m_acrossExport, m_magnification,
-                                                      m_reference, m_circles}) {
+    for (QWidget* w :
+         std::initializer_list<QWidget*>{m_across, m_acrossExport, m_magnification, m_reference,
+                                         m_circles, m_filter, m_measured}) {
         w->setVisible(showsAcross());
     }
     for (QWidget* w : std::initializer_list<QWidget*>{m_along, m_alongExport, m_cursorsButton,
@@ -497,7 +548,9 @@ void ProfilesView::showLegend() {
 }
 
 void ProfilesView::showDescription() {
-    const QString text = ProfilesText::summary(m_across->series(), m_across->shown());
+    const QString measured = m_across->describeMeasured();
+    const QString text = ProfilesText::summary(m_across->series(), m_across->shown())
+                         + (measured.isEmpty() ? QString() : QStringLiteral(". ") + measured);
     setAccessibleDescription(text);
     m_across->setAccessibleDescription(text + QStringLiteral(". ") + m_across->caption());
     m_along->setAccessibleDescription(text);
@@ -520,7 +573,7 @@ void ProfilesView::nameParts() {
     m_spectrum->setAccessibleName(tr("Spectra of the cross-sections"));
     fillChoice(*m_parts, {tr("Sections and length"), tr("Sections only"), tr("Length only"),
                           tr("Sections and spectrum"), tr("Spectrum only")});
-    fillChoice(*m_circles, {tr("LSCI"), tr("MZCI"), tr("none")});
+    nameCircles();
     fillChoice(*m_reference, {tr("from target"), tr("from own mean")});
     fillChoice(*m_quantity, {tr("Radii"), tr("Diameters")});
     m_alone->setText(tr("Only this"));
@@ -534,8 +587,6 @@ void ProfilesView::nameParts() {
                               "×1 is the true shape"));
     tell(*m_reference, tr("Radius the deviations are counted from: the target shows size and "
                           "form, the own mean shows form alone"));
-    tell(*m_circles, tr("Reference circles of the roundness (ISO 12181): LSCI, the least-squares "
-                        "circle, or MZCI, the two circles of the minimum zone"));
     tell(*m_logarithmic, tr("Amplitudes on a logarithmic axis"));
     tell(*m_blank, tr("The profile before the first touch"));
     tell(*m_fit, tr("Show all in both plots; in one of them: Home, or a double click in it. "
@@ -554,6 +605,26 @@ void ProfilesView::nameParts() {
         showStroke();
         showDescription();
     }
+}
+
+void ProfilesView::nameCircles() {
+    fillChoice(*m_circles, {tr("LSCI"), tr("MZCI"), tr("MICI"), tr("MCCI"), tr("none")});
+    QStringList filters{ProfilesText::filter(std::nullopt)};
+    for (const int cutoff : roundnessCutoffs_upr) {
+        filters << tr("%1 UPR").arg(cutoff);
+    }
+    fillChoice(*m_filter, filters);
+    m_measured->setText(tr("Measured"));
+    m_readMeasured->setText(tr("&Read a measured profile…"));
+    m_removeMeasured->setText(tr("&Take it away"));
+    tell(*m_circles, tr("Reference circles of the roundness (ISO 12181): LSCI, the least-squares "
+                        "circle; MZCI, the two circles of the minimum zone; MICI, the maximum "
+                        "inscribed, or MCCI, the minimum circumscribed circle"));
+    tell(*m_filter,
+         tr("Gaussian filter of the cross-sections (ISO 16610-21): waves up to about "
+            "so many undulations per revolution stay, as roundness machines state them"));
+    tell(*m_measured, tr("A profile recorded by a roundness machine, beside the predicted ones: a "
+                         "table of the angle in ° and the radius in mm or its deviation in µm"));
 }
 
 QString ProfilesView::hint() const {

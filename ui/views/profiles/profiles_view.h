@@ -3,10 +3,12 @@
 
 #include "ui/charts/profiles_look.h"
 #include "ui/plot/plot_view.h"
+#include "ui/views/profiles/measured_section.h"
 
 #include <optional>
 #include <vector>
 
+class QAction;
 class QCheckBox;
 class QComboBox;
 class QLabel;
@@ -41,6 +43,8 @@ public:
     void setStroke(int number);
     [[nodiscard]] int stroke() const;
     void showSection(int section); ///< at the end of the cycle; below 0 all of them
+    /// Puts a profile that was measured beside the predicted ones; none: takes it away.
+    void showMeasured(std::optional<MeasuredSection> measured);
 
 protected:
     [[nodiscard]] QString hint() const override;
@@ -69,6 +73,8 @@ private:
     QWidget* buildStrokeBar();
     void nameTools();
     void connectTools();
+    void connectCircles();
+    void nameCircles();
     void showSeries();
     void showSpectrum();
     void showStroke();
@@ -100,6 +106,9 @@ private:
     QComboBox* m_magnification = nullptr;
     QComboBox* m_reference = nullptr;
     QComboBox* m_circles = nullptr;
+    QComboBox* m_filter = nullptr;
+    QToolButton* m_measured = nullptr;
+    QAction *m_readMeasured = nullptr, *m_removeMeasured = nullptr;
     QCheckBox* m_blank = nullptr;
     QToolButton* m_fit = nullptr;
     QLabel* m_strokeLabel = nullptr;

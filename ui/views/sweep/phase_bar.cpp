@@ -128,7 +128,7 @@ void PhaseBar::run() {
 }
 
 void PhaseBar::take(const PhaseOutcomePtr& phases) {
-    if (phases->decision.isDecided) {
+    if (phases->decision.isDecided || phases->decision.hasTooMany) {
         m_phases = phases;
         noteStale();
     }

@@ -8,6 +8,7 @@
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 
+#include <QLocale>
 #include <QStringList>
 
 #include <algorithm>
@@ -82,6 +83,10 @@ QString PhaseText::reason(RunStatus status, const std::optional<ConstraintResult
 }
 
 QString PhaseText::verdict(const PhaseDecision& decision) {
+    if (decision.hasTooMany) {
+        return tr("The range has more than %1 pieces: type a narrower one.")
+            .arg(QLocale().toString(qulonglong{mostDecidedPieces}));
+    }
     if (decision.holds()) {
         return tr("Holds for every stock per side from %1 to %2 mm.")
             .arg(millimetres(decision.range.from_mm), millimetres(decision.range.to_mm));
@@ -111,6 +116,9 @@ QString PhaseText::verdict(const PhaseDecision& decision) {
 }
 
 QString PhaseText::share(const Project& project, const PhaseDecision& decision) {
+    if (!decision.isDecided) {
+        return {};
+    }
     const std::vector<GivenFactor> factors = givenFactors(project);
     const auto stock = std::ranges::find(factors, FactorKind::stock, &GivenFactor::kind);
     if (stock == factors.end() || stock->isLaw()) {

@@ -2,8 +2,10 @@
 #include "ui/views/sweep/sweep_view.h"
 
 #include "core/format/project_file.h"
+#include "core/process/recipe_force.h"
 #include "core/project/number_input.h"
 #include "core/project/sweep.h"
+#include "core/project/wheel.h"
 #include "core/study/sweep_edits.h"
 #include "ui/kit/search_combo.h"
 #include "ui/kit/tool_row.h"
@@ -34,7 +36,6 @@ namespace sparkout {
 namespace {
 
 constexpr int valueLines = 3;
-constexpr const char* usualInput = "/wheel/dullness";
 constexpr std::size_t curvesPage = 0, mapPage = 1, phasesPage = 2;
 
 } // namespace
@@ -135,7 +136,14 @@ void SweepView::connectEdits() {
                         {"Edit", QT_TRANSLATE_NOOP("Edit", "Range of the sweep")});
                 });
     }
-    connect(m_add, &QPushButton::clicked, this, [choose] { choose(0, usualInput); });
+    connect(m_add, &QPushButton::clicked, this, [this] {
+        edit(
+            [](Project project) {
+                const char* const path = dullnessPath(*project.wheel);
+                return withSweptInput(std::move(project), 0, path);
+            },
+            {"Edit", QT_TRANSLATE_NOOP("Edit", "Input of the sweep")});
+    });
 }
 
 // --- choices ------------------------------------------------------------------------------------
@@ -270,8 +278,9 @@ void SweepView::takeSweep(const SweepOutcomePtr& outcome) {
 }
 
 void SweepView::takePhases() {
-    if (m_phases->phases() != m_phaseBar->phases()) {
-        m_phases->setPhases(m_phaseBar->phases());
+    const PhaseOutcomePtr& phases = m_phaseBar->phases();
+    if (m_phases->phases() != phases) {
+        m_phases->setPhases(phases && phases->decision.isDecided ? phases : nullptr);
     }
     showState();
     replotFront();
@@ -406,10 +415,6 @@ void SweepView::showState() {
 }
 
 // --- texts --------------------------------------------------------------------------------------
-
-QString SweepView::brief() const {
-    return tr("Sweep", "the view's tab");
-}
 
 QString SweepView::title() const {
     return tr("Sweep");

@@ -44,7 +44,6 @@ public:
     [[nodiscard]] bool stale() const { return m_stale; } ///< what is shown is of other inputs
 
     [[nodiscard]] QString title() const override;
-    [[nodiscard]] QString brief() const override;
     void forget() override;
 
 signals:

@@ -2,6 +2,7 @@
 #include "ui/window/dialogs/company_dialog.h"
 
 #include "core/files/safe_file.h"
+#include "ui/kit/file_dialog.h"
 #include "ui/kit/help_topic.h"
 #include "ui/report/card/logo.h"
 #include "ui/session/project_io.h"
@@ -10,7 +11,6 @@
 
 #include <QCoreApplication>
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -93,8 +93,8 @@ void CompanyDialog::addFields() {
 }
 
 void CompanyDialog::chooseLogo() {
-    const QString path = QFileDialog::getOpenFileName(
-        this, tr("Choose a logo"), m_settings.lastFolder(), tr("Pictures (*.png *.svg)"));
+    const QString path = FileDialog::openPath(this, tr("Choose a logo"), m_settings.lastFolder(),
+                                              tr("Pictures (*.png *.svg)"));
     if (!path.isEmpty()) {
         takeLogo(path);
     }

@@ -146,7 +146,7 @@ void TestMagnifiedProfile::aLobedSectionHasItsReferenceCircles() {
         project.part->lobes = lobes;
         project.part->radii_per_section = 60;
         ProfileSeries s = series(project, 0);
-        addMinimumZones(s, {0});
+        addMinimumZone(s.profiles[0]);
         const Profile& p = s.profiles[0];
         const double form = project.part->initial_runout_mm;
         QVERIFY(close(p.leastSquares.deviation(), form, 1e-9));

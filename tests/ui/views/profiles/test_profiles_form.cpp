@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Form in the view "Zone profiles": magnification, reference circles, spectrum.
+#include "core/form/gaussian_filter.h"
+#include "core/form/roundness_readings.h"
 #include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/ui/views/profiles/profiles_bench.h"
 #include "ui/plot/plot_tools.h"
+#include "ui/text/names.h"
+#include "ui/views/profiles/measured_section.h"
 #include "ui/views/profiles/spectrum_plot.h"
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFile>
 #include <QSignalSpy>
+#include <QTemporaryDir>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace test_profiles_form {
 
@@ -28,6 +38,9 @@ private slots:
     void theLeastSquaresCircleFollowsTheProfile();
     void theMinimumZoneTouchesInTurn();
     void theCirclesAreChosen();
+    void heldCirclesTouchAndAreStated();
+    void theFilterSmoothsWhatIsDrawnAndStated();
+    void aMeasuredProfileStandsBesideThePredicted();
     void aLobedBlankIsOneBar();
     void theSpectrumDecaysWithTheCycle();
     void barsThatOutgrowTheSpectrumBringItAlong();
@@ -158,7 +171,7 @@ void TestProfilesForm::theMinimumZoneTouchesInTurn() {
         view.setStroke(stroke);
         for (int cell = 0; cell < 2; ++cell) {
             const ProfilesPlot& plot = *view.across();
-            const Profile& p = plot.series().profiles[static_cast<std::size_t>(cell)];
+            const Profile& p = plot.drawn(cell);
             const auto line = plot.curve(cell, ProfileLine::profile)->data();
             const auto outer = plot.curve(cell, ProfileLine::minimumZone)->data();
             const auto inner = plot.innerCircle(cell)->data();
@@ -201,14 +214,109 @@ void TestProfilesForm::theCirclesAreChosen() {
     circles->setCurrentIndex(1);
     QVERIFY(!seen(ProfileLine::leastSquares) && seen(ProfileLine::minimumZone));
     QVERIFY(view.across()->numbers(0) != square);
-    const RoundnessZone& zone = view.across()->series().profiles[0].minimumZone;
+    const RoundnessZone& zone = view.across()->drawn(0).minimumZone;
     const double ron_um = std::round(zone.deviation() * 1e5) / 100;
     QVERIFY(view.across()->numbers(0).contains(QLocale().toString(ron_um, 'f', 2).chopped(1)));
     clickLegend(view, QStringLiteral("circles of the minimum zone"));
     QVERIFY(!seen(ProfileLine::minimumZone) && !view.across()->contacts(0)->visible());
-    circles->setCurrentIndex(2);
+    circles->setCurrentIndex(circles->count() - 1);
     QVERIFY(!seen(ProfileLine::leastSquares) && !seen(ProfileLine::minimumZone));
     QCOMPARE(lines(), 2);
+}
+
+void TestProfilesForm::heldCirclesTouchAndAreStated() {
+    ProfilesView view;
+    show(view, run(outOfRound()));
+    auto* circles = part<QComboBox>(view, "circles");
+    for (const int choice : {2, 3}) {
+        circles->setCurrentIndex(choice);
+        settle();
+        const bool inscribed = choice == 2;
+        const Profile& p = view.across()->drawn(0);
+        const RoundnessReading expected = roundnessReading(p.radii_mm, std::nullopt);
+        const RoundnessZone& zone = inscribed ? *expected.inscribed : *expected.circumscribed;
+        const QString ron = Names::fixed(zone.deviation() * 1000, 3);
+        QVERIFY2(view.across()->numbers(0).contains(ron.chopped(1)),
+                 qPrintable(view.across()->numbers(0) + u' ' + ron));
+        const ProfileLine line = inscribed ? ProfileLine::inscribed : ProfileLine::circumscribed;
+        const QCPCurve* circle = view.across()->curve(0, line);
+        QVERIFY(circle && circle->visible());
+        QCOMPARE(circle->pen().style() == Qt::DotLine, false);
+        const auto profile = view.across()->curve(0, ProfileLine::profile)->data();
+        const auto reference = circle->data();
+        const int each = (reference->size() - 1) / view.across()->series().radii();
+        double nearest = 1e9;
+        for (int k = 0; k < view.across()->series().radii(); ++k) {
+            const auto reach = [](const QCPCurveData* at) {
+                return std::hypot(at->key, at->value);
+            };
+            const double gap = reach(&*profile->at(k)) - reach(&*reference->at(k * each));
+            const double inside = inscribed ? gap : -gap;
+            QVERIFY(inside >= -1e-9 * view.across()->magnification());
+            nearest = std::min(nearest, inside);
+        }
+        QVERIFY(nearest <= 1e-9 * view.across()->magnification());
+    }
+}
+
+void TestProfilesForm::theFilterSmoothsWhatIsDrawnAndStated() {
+    ProfilesView view;
+    show(view, run(outOfRound()));
+    const Profile raw = view.across()->drawn(0);
+    const QString before = view.across()->numbers(0);
+    auto* filter = part<QComboBox>(view, "filter");
+    filter->setFocus();
+    QTest::keyClick(filter, Qt::Key_Down);
+    settle();
+    const Profile& shown = view.across()->drawn(0);
+    QCOMPARE(shown.radii_mm, gaussianFiltered(raw.radii_mm, Directions(raw.radii_mm.size()), 15));
+    QVERIFY(shown.leastSquares.deviation() < raw.leastSquares.deviation());
+    QVERIFY(view.across()->numbers(0) != before);
+    QVERIFY(view.across()->caption().contains(QStringLiteral("15 UPR")));
+    QCOMPARE(view.across()->series().profiles[0].radii_mm, raw.radii_mm); // the spectrum's
+}
+
+void TestProfilesForm::aMeasuredProfileStandsBesideThePredicted() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("section.csv"));
+    constexpr int points = 359; // odd, and not those of the project
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("angle,deg;deviation,um\n");
+    for (int k = 0; k < points; ++k) {
+        const double phi = 2 * std::numbers::pi * k / points;
+        file.write(QStringLiteral("%1;%2\n")
+                       .arg(k * 360.0 / points, 0, 'f', 6)
+                       .arg(1.5 * std::cos(3 * phi), 0, 'f', 6)
+                       .toUtf8());
+    }
+    file.close();
+    ProfilesView view;
+    const OutcomePtr outcome = run(outOfRound());
+    show(view, outcome);
+    QString reason;
+    const double nominal = outcome->result.project.part->diameter_mm / 2;
+    const auto section = MeasuredSection::read(path, nominal, reason);
+    QVERIFY2(section, qPrintable(reason));
+    const int cells = static_cast<int>(outcome->result.sections.size());
+    view.showMeasured(section);
+    settle();
+    QCOMPARE(view.across()->drawn(cells).radii_mm.size(), std::size_t{points});
+    QVERIFY(view.across()->numbers(cells).contains(Names::fixed(3, 2).chopped(1))); // twice 1.5 µm
+    QVERIFY(!view.across()->curve(cells, ProfileLine::blank)->visible());
+    QVERIFY(view.across()->accessibleDescription().contains(QStringLiteral("section.csv")));
+    const CsvTable table = view.across()->table();
+    QCOMPARE(table.rows.size(), std::size_t{points});
+    view.showMeasured(std::nullopt);
+    settle();
+    QCOMPARE(view.across()->table().rows.size(),
+             static_cast<std::size_t>(view.across()->series().radii()));
+    QFile wrong(path);
+    QVERIFY(wrong.open(QIODevice::WriteOnly | QIODevice::Truncate));
+    wrong.write("angle;deviation\n0;1\nhello;2\n");
+    wrong.close();
+    QVERIFY(!MeasuredSection::read(path, nominal, reason));
+    QVERIFY2(reason.contains(QStringLiteral("3")), qPrintable(reason));
 }
 
 void TestProfilesForm::aLobedBlankIsOneBar() {

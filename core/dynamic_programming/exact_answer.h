@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dynamic_programming/state_grid.h"
+#include "core/optimisation/optimise.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+/// The proven quickest cycle of a grid of states beside the published rule's, and where the rule
+/// goes wrong.
+///
+/// The pruned search has the same cycles: the same feeds, whole levels, as many stages. Its answer
+/// is a path through the grid. Where the rule misses it, or finds a slower one, there is a state on
+/// that path whose kept way differs from the path's, and one of these is so, each shown by a run:
+///
+/// * the state was struck out, although the path reaches it with every limit held;
+/// * the time kept in it is not the least: the path reaches it sooner;
+/// * what was kept reaches it no later, yet goes on worse: with the feeds of the path from there on
+///   it breaks a requirement, has too many stages or ends later. The quickest way into a state is
+///   then not the one to go on from, as the deflections stored by all radii are part of the state.
+namespace sparkout {
+
+enum class WrongState {
+    struckOut, ///< there is a way into it
+    slower,    ///< there is a quicker way into it
+    misleads,  ///< the slower way into it is the one to go on from
+};
+
+/// A state on the path of the proven cycle in which the rule lost it.
+struct StateFault {
+    int level = 0;
+    std::size_t feed = 0;
+    WrongState wrong = WrongState::struckOut;
+    double reached_s = 0; ///< by the proven cycle
+    // Misleads: what comes of the kept way on the rest of the path.
+    std::optional<ConstraintKind> breaks;
+    std::optional<double> time_s; ///< of a cycle that holds and is slower
+    int stages = 0;               ///< that it would have
+};
+
+struct ExactAnswer {
+    SearchStatus status = SearchStatus::stopped;
+    std::optional<double> time_s;
+    double bound_s = 0; ///< no cycle of the grid that holds is quicker
+    Cycle cycle;
+    std::vector<std::size_t> path;  ///< feeds of the levels 1 … N
+    std::vector<double> reached_s;  ///< when it reaches them
+    std::int64_t gridSize = 0;      ///< cycles in the grid
+    std::vector<StateFault> faults; ///< in the order of the levels; none where the times are equal
+
+    [[nodiscard]] bool isProved() const {
+        return status == SearchStatus::proved || status == SearchStatus::infeasible;
+    }
+};
+
+[[nodiscard]] ExactAnswer exactAnswer(const StateGrid& grid, const std::stop_token& stop = {},
+                                      const std::function<void(const SearchProgress&)>& note = {});
+
+} // namespace sparkout

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dynamic_programming/state_grid.h"
+#include "core/optimisation/cycle_runner.h"
+#include "core/optimisation/stage_runs.h"
+
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+namespace sparkout {
+
+/// Moves from level to level of stock, each simulated from the state before it.
+class LevelMoves {
+public:
+    /// Of a project with the search of a grid.
+    LevelMoves(const Project& searched, StateGridSize size, const std::stop_token& stop);
+
+    /// A way to a level, with the steps made.
+    [[nodiscard]] CyclePrefix blank() const;
+    struct Reached {
+        StateMove move;                           ///< slower: as far as the limits of its passes go
+        std::optional<CyclePrefix> there;         ///< where it reached its level
+        std::optional<ConstraintKind> beyondSize; ///< into the last level: of the diameters
+    };
+    [[nodiscard]] Reached move(const CyclePrefix& from, std::size_t feed) const;
+
+    /// The whole cycle of a path, run and judged as the project states it.
+    struct Judged {
+        bool completed = false;
+        std::int64_t time_us = 0;
+        double time_s = 0;
+        double leastMargin = 0;
+        std::optional<ConstraintKind> broken;
+        [[nodiscard]] bool holds() const { return completed && !broken; }
+    };
+    [[nodiscard]] Judged judge(const std::vector<std::size_t>& path) const;
+    [[nodiscard]] Cycle cycle(const std::vector<std::size_t>& path) const;
+
+    [[nodiscard]] const Grid& grid() const { return m_grid; }
+    [[nodiscard]] static int stagesOf(const std::vector<std::size_t>& path);
+
+private:
+    std::stop_token m_stop;
+    Project m_project; ///< a stage a level
+    Grid m_grid;
+    CycleRunner m_runner;
+    StageRuns m_runs;
+};
+
+} // namespace sparkout

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/optimisation/phase_cases.h"
+
+#include "core/batch/factor_law.h"
+#include "core/batch/scenario_source.h"
+#include "core/phases/failing_stock.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace sparkout {
+
+namespace {
+
+OptimisationScenarios scenariosOf(const Project& project) {
+    return project.optimisation && project.batch ? project.optimisation->scenarios
+                                                 : OptimisationScenarios::nominal;
+}
+
+/// Places of the corners that differ in more than the stock, in the order of the factors.
+std::vector<std::int64_t> cornersOf(const std::vector<GivenFactor>& factors) {
+    const auto stock = std::ranges::find(factors, FactorKind::stock, &GivenFactor::kind);
+    const std::int64_t bit =
+        stock == factors.end() ? 0 : std::int64_t{1} << (stock - factors.begin());
+    std::vector<std::int64_t> corners;
+    const std::int64_t all = std::int64_t{1} << factors.size();
+    for (std::int64_t i = 0; i < all; ++i) {
+        if ((i & bit) == 0) {
+            corners.push_back(i);
+        }
+    }
+    if (corners.size() == 1) {
+        corners.clear(); // the part as it stands
+    }
+    return corners;
+}
+
+/// The project with a stock of the range for which its cycle fails.
+std::optional<Project> failing(Project project, const StockRange& stocks,
+                               const std::stop_token& stop) {
+    const std::optional<double> stock_mm = failingStock_mm(project, stocks, stop);
+    if (!stock_mm) {
+        return std::nullopt;
+    }
+    project.part->stock_mm = *stock_mm;
+    return project;
+}
+
+} // namespace
+
+PhaseCases phaseCases(const Project& project) {
+    PhaseCases cases{usualPhases(project)};
+    const OptimisationScenarios scenarios = scenariosOf(project);
+    if (scenarios == OptimisationScenarios::nominal) {
+        return cases;
+    }
+    const std::vector<GivenFactor> factors = givenFactors(project);
+    const auto stock = std::ranges::find(factors, FactorKind::stock, &GivenFactor::kind);
+    if (stock != factors.end()) {
+        Project end = project;
+        const FactorEnds ends = cornerEnds(*stock);
+        end.part->stock_mm = ends.low;
+        cases.stocks.from_mm = std::min(cases.stocks.from_mm, usualPhases(end).from_mm);
+        end.part->stock_mm = ends.high;
+        cases.stocks.to_mm = std::max(cases.stocks.to_mm, usualPhases(end).to_mm);
+    }
+    if (scenarios == OptimisationScenarios::corners) {
+        cases.corners = static_cast<std::int64_t>(cornersOf(factors).size());
+    }
+    return cases;
+}
+
+std::optional<Project> failingCase(const Project& best, const std::stop_token& stop) {
+    const PhaseCases cases = phaseCases(best);
+    Project part = best;
+    part.runs.clear();
+    std::optional<Project> found = failing(part, cases.stocks, stop);
+    if (found || cases.corners == 0) {
+        return found;
+    }
+    part.batch->scenarios = Scenarios::corners;
+    const ScenarioSource source(std::move(part));
+    for (const std::int64_t corner : cornersOf(source.factors())) {
+        if (stop.stop_requested()) {
+            return std::nullopt;
+        }
+        if ((found = failing(source.project(corner), cases.stocks, stop))) {
+            return found;
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace sparkout

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/phases/phase_decision.h"
+
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+
+namespace sparkout {
+
+/// What a robust answer under gauge control is decided to hold for: every stock of a range, for the
+/// part as it stands and for each corner of the batch's other factors.
+struct PhaseCases {
+    StockRange stocks; ///< per side
+    /// With the scenarios `corners` those of all factors but the stock; else 0.
+    std::int64_t corners = 0;
+};
+
+/// Those that the project's optimisation asks for. The range is usualPhases(); where the answer
+/// has to hold for a batch whose stock scatters, with as much beyond its least and greatest stock.
+/// Of a project whose batch, if it counts, checkBatch() passes.
+[[nodiscard]] PhaseCases phaseCases(const Project& project);
+
+/// One of these cases for which the project's cycle fails, with the stock where it fails by most;
+/// nothing: it holds for all of them. Of a project whose phases can be decided. A stop ends it with
+/// nothing.
+[[nodiscard]] std::optional<Project> failingCase(const Project& best,
+                                                 const std::stop_token& stop = {});
+
+} // namespace sparkout

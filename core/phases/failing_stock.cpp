@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/phases/failing_stock.h"
+
+#include "core/project/part.h"
+#include "core/simulation/simulate.h"
+#include "core/units.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace sparkout {
+
+namespace {
+
+constexpr double mostFormChange_mm = 1e-6, nearest_um = 0.01, nearestShare = 0.01;
+
+/// Stocks that fail, or may.
+struct Suspect {
+    StockRange stocks;
+    double leastMargin = 0; ///< relative
+};
+
+/// What the shared run says of the requirements of a piece.
+class SharedRun {
+public:
+    SharedRun(const PhasePiece& piece, const SimulationResult& result)
+        : m_result(result)
+        , m_low_um(2 * (piece.from_mm - result.project.part->stock_mm) * units::umPerMm)
+        , m_high_um(2 * (piece.to_mm - result.project.part->stock_mm) * units::umPerMm) {
+        if (result.status != RunStatus::completed) {
+            m_fails = true;
+            leastMargin = -std::numeric_limits<double>::infinity();
+            return;
+        }
+        for (const ConstraintResult& each : evaluateConstraints(result)) {
+            take(each);
+        }
+    }
+
+    /// Neither: it has to be decided on the piece's own ends.
+    [[nodiscard]] bool holds() const { return !m_fails && !m_isNear; }
+    [[nodiscard]] bool fails() const { return m_fails; }
+    double leastMargin = std::numeric_limits<double>::infinity(); ///< relative, at the worse end
+
+private:
+    void take(const ConstraintResult& each) {
+        const Requirement& row = requirementOf(each.kind);
+        if (row.scope == ConstraintScope::setting) {
+            m_fails |= !each.holds;
+            leastMargin = std::min(leastMargin, each.relativeMargin);
+            return;
+        }
+        if (row.isDeviation) {
+            takeDiameter(each);
+            return;
+        }
+        leastMargin = std::min(leastMargin, each.relativeMargin);
+        const bool isOfDepths =
+            row.scope == ConstraintScope::pass || each.kind == ConstraintKind::roughness;
+        const bool isLength = isLengthOf(row);
+        const auto beyond = [&](double sign) {
+            return (!isLength || sign * each.margin > nearest_um)
+                   && (!isOfDepths || sign * each.relativeMargin > nearestShare);
+        };
+        if (each.kind != ConstraintKind::burn && beyond(-1)) {
+            m_fails = true;
+        } else if (!beyond(1) || !each.isWhole) {
+            m_isNear = true;
+        }
+    }
+
+    void takeDiameter(const ConstraintResult& each) {
+        const Part& part = *m_result.project.part;
+        const bool isBore = part.surface == Surface::internal;
+        const double width_um = part.upper_deviation_um - part.lower_deviation_um;
+        for (const double change_um : {m_low_um, m_high_um}) {
+            const double margin_um =
+                each.margin + (each.isLeast != isBore ? change_um : -change_um);
+            leastMargin = std::min(leastMargin, width_um > 0 ? margin_um / width_um : margin_um);
+            m_fails |= margin_um < -nearest_um;
+            m_isNear |= margin_um < nearest_um || !each.isWhole;
+        }
+    }
+
+    static bool isLengthOf(const Requirement& row) { return row.unit == std::string_view("µm"); }
+
+    const SimulationResult& m_result;
+    double m_low_um, m_high_um; ///< diameters of the ends of the piece less those of the run
+    bool m_fails = false, m_isNear = false;
+};
+
+/// The relative margin of a stock for which the cycle fails; nothing: it holds, or was stopped.
+std::optional<double> marginOfFailure(const Project& project, double stock_mm,
+                                      const std::stop_token& stop) {
+    Project made = project;
+    made.part->stock_mm = stock_mm;
+    const SimulationResult result = simulateUnchecked(made, nullptr, stop);
+    if (result.status == RunStatus::stopped) {
+        return std::nullopt;
+    }
+    double least = std::numeric_limits<double>::infinity();
+    bool holds = result.status == RunStatus::completed;
+    if (!holds) {
+        return -least;
+    }
+    for (const ConstraintResult& each : evaluateConstraints(result)) {
+        holds &= each.holds;
+        least = std::min(least, each.relativeMargin);
+    }
+    return holds ? std::nullopt : std::optional(least);
+}
+
+/// Keeps the worst of those that fail.
+class Suspects {
+public:
+    void add(Suspect suspect) {
+        m_worst.push_back(suspect);
+        std::ranges::push_heap(m_worst, {}, &Suspect::leastMargin);
+        if (m_worst.size() > most) {
+            std::ranges::pop_heap(m_worst, {}, &Suspect::leastMargin);
+            m_worst.pop_back();
+        }
+    }
+
+    /// A stock of the worst for which the project fails by itself: next to the end of a piece the
+    /// control may make the steps of its neighbour.
+    [[nodiscard]] std::optional<double> stock_mm(const Project& project,
+                                                 const std::stop_token& stop) {
+        std::ranges::sort(m_worst, {}, &Suspect::leastMargin);
+        for (const Suspect& each : m_worst) {
+            std::optional<double> found_mm;
+            double least = std::numeric_limits<double>::infinity();
+            for (const double share : {0.01, 0.99, 0.5}) {
+                const double stock_mm =
+                    each.stocks.from_mm + share * (each.stocks.to_mm - each.stocks.from_mm);
+                const std::optional<double> margin = marginOfFailure(project, stock_mm, stop);
+                if (margin && (!found_mm || *margin < least)) {
+                    least = *margin;
+                    found_mm = stock_mm;
+                }
+            }
+            if (found_mm) {
+                return found_mm;
+            }
+        }
+        return std::nullopt;
+    }
+
+private:
+    static constexpr std::size_t most = 64;
+    std::vector<Suspect> m_worst; ///< a heap, the least of them first
+};
+
+} // namespace
+
+std::optional<double> failingStock_mm(const Project& project, StockRange range,
+                                      const std::stop_token& stop) {
+    Project part = project;
+    part.runs.clear();
+    part.notes.clear();
+    part.batch.reset();
+    const bool isShared = formChange_mm(part, range.to_mm - range.from_mm) <= mostFormChange_mm;
+    Suspects suspects;
+    const auto visit = [&](const PhasePiece& piece, const SimulationResult& result) {
+        const SharedRun shared(piece, result);
+        if (isShared && shared.holds()) {
+            return true;
+        }
+        if (isShared && shared.fails()) {
+            suspects.add({{piece.from_mm, piece.to_mm}, shared.leastMargin});
+            return true;
+        }
+        const DecidedPiece decided = decidePiece(part, piece, stop);
+        for (const StockRange& stocks : decided.failing()) {
+            suspects.add({stocks, decided.leastMargin});
+        }
+        return !stop.stop_requested();
+    };
+    if (!visitPhasePieces(part, range.from_mm, range.to_mm, visit, stop)) {
+        return std::nullopt;
+    }
+    return suspects.stock_mm(part, stop);
+}
+
+} // namespace sparkout

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/cycle.h"
+#include "core/project/operation.h"
+#include "core/project/project.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace sparkout {
+
+/// A feed of a cycle that is the least or the greatest level of its grid.
+struct LevelEdge {
+    const StageFeed* feed = nullptr;
+    std::size_t stage = 0; ///< from 0
+    double level = 0;
+    bool isMost = false;         ///< the greatest, else the least
+    std::optional<double> limit; ///< what the machine, or the stage's own bounds, go on to
+    bool isLimit = false;        ///< the level itself is that: no grid goes beyond
+};
+
+/// Those of a cycle that a search of this project found, by stage; a stage without feed has none.
+/// A feed of which there is one level was not searched and has none.
+[[nodiscard]] std::vector<LevelEdge> edgesReached(const Project& searched, const Cycle& cycle);
+
+/// A search whose levels follow its answer: with the answer of one grid in hand, levels are added
+///
+/// * beyond it, where it stands at the edge of the grid and the machine lets it pass: three, each
+///   by the ratio of the last two greater or smaller, within the machine's range;
+/// * on either side of each feed of it, halfway to the next level (geometric mean), as long as they
+///   are more than 5 % apart and the last levels between saved more than 0.5 % of the time.
+///
+/// All are steps of the machine. No level is taken away, so each grid holds those before it, and
+/// what is proved of the last holds for all.
+class SearchLevels {
+public:
+    /// Of a project with a grid; only with Optimisation::adaptive there is more than one round.
+    explicit SearchLevels(Project project);
+
+    /// What is to be searched in this round.
+    [[nodiscard]] const Project& searched() const { return m_searched; }
+    [[nodiscard]] int round() const { return m_round; } ///< from 1
+    /// Takes the quickest cycle of this round, its time [s]; whether there is another round.
+    bool goOn(const Cycle& best, double time_s);
+
+private:
+    Project m_searched;
+    int m_round = 1;
+    std::optional<double> m_time_s; ///< of the round before
+};
+
+} // namespace sparkout

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a robust answer under gauge control is decided to hold for.
+#include "core/batch/scenario_source.h"
+#include "core/optimisation/robust.h"
+#include "core/phases/failing_stock.h"
+#include "core/project/batch.h"
+#include "tests/core/optimisation/search_cases.h"
+#include "tests/core/support/project_samples.h"
+#include "tests/registry.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <utility>
+
+namespace test_phase_cases {
+
+using namespace sparkout;
+using search_cases::Dice;
+using search_cases::holds;
+using search_cases::smallCase;
+
+namespace {
+
+Factor between(double from, double to) {
+    Factor factor;
+    factor.uniform = {from, to};
+    return factor;
+}
+
+/// A small grid under gauge control that asks for the corners of a batch.
+Project withCorners(unsigned seed) {
+    Project p = smallCase(seed);
+    Dice dice(seed + 1000);
+    p.gauge->control = Control::gauge;
+    p.gauge->datum_mm.reset();
+    Batch batch;
+    batch.factors.dullness = between(p.wheel->dullness, p.wheel->dullness + 0.005);
+    if (dice.chance(0.5)) {
+        batch.factors.compliance = between(0.97, 1.03);
+    }
+    if (dice.chance(0.5)) {
+        batch.factors.stock_mm = between(p.part->stock_mm - 0.001, p.part->stock_mm + 0.002);
+    }
+    p.batch = batch;
+    p.optimisation->scenarios = OptimisationScenarios::corners;
+    return p;
+}
+
+constexpr double fine_mm = 1e-12;
+
+} // namespace
+
+class TestPhaseCases : public QObject {
+    Q_OBJECT
+
+private slots:
+    void casesAreThoseOfTheBatch() {
+        Project p = smallCase(2);
+        p.gauge->control = Control::gauge;
+        p.batch.reset();
+        const StockRange usual = usualPhases(p);
+        QCOMPARE(phaseCases(p).stocks, usual);
+        QCOMPARE(phaseCases(p).corners, 0);
+        Batch batch;
+        const double stock_mm = p.part->stock_mm;
+        batch.factors.stock_mm = between(stock_mm - 0.001, stock_mm + 0.003);
+        p.batch = batch;
+        p.optimisation->scenarios = OptimisationScenarios::nominal; // the batch is not asked for
+        QCOMPARE(phaseCases(p).stocks, usual);
+        p.optimisation->scenarios = OptimisationScenarios::batch;
+        QVERIFY(std::abs(phaseCases(p).stocks.from_mm - usual.from_mm + 0.001) < fine_mm);
+        QVERIFY(std::abs(phaseCases(p).stocks.to_mm - usual.to_mm - 0.003) < fine_mm);
+        QCOMPARE(phaseCases(p).corners, 0);
+        p.optimisation->scenarios = OptimisationScenarios::corners;
+        QCOMPARE(phaseCases(p).corners, 0); // of the stock alone
+        p.batch->factors.dullness = between(0, 0.01);
+        p.batch->factors.compliance = between(0.9, 1.1);
+        QCOMPARE(phaseCases(p).corners, 4);
+    }
+
+    /// Of an answer stocks drawn at random hold at every corner, and the quickest cycle without
+    /// corners often does not: they have something to exclude.
+    void theAnswerHoldsForEveryStockAtEveryCorner() {
+        int answers = 0, excluded = 0;
+        const unsigned cases = static_cast<unsigned>(samples::sized(40, 30, 500));
+        for (unsigned seed = 0; seed < cases; ++seed) {
+            const Project p = withCorners(seed);
+            const RobustSummary robust = optimiseRobustly(p, scenariosAskedFor(p));
+            if (!robust.holdsInSample) {
+                continue;
+            }
+            ++answers;
+            const Project best = withBest(p, robust.search);
+            QVERIFY(robust.decided.has_value());
+            QCOMPARE(robust.decided->corners, p.batch->factors.compliance ? 4 : 2);
+            QVERIFY(!failingCase(best));
+            Project corners = best;
+            corners.batch->scenarios = Scenarios::corners;
+            const ScenarioSource source(std::move(corners));
+            Dice dice(seed);
+            for (std::int64_t corner = 0; corner < source.parts(); ++corner) {
+                Project part = source.project(corner);
+                for (int i = 0; i < 40; ++i) {
+                    part.part->stock_mm =
+                        dice.uniform(robust.decided->stocks.from_mm, robust.decided->stocks.to_mm);
+                    QVERIFY2(holds(simulateUnchecked(part)), QByteArray::number(seed));
+                }
+            }
+            Project nominal = p;
+            nominal.batch.reset();
+            nominal.optimisation->scenarios = OptimisationScenarios::nominal;
+            const RobustSummary without = optimiseRobustly(nominal, freshStockPhases);
+            Project quickest = p;
+            *quickest.cycle = without.search.cycle;
+            excluded += failingCase(quickest).has_value() ? 1 : 0;
+        }
+        QVERIFY2(answers > 8 && excluded > 2,
+                 QByteArray::number(answers) + ' ' + QByteArray::number(excluded));
+    }
+
+    /// What is returned fails by itself.
+    void aCaseThatFailsFails() {
+        int failing = 0;
+        for (unsigned seed = 0; seed < 60; ++seed) {
+            const Project p = withCorners(seed);
+            if (const auto found = failingCase(p)) {
+                ++failing;
+                Project run = *found;
+                run.batch.reset();
+                QVERIFY2(!holds(simulateUnchecked(run)), QByteArray::number(seed));
+            }
+        }
+        QVERIFY(failing > 20);
+    }
+
+    void aStopEndsItWithNothing() {
+        std::stop_source stop;
+        stop.request_stop();
+        QVERIFY(!failingCase(withCorners(1), stop.get_token()));
+    }
+};
+
+} // namespace test_phase_cases
+
+SPARKOUT_TEST(test_phase_cases, TestPhaseCases)
+#include "test_phase_cases.moc"

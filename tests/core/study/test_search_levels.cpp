@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A search whose levels follow its answer, and where an answer stands at the edge of its grid.
+#include "core/study/search_levels.h"
+
+#include "core/optimisation/levels.h"
+#include "core/project/optimisation.h"
+#include "core/study/grid_search.h"
+#include "core/study/search_edits.h"
+#include "tests/core/optimisation/search_cases.h"
+#include "tests/core/support/project_samples.h"
+#include "tests/registry.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace test_search_levels {
+
+using namespace sparkout;
+using search_cases::holds;
+using search_cases::smallCase;
+
+namespace {
+
+/// A small grid on a machine with ranges that reach far beyond it.
+Project wideMachine(unsigned seed) {
+    Project p = smallCase(seed);
+    p.machine->limits.radial_feed_mm = std::vector<double>{0.0005, 0.05, 0.0005};
+    p.machine->limits.axial_feed_mm_min = std::vector<double>{100, 5000, 50};
+    p.machine->limits.plunge_feed_mm_min = std::vector<double>{0.02, 5, 0.01};
+    p.optimisation->stages = {1, 2};
+    p.optimisation->adaptive = true;
+    return p;
+}
+
+std::vector<double> levelsOf(const Project& p, const StageFeed& feed) {
+    std::vector<double> levels = levelValues((*p.optimisation).*feed.levels);
+    std::ranges::sort(levels);
+    return levels;
+}
+
+bool isStepOf(double value, const std::vector<double>& range) {
+    const double steps = (value - range[0]) / range[2];
+    return value >= range[0] - 1e-9 && value <= range[1] + 1e-9
+           && (std::abs(steps - std::round(steps)) < 1e-6 || value == range[1]);
+}
+
+} // namespace
+
+class TestSearchLevels : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// Each grid holds those before it, so no answer is slower; it is the best of the last grid by
+    /// every cycle of it; and it stands at no edge that the machine would let it pass.
+    void theLevelsFollowTheAnswer() {
+        int extended = 0, quicker = 0;
+        const auto cases = static_cast<unsigned>(samples::sized(24, 12, 500));
+        for (unsigned seed = 0; seed < cases; ++seed) {
+            const Project p = wideMachine(seed);
+            if (p.sections_coupled) {
+                continue; // slow, and nothing else
+            }
+            Project fixed = p;
+            fixed.optimisation->adaptive = false;
+            const GridSearchReport once = searchGrid(fixed, {}), all = searchGrid(p, {});
+            QCOMPARE(once.rounds, 1);
+            QCOMPARE(hasAnswer(all), hasAnswer(once));
+            if (!hasAnswer(all)) {
+                continue;
+            }
+            const QByteArray which = QByteArray::number(seed);
+            QVERIFY2(all.search.best->time_s <= once.search.best->time_s, which);
+            QVERIFY2(holds(simulateUnchecked(withAnswer(all))), which);
+            for (const StageFeed& feed : p.operation->feeds) {
+                const std::vector<double> before = levelsOf(p, feed),
+                                          after = levelsOf(all.searched, feed);
+                QVERIFY2(std::ranges::includes(after, before), which);
+                for (const double level : after) {
+                    QVERIFY2(std::ranges::binary_search(before, level)
+                                 || isStepOf(level, *(p.machine->limits.*feed.range)),
+                             which);
+                }
+            }
+            QVERIFY2(all.rounds == 10 || std::ranges::all_of(all.edges, &LevelEdge::isLimit),
+                     which);
+            Project last = all.searched;
+            last.optimisation->adaptive = false;
+            GridSearchOptions full;
+            full.method = SearchMethod::full;
+            if (!p.operation->axial()) { // of two feeds it has a hundred thousand cycles
+                QVERIFY2(searchGrid(last, full).search.best->time_us == all.search.best->time_us,
+                         which);
+            }
+            extended +=
+                std::ranges::any_of(once.edges, [](const LevelEdge& edge) { return !edge.isLimit; })
+                    ? 1
+                    : 0;
+            quicker += all.search.best->time_s < 0.95 * once.search.best->time_s ? 1 : 0;
+        }
+        QVERIFY2(extended > 2 && quicker > 2,
+                 QByteArray::number(extended) + ' ' + QByteArray::number(quicker));
+    }
+
+    /// What an edge is, and what ends it.
+    void edgesAreNamed() {
+        Project p = fixtures::plunge();
+        p.machine->limits.plunge_feed_mm_min = std::vector<double>{0.02, 5, 0.01};
+        p.optimisation = Optimisation{};
+        p.optimisation->radial_feed_mm_min = std::vector<double>{0.3, 0.1, 0.6};
+        Cycle cycle = *p.cycle;
+        cycle.stages.resize(2);
+        cycle.stages[0].radial_feed_mm_min = 0.6;
+        cycle.stages[1].radial_feed_mm_min = 0.3; // inside
+        std::vector<LevelEdge> edges = edgesReached(p, cycle);
+        QCOMPARE(edges.size(), std::size_t{1});
+        QVERIFY(edges[0].stage == 0 && edges[0].isMost && !edges[0].isLimit);
+        QCOMPARE(*edges[0].limit, 5.0);
+        cycle.stages[1].radial_feed_mm_min = 0.1;
+        QCOMPARE(edgesReached(p, cycle).size(), std::size_t{2});
+        QVERIFY(!edgesReached(p, cycle)[1].isMost);
+        QCOMPARE(*edgesReached(p, cycle)[1].limit, 0.02);
+        p.optimisation->stage_radial_feed_mm_min =
+            std::vector<std::vector<double>>{{0.1, 0.6}, {0.05, 0.6}};
+        edges = edgesReached(p, cycle);
+        QVERIFY(edges[0].isLimit); // the stage's own
+        QVERIFY(!edges[1].isLimit && *edges[1].limit == 0.05);
+        p.machine->limits.plunge_feed_mm_min = std::vector<double>{0.1, 0.6, 0.01};
+        edges = edgesReached(p, cycle);
+        QVERIFY(edges[0].isLimit && edges[1].isLimit);
+        p.optimisation->radial_feed_mm_min = std::vector<double>{0.6}; // not searched
+        QVERIFY(edgesReached(p, cycle).empty());
+    }
+
+    /// A feed that is fixed stays so, in a whole grid or in a stage.
+    void whatIsFixedStaysFixed() {
+        Project p = wideMachine(2);
+        for (unsigned seed = 3; p.operation != Operation::traverse; ++seed) {
+            p = wideMachine(seed);
+        }
+        p.optimisation->axial_feed_mm_min = std::vector<double>{1500};
+        const GridSearchReport report = searchGrid(p, {});
+        QCOMPARE(levelsOf(report.searched, *p.operation->axial()), std::vector<double>{1500});
+    }
+
+    /// A further round that is stopped leaves the answer of the round before.
+    void aStopLeavesTheRoundBefore() {
+        Project p;
+        GridSearchReport once;
+        int calls = 0;
+        GridSearchOptions counted;
+        counted.onProgress = [&calls](const SearchProgress&) { ++calls; };
+        for (unsigned seed = 0; calls == 0 || searchGrid(p, {}).rounds < 2; ++seed) {
+            p = wideMachine(seed);
+            if (p.sections_coupled) {
+                continue; // slow
+            }
+            Project fixed = p;
+            fixed.optimisation->adaptive = false;
+            calls = 0;
+            once = searchGrid(fixed, counted);
+        }
+        std::stop_source stop;
+        GridSearchOptions options;
+        options.stop = stop.get_token();
+        options.onProgress = [&](const SearchProgress&) {
+            if (--calls < 0) {
+                stop.request_stop();
+            }
+        };
+        const GridSearchReport stopped = searchGrid(p, options);
+        QVERIFY(stopped.areLevelsCutShort);
+        QCOMPARE(stopped.rounds, 1);
+        QCOMPARE(stopped.search.status, SearchStatus::proved); // of its grid
+        QVERIFY(stopped.search.best->cycle == once.search.best->cycle);
+    }
+
+    /// The usual levels reach from end to end of the machine's ranges, by preferred numbers.
+    void theUsualSearchSpansTheMachine() {
+        for (const char* name : {"complete", "smallest-plunge"}) {
+            Project p = samples::project(name);
+            p.machine->limits.radial_feed_mm = std::vector<double>{0.0005, 0.02, 0.0005};
+            p.machine->limits.axial_feed_mm_min = std::vector<double>{50, 5000, 50};
+            p.machine->limits.plunge_feed_mm_min = std::vector<double>{0.02, 5, 0.01};
+            const Project usual = withUsualSearch(p);
+            QVERIFY(usual.optimisation->adaptive && usual.optimisation->non_increasing);
+            for (const StageFeed& feed : p.operation->feeds) {
+                const std::vector<double>& range = *(p.machine->limits.*feed.range);
+                const std::vector<double> levels = levelsOf(usual, feed);
+                QVERIFY(levels.size() >= 8 && levels.size() <= 16);
+                QCOMPARE(levels.front(), range[0]);
+                QCOMPARE(levels.back(), range[1]);
+                for (std::size_t i = 0; i < levels.size(); ++i) {
+                    QVERIFY(isStepOf(levels[i], range));
+                    QVERIFY(i == 0 || levels[i] / levels[i - 1] < 2.001);
+                }
+            }
+        }
+    }
+};
+
+} // namespace test_search_levels
+
+SPARKOUT_TEST(test_search_levels, TestSearchLevels)
+#include "test_search_levels.moc"

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+#include "ui/dynamic_programming/state_grid_runner.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <optional>
+
+class QLabel;
+class QSlider;
+class QSpinBox;
+class QToolButton;
+
+namespace sparkout {
+
+class RunBar;
+
+/// Fills the grid of dynamic programming of a project by itself whenever it or the grid's size
+/// changes, then has the answer proved: levels and stages, buttons to stop and to run again; and
+/// steps through the filling: first, previous, play, next, last, and a slider.
+class StateGridBar : public QWidget {
+    Q_OBJECT
+public:
+    explicit StateGridBar(QWidget* parent = nullptr);
+
+    void follow(const Project& project); ///< fills it, unless that is done or being done
+    void forget();                       ///< another document comes
+    /// The last that was filled; null: none, or of a project that has no grid.
+    [[nodiscard]] const StateGridOutcomePtr& outcome() const { return m_outcome; }
+    [[nodiscard]] bool busy() const { return m_runner->running(); }
+    [[nodiscard]] bool stale() const { return m_stale; } ///< that is of another project or size
+    [[nodiscard]] int moment() const;
+    void setMoment(int number);
+    [[nodiscard]] bool isPlaying() const { return m_timer.isActive(); }
+    [[nodiscard]] QString remark() const; ///< both answers, or why there is no grid
+    void showState(bool accepted);        ///< false: the newest inputs are refused
+    void retranslate();
+
+signals:
+    void changed();         ///< what is known, or whether it is being computed
+    void moved(int moment); ///< another moment is looked at
+
+private:
+    QToolButton* button(const char* name, const char16_t* icon);
+    QWidget* buildSteps();
+    void connectSteps();
+    [[nodiscard]] StateGridSize size() const;
+    [[nodiscard]] bool canRun() const;
+    void noteStale();
+    void fill(); ///< where need be
+    void run();
+    void prove();
+    void take(const StateGridOutcomePtr& outcome);
+    void takeProof(const StateGridOutcomePtr& outcome);
+    void showSize();
+    void setPlaying(bool playing);
+    void playOn();
+    void showMoment();
+    [[nodiscard]] int last() const;
+
+    std::optional<Project> m_project;
+    std::optional<int> m_ownLevels, m_ownStages; ///< chosen by the user
+    StateGridOutcomePtr m_outcome;
+    bool m_stale = true;
+    std::optional<StateGridOutcome> m_running; ///< what is being filled, without its grid
+    StateGridRunner* m_runner;
+    QSpinBox *m_levels, *m_stages;
+    RunBar* m_bar;
+    QToolButton *m_first, *m_previous, *m_play, *m_next, *m_end;
+    QSlider* m_slider;
+    QLabel* m_place;
+    QTimer m_timer;
+};
+
+} // namespace sparkout

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dynamic_programming/state_grid_layer.h"
+
+#include "core/units.h"
+#include "ui/kit/font_size.h"
+#include "ui/kit/hatch.h"
+#include "ui/text/names.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+constexpr double cellWidth = 0.8, cellHeight = 0.72; ///< of what is between two states
+constexpr int cellDigits = 3;
+constexpr double textAir = 6;     ///< [px] beside a cell's text
+constexpr double leastFont = 0.7; ///< of the plot's
+constexpr double strikeSize = 3;  ///< [px] of the cross on a move struck out
+constexpr double mostCorner = 9;  ///< [px] of the mark of a wrong state
+constexpr double pathShift = 2;   ///< [px] that two paths in one state stand apart
+constexpr double frameWidth = 2.5, pathWidth = 3;
+constexpr float pathOpacity = 0.28F, moveOpacity = 0.45F, hatchOpacity = 0.35F;
+
+QColor faded(QColor colour, float opacity) {
+    colour.setAlphaF(colour.alphaF() * opacity);
+    return colour;
+}
+
+} // namespace
+
+StateGridLayer::StateGridLayer(QCPAxisRect& rect)
+    : PaintedLayer(rect, QStringLiteral("main"), Edges::smooth) {}
+
+void StateGridLayer::setGrid(StateGridOutcomePtr outcome) {
+    m_outcome = std::move(outcome);
+    m_number = m_outcome ? momentCount(grid()) : 0;
+}
+
+// --- where and what -----------------------------------------------------------------------------
+
+QRectF StateGridLayer::boxAt(double level, double feed) const {
+    const QCPAxis& across = *m_rect->axis(QCPAxis::atBottom);
+    const QCPAxis& up = *m_rect->axis(QCPAxis::atLeft);
+    const QPointF low(across.coordToPixel(level - cellWidth / 2),
+                      up.coordToPixel(feed - cellHeight / 2));
+    const QPointF high(across.coordToPixel(level + cellWidth / 2),
+                       up.coordToPixel(feed + cellHeight / 2));
+    return QRectF(low, high).normalized();
+}
+
+QRectF StateGridLayer::cell(int level, std::size_t feed) const {
+    return boxAt(level, static_cast<double>(feed));
+}
+
+QRectF StateGridLayer::blankCell() const {
+    return boxAt(0, (static_cast<double>(grid().feeds.size()) - 1) / 2);
+}
+
+bool StateGridLayer::isFilled(int level, std::size_t feed) const {
+    return momentOf(grid(), level, feed) <= m_number;
+}
+
+QString StateGridLayer::textOf(const GridState& state, int level, Room room) {
+    if (!state.time_s || room == Room::none) {
+        return {};
+    }
+    const QString time = Names::significant(*state.time_s / units::secondsPerMinute, cellDigits);
+    if (level == 1 || room == Room::time) {
+        return time;
+    }
+    return time + (room == Room::oneLine ? QStringLiteral(" | ") : QStringLiteral("\n"))
+           + QString::number(state.from + 1);
+}
+
+QString StateGridLayer::cellText(int level, std::size_t feed) const {
+    return m_outcome && isFilled(level, feed) ? textOf(grid().state(level, feed), level, m_room)
+                                              : QString();
+}
+
+/// One size for all cells, so that they compare; less is written where all of it has no room.
+void StateGridLayer::chooseFont(const QFont& usual) {
+    const QRectF box = cell(1, 0);
+    const QFontMetricsF metrics(usual);
+    m_room = Room::none;
+    for (const Room room : {Room::oneLine, Room::twoLines, Room::time}) {
+        double widest = 1;
+        for (int n = 1; n <= grid().size.levels; ++n) {
+            for (const GridState& state : grid().states[static_cast<std::size_t>(n - 1)]) {
+                for (const QString& line : textOf(state, n, room).split(u'\n')) {
+                    widest = std::max(widest, metrics.horizontalAdvance(line));
+                }
+            }
+        }
+        const double high = metrics.height() * (room == Room::twoLines ? 2 : 1);
+        const double times = std::min({1.0, (box.width() - textAir) / widest, box.height() / high});
+        if (times >= leastFont) {
+            m_room = room;
+            m_font = enlarged(usual, times);
+            return;
+        }
+    }
+}
+
+// --- drawing ------------------------------------------------------------------------------------
+
+void StateGridLayer::draw(QCPPainter* painter) {
+    if (!m_outcome) {
+        return;
+    }
+    chooseFont(m_rect->axis(QCPAxis::atBottom)->tickLabelFont());
+    const GridMoment now = momentAt(grid(), m_number);
+    drawCells(*painter);
+    if (shows(GridPart::rulePath) && now.stepsBack > 0) {
+        drawPath(*painter, grid().path, grid().size.levels - now.stepsBack + 1,
+                 QPen(m_colours.rule, pathWidth), -pathShift);
+    }
+    const bool all = m_number >= momentsOfFilling(grid());
+    if (shows(GridPart::provenPath) && all && m_outcome->exact && !m_outcome->exact->path.empty()) {
+        drawPath(*painter, m_outcome->exact->path, 1,
+                 QPen(m_colours.proven, pathWidth, Qt::DashLine), pathShift);
+    }
+    if (shows(GridPart::moves) && now.level > 0) {
+        drawMoves(*painter);
+    }
+    if (shows(GridPart::wrong)) {
+        drawWrong(*painter);
+    }
+    if (now.level > 0) {
+        painter->setPen(QPen(m_colours.current, frameWidth));
+        painter->setBrush(Qt::NoBrush);
+        painter->drawRect(cell(now.level, now.feed));
+    }
+}
+
+void StateGridLayer::drawCells(QCPPainter& painter) const {
+    painter.setFont(m_font);
+    const QColor frame = faded(m_colours.ink, moveOpacity);
+    const auto box = [&](const QRectF& area, const QColor& fill, const QString& text) {
+        painter.setPen(QPen(frame, 1));
+        painter.setBrush(fill);
+        painter.drawRect(area);
+        if (!text.isEmpty()) {
+            painter.setPen(m_colours.ink);
+            painter.drawText(area, static_cast<int>(Qt::AlignCenter), text);
+        }
+    };
+    box(blankCell(), m_colours.cell, m_room == Room::none ? QString() : QStringLiteral("0"));
+    for (int n = 1; n <= grid().size.levels; ++n) {
+        for (std::size_t m = 0; m < grid().feeds.size(); ++m) {
+            const QRectF area = cell(n, m);
+            const bool reached = grid().state(n, m).time_s.has_value();
+            if (!isFilled(n, m)) {
+                painter.setPen(QPen(faded(frame, moveOpacity), 1, Qt::DotLine));
+                painter.setBrush(Qt::NoBrush);
+                painter.drawRect(area);
+            } else if (reached) {
+                box(area, m_colours.cell, cellText(n, m));
+            } else if (shows(GridPart::noMove)) {
+                box(area, Qt::transparent, {});
+                paintHatch(painter, area, Hatch::rising, faded(m_colours.fails, hatchOpacity));
+            }
+        }
+    }
+}
+
+/// From a level on, through the states of a path; apart from one another by a shift.
+void StateGridLayer::drawPath(QCPPainter& painter, const std::vector<std::size_t>& path, int from,
+                              const QPen& pen, double shift) const {
+    QPolygonF line;
+    if (from == 1) {
+        line << blankCell().center() + QPointF(0, shift);
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(faded(pen.color(), pathOpacity));
+    for (int n = from; n <= grid().size.levels; ++n) {
+        const QRectF area = cell(n, path[static_cast<std::size_t>(n - 1)]);
+        painter.drawRect(area);
+        line << area.center() + QPointF(0, shift);
+    }
+    // Between the cells alone, as the times stand in them.
+    painter.setPen(pen);
+    for (qsizetype i = 1; i < line.size(); ++i) {
+        const double half = cell(1, 0).width() / 2;
+        const QLineF whole(line[i - 1], line[i]);
+        painter.drawLine(QLineF(whole.p1() + QPointF(half, 0), whole.p2() - QPointF(half, 0)));
+    }
+}
+
+void StateGridLayer::drawMoves(QCPPainter& painter) const {
+    const GridMoment now = momentAt(grid(), m_number);
+    const GridState& state = grid().state(now.level, now.feed);
+    const QRectF to = cell(now.level, now.feed);
+    const QPointF end(to.left(), to.center().y());
+    const auto drawMove = [&](std::size_t i, bool kept) {
+        const StateMove& move = state.moves[i];
+        if (move.end == MoveEnd::noState || (move.end == MoveEnd::kept) != kept) {
+            return;
+        }
+        const QRectF from = now.level == 1 ? blankCell() : cell(now.level - 1, i);
+        const QLineF line(QPointF(from.right(), from.center().y()), end);
+        const bool admissible = kept || move.end == MoveEnd::slower;
+        painter.setPen(kept         ? QPen(m_colours.current, frameWidth)
+                       : admissible ? QPen(faded(m_colours.ink, moveOpacity), 1)
+                                    : QPen(faded(m_colours.fails, moveOpacity), 1, Qt::DashLine));
+        painter.drawLine(line);
+        if (!admissible) {
+            const QPointF at = line.pointAt(0.25);
+            const QPointF along(strikeSize, strikeSize), across(strikeSize, -strikeSize);
+            painter.setPen(QPen(m_colours.fails, 1.5));
+            painter.drawLine(QLineF(at - along, at + along));
+            painter.drawLine(QLineF(at - across, at + across));
+        }
+    };
+    for (const bool kept : {false, true}) { // that one on top
+        for (std::size_t i = 0; i < state.moves.size(); ++i) {
+            drawMove(i, kept);
+        }
+    }
+}
+
+void StateGridLayer::drawWrong(QCPPainter& painter) const {
+    if (!m_outcome->exact) {
+        return;
+    }
+    painter.setBrush(Qt::NoBrush);
+    for (const StateFault& fault : m_outcome->exact->faults) {
+        if (isFilled(fault.level, fault.feed)) {
+            const QRectF area = cell(fault.level, fault.feed).adjusted(-2, -2, 2, 2);
+            painter.setPen(QPen(m_colours.fails, frameWidth));
+            painter.drawRect(area);
+            const double corner = std::min({area.height() / 2, area.width() / 2, mostCorner});
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(m_colours.fails);
+            painter.drawPolygon(QPolygonF{area.topRight(), area.topRight() - QPointF(corner, 0),
+                                          area.topRight() + QPointF(0, corner)});
+            painter.setBrush(Qt::NoBrush);
+        }
+    }
+}
+
+} // namespace sparkout

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/dynamic_programming/grid_moment.h"
+#include "ui/dynamic_programming/state_grid_runner.h"
+#include "ui/plot/painted_layer.h"
+
+#include <optional>
+#include <set>
+
+namespace sparkout {
+
+/// What of it can be hidden.
+enum class GridPart { rulePath, provenPath, wrong, noMove, moves };
+
+/// The cells of a grid of states as they stand at a moment of its filling: T and m* where there is
+/// room, the moves into the state looked at, the path read back and the proven one. A state is a
+/// whole number of the horizontal axis, its level, and of the vertical one, its feed from 0.
+class StateGridLayer : public PaintedLayer {
+    Q_OBJECT
+public:
+    explicit StateGridLayer(QCPAxisRect& rect);
+
+    struct Colours {
+        QColor ink, cell, rule, proven, fails, current;
+    };
+
+    void setGrid(StateGridOutcomePtr outcome);
+    void setMoment(int number) { m_number = number; }
+    void setColours(const Colours& colours) { m_colours = colours; }
+    void setHidden(std::set<GridPart> hidden) { m_hidden = std::move(hidden); }
+    [[nodiscard]] const Colours& colours() const { return m_colours; }
+    [[nodiscard]] int moment() const { return m_number; }
+    /// Where a state is drawn, in pixels.
+    [[nodiscard]] QRectF cell(int level, std::size_t feed) const;
+    /// What stands in its cell; empty: it has no room, or is not filled.
+    [[nodiscard]] QString cellText(int level, std::size_t feed) const;
+
+protected:
+    void draw(QCPPainter* painter) override;
+
+private:
+    enum class Room { none, time, twoLines, oneLine };
+
+    [[nodiscard]] static QString textOf(const GridState& state, int level, Room room);
+    [[nodiscard]] const StateGrid& grid() const { return m_outcome->grid; }
+    [[nodiscard]] bool shows(GridPart part) const { return !m_hidden.contains(part); }
+    [[nodiscard]] bool isFilled(int level, std::size_t feed) const;
+    [[nodiscard]] QRectF blankCell() const;
+    [[nodiscard]] QRectF boxAt(double level, double feed) const;
+    void chooseFont(const QFont& usual);
+    void drawCells(QCPPainter& painter) const;
+    void drawPath(QCPPainter& painter, const std::vector<std::size_t>& path, int from,
+                  const QPen& pen, double shift) const;
+    void drawMoves(QCPPainter& painter) const;
+    void drawWrong(QCPPainter& painter) const;
+
+    StateGridOutcomePtr m_outcome;
+    int m_number = 0;
+    std::set<GridPart> m_hidden;
+    Colours m_colours;
+    QFont m_font;
+    Room m_room = Room::none;
+};
+
+} // namespace sparkout

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dynamic_programming/exact_answer.h"
+#include "core/dynamic_programming/state_grid.h"
+#include "ui/dynamic_programming/grid_moment.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <optional>
+
+namespace sparkout {
+
+/// What the page of dynamic programming says.
+class StateGridText {
+    Q_DECLARE_TR_FUNCTIONS(StateGridText)
+public:
+    static QString progress(qint64 done, qint64 parts, double left_s);
+    static QString fault(StateGridFault fault); ///< why there is no grid; empty: there is
+    static QString minutes(double time_s);      ///< "0.412", without unit
+    static QString feed(const StageSetting& setting, Operation operation); ///< "0.004 · 1800"
+    static QString state(int level, std::size_t feed);                     ///< "[5, 3]"
+    static QString cycle(const Cycle& cycle);
+    /// What was filled: "20 levels, 40 feeds, up to 3 stages".
+    static QString size(const StateGrid& grid);
+    /// The rule's answer and, once it is known, the proven one; where the rule goes wrong.
+    static QString answer(const StateGrid& grid, const std::optional<ExactAnswer>& exact);
+    static QString ruleAnswer(const StateGrid& grid);
+    static QString provenAnswer(const ExactAnswer& exact);
+    static QString faults(const StateGrid& grid, const ExactAnswer& exact);
+    static QString wrong(const StateFault& fault); ///< why a state is wrong
+    /// Of a state the kept move, the slower ones and those struck out, by their causes.
+    static QString moves(const StateGrid& grid, int level, std::size_t feed);
+    static QString moment(const StateGrid& grid, const GridMoment& moment);
+    static QString struckOut(const GridState& state); ///< "burn 2, stages 1"; empty: none
+};
+
+} // namespace sparkout

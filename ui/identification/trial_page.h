@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/fitted_parameter.h"
+#include "core/project/project.h"
+#include "ui/identification/trial_runner.h"
+
+#include <QWidget>
+
+#include <utility>
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace sparkout {
+
+class FitTable;
+
+/// Which short trial tells most about the parameters one wants to know: trials with several feeds,
+/// without and with a spark-out, by what is recorded, the best first.
+class TrialPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit TrialPage(const Project& project, QWidget* parent = nullptr);
+
+private:
+    QWidget* buildChoices();
+    QWidget* buildButtons();
+    void follow();
+    void start();
+    void showDesign();
+    void showTrial(int row); ///< what is done at the machine
+    [[nodiscard]] std::vector<FittedParameter> parameters() const;
+    [[nodiscard]] QStringList cellsOf(const Trial& trial) const;
+    [[nodiscard]] QString stepsOf(const Trial& trial) const;
+
+    const Project& m_project;
+    std::vector<std::pair<FittedKind, QCheckBox*>> m_kinds;
+    QComboBox* m_record;
+    FitTable* m_table;
+    QLabel* m_words;
+    QLabel* m_fault;
+    QProgressBar* m_progress;
+    QPushButton *m_find, *m_stop;
+    TrialRequest m_requested;
+    TrialDesignPtr m_design;
+    std::vector<const Trial*> m_shown; ///< row by row
+    TrialRunner m_runner;              ///< last: ended before what it reports to is gone
+};
+
+} // namespace sparkout
