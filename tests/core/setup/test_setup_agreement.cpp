@@ -11,8 +11,12 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <map>
 #include <string>
+#include <tuple>
+#include <utility>
 
 namespace test_setup_agreement {
 

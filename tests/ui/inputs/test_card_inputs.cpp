@@ -8,8 +8,11 @@
 #include "ui/fields/number_field.h"
 #include "ui/report/card/operation_card_report.h"
 
+#include <QDate>
 #include <QLabel>
 #include <QLineEdit>
+
+#include <string>
 
 namespace test_card_inputs {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The form of zones that hold several sections, as a table of the verdict panel.
+#include "core/project/wheel.h"
 #include "core/units.h"
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
