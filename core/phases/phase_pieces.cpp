@@ -28,7 +28,7 @@ class PhaseWalk {
 public:
     PhaseWalk(Project project, double from_mm, double to_mm, std::stop_token stop)
         : m_project(std::move(project)), m_stop(std::move(stop)) {
-        const double runout = initialRunout(*m_project.part);
+        const double runout = largestRunout(*m_project.part);
         const double share = runout / targetRadius(*m_project.part);
         constexpr double rounding_mm = 1e-12;
         const double stock_mm = m_project.part->stock_mm;
