@@ -111,7 +111,7 @@ ordered_json worstJson(const BatchResult& result, std::int64_t part) {
     const std::vector<double> values = source.values(part);
     ordered_json factors = ordered_json::object();
     for (std::size_t i = 0; i < values.size(); ++i) {
-        factors[factorKey(source.factors()[i].kind)] = values[i];
+        factors[factorKey(source.factors()[i])] = values[i];
     }
     return {{"part", part},
             {"factors", std::move(factors)},
@@ -126,7 +126,7 @@ ordered_json regressionJson(const std::optional<RankRegression>& regression,
     }
     ordered_json coefficients = ordered_json::object();
     for (std::size_t f = 0; f < factors.size(); ++f) {
-        coefficients[factorKey(factors[f].kind)] = regression->coefficients[f];
+        coefficients[factorKey(factors[f])] = regression->coefficients[f];
     }
     return {{"coefficients", std::move(coefficients)},
             {"determination", regression->determination},
@@ -141,8 +141,7 @@ ordered_json sobolJson(const std::vector<SobolIndex>& indices,
     }
     ordered_json json = ordered_json::object();
     for (std::size_t f = 0; f < factors.size(); ++f) {
-        json[factorKey(factors[f].kind)] = {{"first", indices[f].first},
-                                            {"total", indices[f].total}};
+        json[factorKey(factors[f])] = {{"first", indices[f].first}, {"total", indices[f].total}};
     }
     return json;
 }
@@ -155,7 +154,7 @@ std::string regressionText(const std::optional<RankRegression>& regression,
     }
     std::string text = "  rank regression:";
     for (std::size_t f = 0; f < factors.size(); ++f) {
-        text += std::string(f == 0 ? " " : ", ") + factorKey(factors[f].kind) + " "
+        text += std::string(f == 0 ? " " : ", ") + factorKey(factors[f]) + " "
                 + fixed(regression->coefficients[f], 2);
     }
     return text + "; R² " + fixed(regression->determination, 2) + '\n';
@@ -166,7 +165,7 @@ std::string sobolText(const std::vector<SobolIndex>& indices,
     std::string text;
     for (std::size_t f = 0; f < indices.size(); ++f) {
         text += std::string(f == 0 ? "  Sobol indices, first and total: " : ", ")
-                + factorKey(factors[f].kind) + " " + fixed(indices[f].first, 2) + " "
+                + factorKey(factors[f]) + " " + fixed(indices[f].first, 2) + " "
                 + fixed(indices[f].total, 2);
     }
     return text.empty() ? text : text + '\n';
@@ -235,7 +234,7 @@ std::string factorsText(const BatchResult& result, std::int64_t part) {
     const std::vector<double> values = part < 0 ? std::vector<double>() : source.values(part);
     std::string text;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        text += std::string(i == 0 ? ": " : ", ") + factorKey(source.factors()[i].kind) + " "
+        text += std::string(i == 0 ? ": " : ", ") + factorKey(source.factors()[i]) + " "
                 + numberText(values[i]);
     }
     return text;
@@ -330,7 +329,7 @@ std::string batchText(const BatchResult& result, const std::optional<SobolIndice
                        + "worst part " + std::to_string(summary.worstPart) + " (from 0)"
                        + factorsText(result, summary.worstPart) + '\n';
     const auto regressions = rankRegressions(result);
-    const auto factors = givenFactors(result.project);
+    const auto factors = scatteredFactors(result.project);
     for (std::size_t i = 0; i < summary.characteristics.size(); ++i) {
         text += characteristicText(summary.characteristics[i], summary.isSample);
         if (summary.isSample) {
@@ -364,7 +363,7 @@ std::string batchJson(const BatchResult& result, const std::optional<SobolIndice
         json["sobol_simulations"] = indices->simulations;
     }
     const auto regressions = rankRegressions(result);
-    const auto factors = givenFactors(result.project);
+    const auto factors = scatteredFactors(result.project);
     for (std::size_t i = 0; i < summary.characteristics.size(); ++i) {
         json["characteristics"].push_back(
             characteristicJson(summary.characteristics[i], summary.isSample, summary.drifts));

@@ -81,7 +81,7 @@ bool isReady(const Project& project, const std::string& name, const Options& opt
     if (!issues.empty()) {
         return false;
     }
-    if (options.sensitivity && (project.batch->correlation || givenFactors(project).empty())) {
+    if (options.sensitivity && (project.batch->correlation || scatteredFactors(project).empty())) {
         print(stderr, printable(name) + ": Sobol indices need factors that are not correlated\n");
         return false;
     }

@@ -211,7 +211,7 @@ Batch runBatchOf(const ValidProject& project, int threads) {
         Batch batch;
         const ScenarioSource source(project.project);
         for (const GivenFactor& factor : source.factors()) {
-            batch.factors.emplace_back(factorKey(factor.kind));
+            batch.factors.emplace_back(factorKey(factor));
         }
         const std::vector<Characteristic> characteristics = characteristicsOf(source.nominal());
         for (const Characteristic& of : characteristics) {

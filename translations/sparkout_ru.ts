@@ -5524,6 +5524,50 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Designation of the part</source>
             <translation>Обозначение изделия</translation>
         </message>
+        <message>
+            <source>Further stock by zone</source>
+            <translation>Добавка припуска по зонам</translation>
+        </message>
+        <message>
+            <source>Further runout by zone</source>
+            <translation>Добавка биения по зонам</translation>
+        </message>
+        <message>
+            <source>Compliance factor by zone</source>
+            <translation>Множитель податливости по зонам</translation>
+        </message>
+        <message>
+            <source>the same everywhere</source>
+            <translation>везде одинаково</translation>
+        </message>
+        <message>
+            <source>1 everywhere</source>
+            <translation>везде 1</translation>
+        </message>
+        <message>
+            <source>By how much the stock per side of each zone or section, in their order, is above that of the part, or below it.</source>
+            <translation>На сколько припуск на сторону каждой зоны или сечения, по порядку, больше припуска детали или меньше его.</translation>
+        </message>
+        <message>
+            <source>By how much the initial runout of each zone or section, in their order, is above that of the part, or below it.</source>
+            <translation>На сколько исходное биение каждой зоны или сечения, по порядку, больше биения детали или меньше его.</translation>
+        </message>
+        <message>
+            <source>Multiplies the compliance of each zone or section, in their order, given or computed; not with coupled sections.</source>
+            <translation>Умножает податливость каждой зоны или сечения, по порядку, заданную или вычисленную; не при связанных сечениях.</translation>
+        </message>
+        <message>
+            <source>Lowest and highest difference of each zone or section from the stock of the part, in their order; each scatters by itself, evenly. Twice the same is a constant.</source>
+            <translation>Наименьшее и наибольшее отличие припуска каждой зоны или сечения от припуска детали, по порядку; каждое рассеивается само по себе, равномерно. Два одинаковых числа — постоянная.</translation>
+        </message>
+        <message>
+            <source>Lowest and highest difference of each zone or section from the initial runout of the part, in their order; each scatters by itself, evenly. Twice the same is a constant.</source>
+            <translation>Наименьшее и наибольшее отличие исходного биения каждой зоны или сечения от биения детали, по порядку; каждое рассеивается само по себе, равномерно. Два одинаковых числа — постоянная.</translation>
+        </message>
+        <message>
+            <source>Lowest and highest factor on the compliance of each zone or section, in their order; each scatters by itself, evenly. Twice the same is a constant.</source>
+            <translation>Наименьший и наибольший множитель податливости каждой зоны или сечения, по порядку; каждый рассеивается сам по себе, равномерно. Два одинаковых числа — постоянная.</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>

@@ -20,13 +20,21 @@ Issues errorsOf(Issues issues) {
 }
 
 /// Every corner must be a project that can be run; the faults of the first that is not are given.
+/// Of the zones' own values both ends of all together are enough: each makes its zone's stock,
+/// runout or compliance larger, and what is too small or too large is so at one of these ends.
 Issues faultsOfExtremes(Project project) {
     project.batch->scenarios = Scenarios::corners;
     const ScenarioSource corners(std::move(project));
-    for (std::int64_t part = 0; part < corners.parts(); ++part) {
-        Issues issues = errorsOf(validate(corners.project(part)));
-        if (!issues.empty()) {
-            return issues;
+    const std::size_t all = corners.factors().size();
+    const auto ofPart = static_cast<std::size_t>(
+        std::ranges::count_if(corners.factors(), [](const GivenFactor& f) { return f.place < 0; }));
+    const std::int64_t zones = ((std::int64_t{1} << all) - 1) >> ofPart << ofPart;
+    for (std::int64_t part = 0; part < std::int64_t{1} << ofPart; ++part) {
+        for (const std::int64_t corner : {part, part | zones}) {
+            Issues issues = errorsOf(validate(corners.project(corner)));
+            if (!issues.empty()) {
+                return issues;
+            }
         }
     }
     return {};

@@ -168,7 +168,7 @@ private:
 
 std::string writeBatchState(const BatchResult& result) {
     const Json project = Json::parse(writeProject(result.project));
-    const std::size_t factors = givenFactors(result.project).size();
+    const std::size_t factors = scatteredFactors(result.project).size();
     return sealed({{"format", batchStateFormat},
                    {"version", batchStateVersion},
                    {"engine_version", result.engineVersion},

@@ -48,7 +48,7 @@ public:
         expect(project.project && checkBatch(*project.project).empty());
         m_result.project = std::move(*project.project);
         m_characteristics = characteristicsOf(m_result.project).size();
-        m_factors = givenFactors(m_result.project).size();
+        m_factors = scatteredFactors(m_result.project).size();
         expect(m_state.at("project_digest") == projectDigest(m_result.project));
         m_result.engineVersion = m_state.at("engine_version").get<std::string>();
         m_result.build = m_state.at("build").get<std::string>();

@@ -132,6 +132,21 @@ FactorEnds cornerEnds(const GivenFactor& factor) {
                : FactorEnds{std::max(m - 3 * s, ends.low), std::min(m + 3 * s, ends.high)};
 }
 
+void putFactor(const GivenFactor& factor, double value, Project& project) {
+    if (factor.place < 0) {
+        putFactor(factor.kind, value, project);
+        return;
+    }
+    auto& own = factor.kind == FactorKind::stock    ? project.part->zone_stock_mm
+                : factor.kind == FactorKind::runout ? project.part->zone_runout_mm
+                                                    : project.machine->zone_compliance;
+    if (!own) {
+        const double same = factor.kind == FactorKind::compliance ? 1 : 0;
+        own.emplace(static_cast<std::size_t>(placeCount(project)), same);
+    }
+    own->at(static_cast<std::size_t>(factor.place)) = value;
+}
+
 void putFactor(FactorKind kind, double value, Project& project) {
     switch (kind) {
     case FactorKind::stock: project.part->stock_mm = value; break;

@@ -35,5 +35,8 @@ struct FactorEnds {
 /// measured profile is stretched to the runout; the contact width is the wheel's width in traverse,
 /// the ground length in plunge.
 void putFactor(FactorKind kind, double value, Project& project);
+/// The same of a factor that may be one of a zone or section alone: what its input says is
+/// replaced.
+void putFactor(const GivenFactor& factor, double value, Project& project);
 
 } // namespace sparkout

@@ -36,7 +36,7 @@ std::string placeKey(const Characteristic& characteristic) {
 std::vector<std::string> PartTable::keys(const PartColumns& columns) {
     std::vector<std::string> keys{"part", "status", "good", "least_relative_margin"};
     for (const GivenFactor& factor : columns.factors) {
-        keys.emplace_back(factorKey(factor.kind));
+        keys.emplace_back(factorKey(factor));
     }
     for (const Characteristic& of : columns.characteristics) {
         keys.push_back(std::string(of.name) + ' ' + placeKey(of) + " [" + of.unit + ']');

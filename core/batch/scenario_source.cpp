@@ -15,7 +15,9 @@ namespace sparkout {
 
 ScenarioSource::ScenarioSource(Project project)
     : m_nominal(std::move(project)), m_batch(m_nominal.batch.value_or(Batch{})) {
-    m_factors = givenFactors(m_nominal);
+    m_factors = scatteredFactors(m_nominal);
+    m_ofPart = givenFactors(m_nominal).size();
+    m_constants = zoneConstants(m_nominal);
     if (Gauge& gauge = *m_nominal.gauge; gauge.control == Control::position && !gauge.datum_mm) {
         gauge.datum_mm = makeBlank(*m_nominal.part).totalInfeed_mm;
     }
@@ -71,7 +73,7 @@ std::vector<double> ScenarioSource::values(std::int64_t part) const {
         values[f] = share(part, f);
     }
     if (m_correlation) {
-        m_correlation->apply(values);
+        m_correlation->apply({values.data(), m_ofPart});
     }
     for (std::size_t f = 0; f < values.size(); ++f) {
         values[f] = m_factors[f].isLaw() ? lawValue(m_factors[f], part, m_parts)
@@ -86,8 +88,11 @@ Project ScenarioSource::project(std::int64_t part) const {
 
 Project ScenarioSource::projectWith(const std::vector<double>& values) const {
     Project project = m_nominal;
+    for (const GivenFactor& constant : m_constants) {
+        putFactor(constant, constant.law.uniform->front(), project);
+    }
     for (std::size_t f = 0; f < values.size(); ++f) {
-        putFactor(m_factors[f].kind, values[f], project);
+        putFactor(m_factors[f], values[f], project);
     }
     return project;
 }

@@ -17,7 +17,8 @@ namespace sparkout {
 /// Latin hypercube: part i of N draws factor f from stratum π_f(i) of N, π_f a random permutation
 /// [MCKAY1979]. Sobol: point i, shifted by a random digital shift; with a law over the batch the
 /// points are taken in random order, or their bits would go in step with it. Corners: bit f of i
-/// says which end; without factors there is one part, the nominal one.
+/// says which end; without factors there is one part, the nominal one. Factors of the part stand
+/// before those of its zones, which are drawn independently of all others.
 class ScenarioSource {
 public:
     explicit ScenarioSource(Project project);
@@ -45,6 +46,8 @@ private:
     Project m_nominal;
     Batch m_batch;
     std::vector<GivenFactor> m_factors;
+    std::vector<GivenFactor> m_constants; ///< of zones that do not scatter
+    std::size_t m_ofPart = 0;             ///< factors of the whole part, which stand first
     std::optional<Correlation> m_correlation;
     std::int64_t m_parts = 1;
     bool m_isSample = true;

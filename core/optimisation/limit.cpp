@@ -212,8 +212,10 @@ double limitOf(const Project& project, bool sparksOut, const std::stop_token& st
     double limit_s = (steps + (sparksOut ? 1 : 0)) * times.least_s();
     if (project.gauge->control == Control::gauge && !project.gauge->position_mm) {
         double deepest = 0;
+        const std::vector<double>& gauged =
+            blank.depthAt(static_cast<std::size_t>(gaugeSection(project)));
         for (std::size_t k = 0; k < blank.depth_mm.size(); ++k) {
-            deepest = blank.isGap(k) ? deepest : std::max(deepest, blank.depth_mm[k]);
+            deepest = blank.isGap(k) ? deepest : std::max(deepest, gauged[k]);
         }
         const double cell = (all - deepest) / stockCells;
         double sum_s = 0;

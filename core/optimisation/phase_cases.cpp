@@ -21,9 +21,16 @@ OptimisationScenarios scenariosOf(const Project& project) {
                                                  : OptimisationScenarios::nominal;
 }
 
+/// The stock of the whole part among them; none: the end.
+auto stockAmong(const std::vector<GivenFactor>& factors) {
+    return std::ranges::find_if(factors, [](const GivenFactor& factor) {
+        return factor.kind == FactorKind::stock && factor.place < 0;
+    });
+}
+
 /// Places of the corners that differ in more than the stock, in the order of the factors.
 std::vector<std::int64_t> cornersOf(const std::vector<GivenFactor>& factors) {
-    const auto stock = std::ranges::find(factors, FactorKind::stock, &GivenFactor::kind);
+    const auto stock = stockAmong(factors);
     const std::int64_t bit =
         stock == factors.end() ? 0 : std::int64_t{1} << (stock - factors.begin());
     std::vector<std::int64_t> corners;
@@ -58,8 +65,8 @@ PhaseCases phaseCases(const Project& project) {
     if (scenarios == OptimisationScenarios::nominal) {
         return cases;
     }
-    const std::vector<GivenFactor> factors = givenFactors(project);
-    const auto stock = std::ranges::find(factors, FactorKind::stock, &GivenFactor::kind);
+    const std::vector<GivenFactor> factors = scatteredFactors(project);
+    const auto stock = stockAmong(factors);
     if (stock != factors.end()) {
         Project end = project;
         const FactorEnds ends = cornerEnds(*stock);

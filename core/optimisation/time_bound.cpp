@@ -2,6 +2,7 @@
 #include "core/optimisation/time_bound.h"
 
 #include "core/process/profile.h"
+#include "core/process/system_compliance.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
 #include "core/project/part.h"
@@ -22,10 +23,21 @@ namespace {
 /// Rounding of t_П, Σa and times, generously [mm, share].
 constexpr double boundRounding_mm = 1e-9, boundRounding = 1e-9;
 
+/// The infeed that the bound counts on.
+double sureInfeed_mm(const Project& project, double total_mm) {
+    const std::vector<ZoneBlank> zones = zoneBlanks(*project.part);
+    const auto gauged = static_cast<std::size_t>(gaugeSection(project));
+    if (project.gauge->control == Control::position || gauged >= zones.size()
+        || zones[gauged].stock_mm >= 0) {
+        return total_mm;
+    }
+    return std::min(total_mm, project.part->stock_mm + zones[gauged].stock_mm);
+}
+
 } // namespace
 
 TimeBound::TimeBound(const Project& project, const Grid& grid, double totalInfeed_mm)
-    : m_total(totalInfeed_mm - stageSlack_mm - boundRounding_mm)
+    : m_total(sureInfeed_mm(project, totalInfeed_mm) - stageSlack_mm - boundRounding_mm)
     , m_shortLastStep(project.gauge->control == Control::position) {
     const Machine& machine = *project.machine;
     const double revolution_s = units::secondsPerMinute / machine.work_speed_rpm;

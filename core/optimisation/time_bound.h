@@ -24,6 +24,9 @@ namespace sparkout {
 /// its nearest end at its own r. The last stage, whose feed is known, must make all of the steps
 /// ⌈infeed/f⌉ (under position control the last one may be short).
 ///
+/// Where the gauge's zone or section has a stock Π_g of its own below Π, a stage with more left
+/// than that ends at once: for the bound the infeed there is taken to be Π_g at most.
+///
 /// A cycle that sparks out in the end feeds only up to the stock L' of that stage, which is no more
 /// than the most the grid leaves a last stage nor than what is left: t_П ≥ |R_first − R_t| − L' −
 /// slack at the end of the last feed. Then come its N steps of at least c(v) (plunge: 1/n).

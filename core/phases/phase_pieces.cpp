@@ -120,7 +120,7 @@ private:
 } // namespace
 
 double formChange_mm(const Project& project, double stock_mm) {
-    const double share = initialRunout(*project.part) / targetRadius(*project.part);
+    const double share = largestRunout(*project.part) / targetRadius(*project.part);
     return 2 * share * share * stock_mm;
 }
 

@@ -29,9 +29,10 @@ double initialRunout(const Part& part) {
     return (range.high - range.low) / units::umPerMm;
 }
 
-std::vector<double> profileRadii(const Part& part, double largestRadius_mm) {
+namespace {
+
+std::vector<double> radiiOf(const Part& part, double largestRadius_mm, double dR) {
     const int K = part.radii_per_section;
-    const double dR = initialRunout(part);
     const double p = largestRadius_mm;
     const double q = largestRadius_mm - dR;
     const double e = dR / 2;
@@ -53,8 +54,10 @@ std::vector<double> profileRadii(const Part& part, double largestRadius_mm) {
         case ProfileForm::measured: {
             const auto& deviations = *part.radii_um;
             const double highest = measuredRange(part).high;
+            const double whole = initialRunout(part);
+            const double stretch = whole == dR || whole == 0 ? 1 : dR / whole;
             R = largestRadius_mm
-                + (deviations[static_cast<std::size_t>(k)] - highest) / units::umPerMm;
+                + (deviations[static_cast<std::size_t>(k)] - highest) / units::umPerMm * stretch;
             break;
         }
         }
@@ -62,21 +65,56 @@ std::vector<double> profileRadii(const Part& part, double largestRadius_mm) {
     return radii;
 }
 
-Blank makeBlank(const Part& part) {
-    const double dR = initialRunout(part);
-    Blank blank;
-    blank.targetRadius_mm = targetRadius(part);
-    blank.totalInfeed_mm = part.stock_mm + dR;
+/// Depths below the first touch of a blank or zone whose first touch is so deep itself.
+std::vector<double> depthsOf(const Part& part, const Blank& blank, double touch_mm, double dR) {
     const bool external = part.surface == Surface::external;
-    blank.firstTouchRadius_mm =
-        blank.targetRadius_mm + (external ? blank.totalInfeed_mm : -blank.totalInfeed_mm);
-    const double largest = blank.firstTouchRadius_mm + (external ? 0 : dR);
+    const double largest =
+        external ? blank.firstTouchRadius_mm - touch_mm : blank.firstTouchRadius_mm + touch_mm + dR;
     const std::vector<bool> gaps = inGaps(part);
-    const std::vector<double> radii = profileRadii(part, largest);
+    const std::vector<double> radii = radiiOf(part, largest, dR);
+    std::vector<double> depths;
     for (std::size_t k = 0; k < radii.size(); ++k) {
         const double depth =
             external ? blank.firstTouchRadius_mm - radii[k] : radii[k] - blank.firstTouchRadius_mm;
-        blank.depth_mm.push_back(gaps[k] ? beyondReach_mm : std::max(0.0, depth));
+        depths.push_back(gaps[k] ? beyondReach_mm : std::max(0.0, depth));
+    }
+    return depths;
+}
+
+} // namespace
+
+std::vector<double> profileRadii(const Part& part, double largestRadius_mm) {
+    return radiiOf(part, largestRadius_mm, initialRunout(part));
+}
+
+double largestRunout(const Part& part) {
+    double largest = initialRunout(part);
+    if (part.zone_runout_mm) {
+        const double of = largest;
+        largest = 0;
+        for (const double own : *part.zone_runout_mm) {
+            largest = std::max(largest, of + own);
+        }
+    }
+    return largest;
+}
+
+Blank makeBlank(const Part& part) {
+    const double dR = initialRunout(part);
+    const std::vector<ZoneBlank> zones = zoneBlanks(part);
+    Blank blank;
+    blank.targetRadius_mm = targetRadius(part);
+    blank.totalInfeed_mm = part.stock_mm + dR;
+    if (!zones.empty()) {
+        blank.totalInfeed_mm += furthestZone_mm(part);
+    }
+    const bool external = part.surface == Surface::external;
+    blank.firstTouchRadius_mm =
+        blank.targetRadius_mm + (external ? blank.totalInfeed_mm : -blank.totalInfeed_mm);
+    blank.depth_mm = depthsOf(part, blank, 0, dR);
+    for (const ZoneBlank& zone : zones) {
+        const double touch = furthestZone_mm(part) - zone.stock_mm - zone.runout_mm;
+        blank.placeDepth_mm.push_back(depthsOf(part, blank, touch, dR + zone.runout_mm));
     }
     return blank;
 }

@@ -17,11 +17,16 @@ inline constexpr double beyondReach_mm = 1000;
 struct Blank {
     double targetRadius_mm = 0;     ///< R_t, middle of the field unless set
     double firstTouchRadius_mm = 0; ///< R_max0 external, R_min0 internal
-    double totalInfeed_mm = 0;      ///< |R_first − R_t| = Π + ΔR
+    double totalInfeed_mm = 0;      ///< |R_first − R_t| = Π + ΔR, the most of all zones
     /// Whether a radius stands in a gap: nothing is there to grind.
     [[nodiscard]] bool isGap(std::size_t k) const { return depth_mm[k] >= beyondReach_mm; }
 
     std::vector<double> depth_mm; ///< of the K radii, ≥ 0, K values; beyondReach_mm in a gap
+    /// The same of each zone or section, where they have a stock or runout of their own.
+    std::vector<std::vector<double>> placeDepth_mm;
+    [[nodiscard]] const std::vector<double>& depthAt(std::size_t place) const {
+        return place < placeDepth_mm.size() ? placeDepth_mm[place] : depth_mm;
+    }
 };
 
 /// R_t [mm]: half the target diameter, else the middle of the tolerance field.
@@ -36,6 +41,11 @@ struct Blank {
 /// Lobes: R = R_max − ΔR/2·(1 − cos nφ). Measured: R = R_max + deviation from the largest.
 [[nodiscard]] std::vector<double> profileRadii(const Part& part, double largestRadius_mm);
 
+/// Zones or sections with a stock or runout of their own, Π + δΠ and ΔR + δ(ΔR), have the same
+/// form; all depths count from the first touch of the whole blank. A measured profile is stretched.
 [[nodiscard]] Blank makeBlank(const Part& part);
+
+/// The largest ΔR of the zones or sections [mm].
+[[nodiscard]] double largestRunout(const Part& part);
 
 } // namespace sparkout

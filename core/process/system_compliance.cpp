@@ -98,6 +98,12 @@ std::vector<double> lengths(const Project& project) {
     return {plungeWidth(project, zones.rz1), zones.nz, plungeWidth(project, zones.rz2)};
 }
 
+/// What the compliance of a zone or section is multiplied by.
+double zoneFactor(const Project& project, std::size_t place) {
+    const auto& factors = project.machine->zone_compliance;
+    return factors && place < factors->size() ? (*factors)[place] : 1;
+}
+
 std::vector<double> givenGammas(const GivenCompliance& given) {
     if (const auto* zones = std::get_if<ZoneCompliance>(&given)) {
         return {zones->rz1, zones->nz, zones->rz2};
@@ -126,7 +132,7 @@ std::vector<CompliantPoint> compliantPoints(const Project& project, const std::s
     const std::vector<double> length = lengths(project);
     std::vector<CompliantPoint> points;
     for (std::size_t i = 0; i < at.size(); ++i) {
-        points.push_back({at[i], gammas[i], length[i]});
+        points.push_back({at[i], gammas[i] * zoneFactor(project, i), length[i]});
     }
     return points;
 }
@@ -162,7 +168,8 @@ std::vector<CompliantPoint> zoneSectionPoints(const Project& project, const std:
         }
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
-        points[i].gamma_mm_n = gammas[i];
+        const std::size_t zone = i / static_cast<std::size_t>(project.zone_sections);
+        points[i].gamma_mm_n = gammas[i] * zoneFactor(project, zone);
     }
     return points;
 }
@@ -207,6 +214,16 @@ int gaugeSection(const Project& project) {
     return project.gauge->section.value_or(project.sections / 2);
 }
 
+std::size_t placeOfPoint(const Project& project, std::size_t point) {
+    const auto places = static_cast<std::size_t>(placeCount(project));
+    if (point < places) {
+        return point;
+    }
+    return zoneSectionCount(project) > 0
+               ? (point - places) / static_cast<std::size_t>(project.zone_sections)
+               : static_cast<std::size_t>(gaugeSection(project));
+}
+
 CompliantPoint freeGaugePoint(const Project& project, const std::vector<CompliantPoint>& sections,
                               const std::stop_token& stop) {
     const double x = *project.gauge->position_mm;
@@ -214,7 +231,8 @@ CompliantPoint freeGaugePoint(const Project& project, const std::vector<Complian
         return {x, *project.gauge->compliance_mm_per_n};
     }
     if (isComputed(project)) {
-        return {x, computedGammas(project, {x}, stop).front()};
+        const auto nearest = static_cast<std::size_t>(gaugeSection(project));
+        return {x, computedGammas(project, {x}, stop).front() * zoneFactor(project, nearest)};
     }
     if (x <= sections.front().position_mm) {
         return {x, sections.front().gamma_mm_n};

@@ -57,6 +57,10 @@ struct CompliantPlace {
 /// nearest to its free position.
 [[nodiscard]] int gaugeSection(const Project& project);
 
+/// Index of the zone or section that a point of a run stands in: the zones or sections come first,
+/// then the sections of the zones, or the gauge's free position.
+[[nodiscard]] std::size_t placeOfPoint(const Project& project, std::size_t point);
+
 /// The gauge's free position in plunge with its γ: given, computed from the shaft, or interpolated
 /// between the sections' middles (constant beyond the outermost); it stands for no length. Only
 /// with gauge.position_mm.

@@ -107,6 +107,36 @@ const StructInfo& tableOf<Batch>() {
         SPARKOUT_FIELD(Batch, factors, .label = SPARKOUT_NOOP("Input", "Factors"),
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(
+            Batch, zone_stock_mm, .label = SPARKOUT_NOOP("Input", "Further stock by zone"),
+            .symbol = "δΠ", .unit = "mm", .hard = {-5, 5},
+            .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"), .count = 2, .sparse = true,
+            .page = Page::batch,
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "Lowest and highest difference of each zone or section from the stock of the part, "
+                "in their order; each scatters by itself, evenly. Twice the same is a constant."),
+            .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Batch, zone_runout_mm, .label = SPARKOUT_NOOP("Input", "Further runout by zone"),
+            .symbol = "δ(ΔR)", .unit = "mm", .hard = {-5, 5},
+            .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"), .count = 2, .sparse = true,
+            .page = Page::batch,
+            .hint =
+                SPARKOUT_NOOP("Input", "Lowest and highest difference of each zone or section from "
+                                       "the initial runout of the part, in their order; each "
+                                       "scatters by itself, evenly. Twice the same is a constant."),
+            .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Batch, zone_compliance, .label = SPARKOUT_NOOP("Input", "Compliance factor by zone"),
+            .symbol = "f_γ", .hard = {1e-3, 1e3},
+            .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"), .count = 2, .sparse = true,
+            .page = Page::batch,
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "Lowest and highest factor on the compliance of each zone or section, in their "
+                "order; each scatters by itself, evenly. Twice the same is a constant."),
+            .source = "MODEL-8"),
+        SPARKOUT_FIELD(
             Batch, correlation, .label = SPARKOUT_NOOP("Input", "Correlation"), .hard = {-1, 1},
             .nullMeaning = SPARKOUT_NOOP("Input", "independent"), .page = Page::batch,
             .hint =

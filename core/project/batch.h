@@ -37,6 +37,10 @@ struct Batch {
     int seed = 1;
     Scenarios scenarios = Scenarios::latin_hypercube;
     Factors factors;
+    // Lowest and highest of each zone or section, a row each; they scatter by themselves.
+    NumberRows zone_stock_mm;  ///< δΠ [mm]
+    NumberRows zone_runout_mm; ///< δ(ΔR) [mm]
+    NumberRows zone_compliance;
     NumberRows correlation; ///< matrix over the factors, in the order of the table
     double least_ppk = 1;   ///< of its lower 95 % bound, for a cycle to be fit
     std::optional<double> most_outside_share; ///< of parts that are not good, and of expected ones

@@ -17,13 +17,20 @@ namespace {
 class BatchRules {
 public:
     explicit BatchRules(const Project& project)
-        : m_correlation(project.batch->correlation), m_factors(givenFactors(project)) {}
+        : m_project(project)
+        , m_correlation(project.batch->correlation)
+        , m_factors(givenFactors(project)) {}
 
     Issues check() {
         for (const GivenFactor& factor : m_factors) {
             checkForm(factor);
         }
         checkMatrix();
+        const Batch& batch = *m_project.batch;
+        checkZones("/batch/zone_stock_mm", batch.zone_stock_mm);
+        checkZones("/batch/zone_runout_mm", batch.zone_runout_mm);
+        checkZones("/batch/zone_compliance", batch.zone_compliance);
+        checkCount();
         return std::move(m_issues);
     }
 
@@ -122,6 +129,32 @@ private:
         }
     }
 
+    void checkZones(const std::string& path, const NumberRows& ranges) {
+        if (!ranges) {
+            return;
+        }
+        const auto places = static_cast<std::size_t>(placeCount(m_project));
+        if (ranges->size() != places) {
+            add(IssueCode::wrongCount, path, countOf(ranges->size()), countOf(places));
+        }
+        for (std::size_t i = 0; i < ranges->size(); ++i) {
+            const std::vector<double>& ends = (*ranges)[i];
+            if (ends.size() == 2 && ends[1] < ends[0]) { // else the table's fault
+                add(IssueCode::outOfRange, path + "/" + std::to_string(i) + "/1", Amount{ends[1]},
+                    Bounds{{ends[0]}});
+            }
+        }
+    }
+
+    /// The factors of the zones beside those of the part.
+    void checkCount() {
+        const std::size_t all = m_factors.size() + zoneFactors(m_project).size();
+        if (all > limits::factors) {
+            add(IssueCode::wrongCount, "/batch", countOf(all),
+                Bounds{{0, static_cast<double>(limits::factors)}});
+        }
+    }
+
     void checkPair(const std::vector<std::vector<double>>& matrix, std::size_t i, std::size_t j) {
         const std::string path =
             "/batch/correlation/" + std::to_string(i) + "/" + std::to_string(j);
@@ -142,6 +175,7 @@ private:
         }
     }
 
+    const Project& m_project;
     const NumberRows& m_correlation;
     std::vector<GivenFactor> m_factors;
     Issues m_issues;

@@ -7,6 +7,9 @@
 #include "core/project/wheel.h"
 
 #include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
 
 namespace sparkout {
 
@@ -27,6 +30,38 @@ Range allowedValues(FactorKind kind, Operation operation) {
     return {1e-3, 1e3}; // a factor on γ: between a thousandth and a thousand times
 }
 
+/// Of the inputs that say how zones scatter.
+struct ZoneRows {
+    FactorKind kind;
+    const char* key;
+    NumberRows Batch::*rows;
+};
+constexpr std::array zoneRows{
+    ZoneRows{FactorKind::stock, "zone_stock_mm", &Batch::zone_stock_mm},
+    ZoneRows{FactorKind::runout, "zone_runout_mm", &Batch::zone_runout_mm},
+    ZoneRows{FactorKind::compliance, "zone_compliance", &Batch::zone_compliance}};
+
+std::vector<GivenFactor> ofZones(const Project& project, bool constant) {
+    std::vector<GivenFactor> found;
+    if (!project.batch) {
+        return found;
+    }
+    for (const ZoneRows& each : zoneRows) {
+        const NumberRows& ranges = (*project.batch).*each.rows;
+        const Range allowed = tableOf<Batch>().find(each.key)->hard;
+        for (std::size_t place = 0; ranges && place < ranges->size(); ++place) {
+            const std::vector<double>& ends = (*ranges)[place];
+            if (ends.size() == 2 && (ends[0] == ends[1]) == constant) {
+                GivenFactor factor{
+                    each.kind, {}, allowed, static_cast<int>(place), project.operation->hasZones};
+                factor.law.uniform = ends;
+                found.push_back(std::move(factor));
+            }
+        }
+    }
+    return found;
+}
+
 } // namespace
 
 std::vector<GivenFactor> givenFactors(const Project& project) {
@@ -43,6 +78,42 @@ std::vector<GivenFactor> givenFactors(const Project& project) {
         }
     }
     return given;
+}
+
+std::vector<GivenFactor> zoneFactors(const Project& project) {
+    return ofZones(project, false);
+}
+
+std::vector<GivenFactor> zoneConstants(const Project& project) {
+    return ofZones(project, true);
+}
+
+std::vector<GivenFactor> scatteredFactors(const Project& project) {
+    std::vector<GivenFactor> all = givenFactors(project);
+    for (GivenFactor& each : zoneFactors(project)) {
+        all.push_back(std::move(each));
+    }
+    return all;
+}
+
+const char* factorLabel(const GivenFactor& factor) {
+    return factor.place < 0
+               ? tableOf<Factors>().fields[static_cast<std::size_t>(factor.kind)].label
+               : tableOf<Batch>()
+                     .find(std::ranges::find(zoneRows, factor.kind, &ZoneRows::kind)->key)
+                     ->label;
+}
+
+std::string factorKey(const GivenFactor& factor) {
+    if (factor.place < 0) {
+        return factorKey(factor.kind);
+    }
+    constexpr std::array zones{"rz1", "nz", "rz2"};
+    const auto row = std::ranges::find(zoneRows, factor.kind, &ZoneRows::kind);
+    const auto place = static_cast<std::size_t>(factor.place);
+    return std::string(row->key) + ' '
+           + (factor.isOfZone && place < zones.size() ? std::string(zones[place])
+                                                      : "section " + std::to_string(place));
 }
 
 const char* factorKey(FactorKind kind) {

@@ -48,6 +48,7 @@ struct Machine {
     double dwell_exit_s = 0;             ///< spark-out at the exit reversal [s]
     GivenCompliance compliance_mm_per_n; ///< γ; not given: from stiffness and shaft [mm/N]
     std::optional<Stiffness> stiffness_n_um;
+    std::optional<std::vector<double>> zone_compliance; ///< factor on γ of each zone or section
     double geometric_runout_um = 0;       ///< of centres and spindle, adds to runout [µm]
     std::optional<double> wheel_drive_kw; ///< [kW]; not given: not limited
     std::optional<double> work_drive_kw;  ///< [kW]; not given: not limited

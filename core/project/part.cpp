@@ -27,6 +27,27 @@ bool notMeasured(const Project& p, const void*) {
 
 } // namespace
 
+std::vector<ZoneBlank> zoneBlanks(const Part& part) {
+    const auto size = [](const std::optional<std::vector<double>>& own) {
+        return own ? own->size() : 0;
+    };
+    std::vector<ZoneBlank> zones(std::max(size(part.zone_stock_mm), size(part.zone_runout_mm)));
+    for (std::size_t i = 0; i < zones.size(); ++i) {
+        zones[i].stock_mm = i < size(part.zone_stock_mm) ? (*part.zone_stock_mm)[i] : 0;
+        zones[i].runout_mm = i < size(part.zone_runout_mm) ? (*part.zone_runout_mm)[i] : 0;
+    }
+    return zones;
+}
+
+double furthestZone_mm(const Part& part) {
+    const std::vector<ZoneBlank> zones = zoneBlanks(part);
+    double furthest = zones.empty() ? 0 : zones.front().stock_mm + zones.front().runout_mm;
+    for (const ZoneBlank& zone : zones) {
+        furthest = std::max(furthest, zone.stock_mm + zone.runout_mm);
+    }
+    return furthest;
+}
+
 double engagedShare(const Part& part) {
     const std::vector<bool> inside = inGaps(part);
     const auto ground = std::count(inside.begin(), inside.end(), false);
@@ -345,6 +366,24 @@ const StructInfo& tableOf<Part>() {
                                     "the same all along the ground length. Their radii are not "
                                     "ground, gauged or judged."),
                        .source = "MODEL-4"),
+        SPARKOUT_FIELD(
+            Part, zone_stock_mm, .label = SPARKOUT_NOOP("Input", "Further stock by zone"),
+            .symbol = "δΠ", .unit = "mm", .hard = {-5, 5}, .soft = {-0.2, 0.2},
+            .nullMeaning = SPARKOUT_NOOP("Input", "the same everywhere"), .sparse = true,
+            .page = Page::part,
+            .hint =
+                SPARKOUT_NOOP("Input", "By how much the stock per side of each zone or section, in "
+                                       "their order, is above that of the part, or below it."),
+            .source = "MODEL-4"),
+        SPARKOUT_FIELD(
+            Part, zone_runout_mm, .label = SPARKOUT_NOOP("Input", "Further runout by zone"),
+            .symbol = "δ(ΔR)", .unit = "mm", .hard = {-5, 5}, .soft = {-0.2, 0.2},
+            .nullMeaning = SPARKOUT_NOOP("Input", "the same everywhere"), .sparse = true,
+            .page = Page::part,
+            .hint =
+                SPARKOUT_NOOP("Input", "By how much the initial runout of each zone or section, in "
+                                       "their order, is above that of the part, or below it."),
+            .source = "MODEL-4"),
         SPARKOUT_FIELD(Part, target_diameter_mm, .label = SPARKOUT_NOOP("Input", "Target diameter"),
                        .symbol = "2R_t", .unit = "mm", .hard = {1, 2000},
                        .nullMeaning = SPARKOUT_NOOP("Input", "middle of the tolerance field"),

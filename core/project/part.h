@@ -73,9 +73,20 @@ struct Part {
     std::optional<std::vector<double>> radii_um; ///< measured profile, from the largest radius [µm]
     std::vector<SurfaceGap> gaps;                ///< the same all along the ground length
     std::optional<double> target_diameter_mm;    ///< 2·R_t [mm]; not given: middle of the field
+    /// δΠ and δ(ΔR) of each zone or section, beside those of the part; not given: none [mm]
+    std::optional<std::vector<double>> zone_stock_mm, zone_runout_mm;
     Tolerance tolerance;
     Shaft shaft;
 };
+
+/// What a zone or section has beyond the stock and the runout of the part [mm].
+struct ZoneBlank {
+    double stock_mm = 0, runout_mm = 0;
+};
+/// Zone by zone; none: all are as the part.
+[[nodiscard]] std::vector<ZoneBlank> zoneBlanks(const Part& part);
+/// The most that both together are [mm]; 0 without.
+[[nodiscard]] double furthestZone_mm(const Part& part);
 
 /// The share of the K radii that stand in no gap.
 [[nodiscard]] double engagedShare(const Part& part);

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <numeric>
+#include <string>
 #include <string_view>
 
 namespace sparkout {
@@ -37,6 +38,7 @@ public:
     void check() {
         checkPart();
         checkProfile();
+        checkZoneValues();
         checkGaps();
         checkBlank();
         project().operation->hasZones ? checkZones() : checkSections();
@@ -145,7 +147,40 @@ private:
         const double middle =
             part.diameter_mm
             + (part.upper_deviation_um + part.lower_deviation_um) / 2 / units::umPerMm;
-        return part.target_diameter_mm.value_or(middle) - 2 * (part.stock_mm + blankRunout());
+        return part.target_diameter_mm.value_or(middle)
+               - 2 * (part.stock_mm + blankRunout() + furthestZone_mm(part));
+    }
+
+    /// A value for each zone or section, with which its blank is one.
+    void checkZoneValues() {
+        const Part& part = *project().part;
+        const auto count = [&](const char* path, const std::optional<std::vector<double>>& own) {
+            const auto places = static_cast<std::size_t>(placeCount(project()));
+            const bool wrong = own && own->size() != places && sound({"/sections"});
+            if (wrong) {
+                add(IssueCode::wrongCount, path, countOf(own->size()), countOf(places));
+            }
+            return own && !wrong;
+        };
+        const auto least = [&](const char* path, const std::vector<double>& own, double of,
+                               bool positive) {
+            for (std::size_t i = 0; i < own.size(); ++i) {
+                if (of + own[i] < 0 || (positive && of + own[i] <= 0)) {
+                    add(IssueCode::outOfRange, std::string(path) + "/" + std::to_string(i),
+                        mm(own[i]), mm(Range{-of, 5}));
+                }
+            }
+        };
+        if (count("/part/zone_stock_mm", part.zone_stock_mm) && sound({"/part/stock_mm"})) {
+            least("/part/zone_stock_mm", *part.zone_stock_mm, part.stock_mm, true);
+        }
+        if (count("/part/zone_runout_mm", part.zone_runout_mm) && runoutIsSound()) {
+            least("/part/zone_runout_mm", *part.zone_runout_mm, blankRunout(), false);
+        }
+        if (count("/machine/zone_compliance", project().machine->zone_compliance)
+            && project().sections_coupled && !project().operation->hasZones) {
+            add(IssueCode::notUsedHere, "/machine/zone_compliance", {}, Keys{{"sections_coupled"}});
+        }
     }
 
     void checkProfile() {

@@ -103,7 +103,8 @@ double spreadLimit(const Project& project, const ForceLaw& law, double b, double
 }
 
 bool isProvable(const Project& project) {
-    return !project.operation->hasZones && !isCoupled(project) && !wheelContact(project);
+    return !project.operation->hasZones && !isCoupled(project) && !wheelContact(project)
+           && zoneBlanks(*project.part).empty();
 }
 
 } // namespace

@@ -33,11 +33,11 @@
 /// calibrated bounds the last cut of every lane. Runout does not: the greater the cuts, the less of
 /// a blank's form do they copy.
 ///
-/// This is proved for uncoupled sections of a plunge without wheel contact and retraction, with S
-/// counted from the size that the radius ends at. It allows a last pass that finds no deflection
-/// and cuts the lanes unlike, and is wide. Where the last cuts of all lanes are alike, as at a
-/// steady feed, their radii differ by (γ_max − γ_min)·P(a): the a at which that is s is the
-/// estimate beside it, and the only one for zones of traverse and coupled sections.
+/// This is proved for uncoupled sections of a plunge of one blank without wheel contact and
+/// retraction, with S counted from the size that the radius ends at. It allows a last pass that
+/// finds no deflection and cuts the lanes unlike, and is wide. Where the last cuts of all lanes are
+/// alike, as at a steady feed, their radii differ by (γ_max − γ_min)·P(a): the a at which that is s
+/// is the estimate beside it, and the only one for zones of traverse and coupled sections.
 namespace sparkout {
 
 /// σ^(−1): the greatest cut after which one of a may follow [mm].

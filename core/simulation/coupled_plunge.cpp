@@ -61,7 +61,8 @@ SectionCoupling::SectionCoupling(const Project& project, const std::vector<Compl
     , m_wheelSpeed_m_s(project.machine->wheel_speed_m_s)
     , m_peaks(project.cycle->stages.size()) {
     for (std::size_t point = 0; point < m_points; ++point) {
-        m_depth.insert(m_depth.end(), blank.depth_mm.begin(), blank.depth_mm.end());
+        const std::vector<double>& depths = blank.depthAt(placeOfPoint(project, point));
+        m_depth.insert(m_depth.end(), depths.begin(), depths.end());
     }
 }
 

@@ -87,7 +87,7 @@ private:
         const auto k = static_cast<std::size_t>(m_scene.radius);
         for (std::size_t i = 0; i < last.size(); ++i) {
             // In a gap nothing is left to grind: the surface stands at its target.
-            const double depth = blank.isGap(k) ? blank.totalInfeed_mm : blank.depth_mm[k];
+            const double depth = blank.isGap(k) ? blank.totalInfeed_mm : blank.depthAt(i)[k];
             const double untouched = m_first_mm - m_scene.removalSign * depth;
             const bool ground = last[i][k] && !last[i][k]->isGap();
             m_scene.surfaces.push_back({m_result.sections[i].zone, static_cast<int>(i),

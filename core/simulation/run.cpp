@@ -72,7 +72,7 @@ Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory*
     const auto K = static_cast<std::size_t>(m_radii);
     for (std::size_t lane = 0; lane < m_lanes.depth_mm.size(); ++lane) {
         const std::size_t k = lane % K;
-        m_lanes.depth_mm[lane] = m_blank.depth_mm[k];
+        m_lanes.depth_mm[lane] = m_blank.depthAt(placeOfPoint(project, lane / K))[k];
         m_lanes.share[lane] = static_cast<double>(k + 1) / m_radii;
     }
     m_watch.prepare(m_lanes);
@@ -204,7 +204,7 @@ void Run::record(std::size_t point, const CutWidth& width, const PassFeed& feed,
     const double* const shares = m_lanes.share.data() + point * count;
     const double* const roots = m_lanes.root.data() + point * count;
     const double* const depths_mm = m_lanes.depth_mm.data() + point * count;
-    const double* const blank_mm = m_blank.depth_mm.data();
+    const double* const blank_mm = m_blank.depthAt(placeOfPoint(m_project, point)).data();
     trajectory.visits.resize(trajectory.visits.size() + count);
     Visit* const visits = trajectory.visits.data() + trajectory.passes.back().firstVisit;
     for (std::size_t k = 0; k < count; ++k) {

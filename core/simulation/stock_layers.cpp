@@ -65,13 +65,13 @@ private:
 
     void addColumns() {
         const Blank blank = makeBlank(*m_result.project.part);
-        const double depth = overRadii( // nothing is left to grind in a gap
-            [&](std::size_t k) {
-                return blank.isGap(k) ? blank.totalInfeed_mm : blank.depth_mm[k];
-            });
         const std::vector<Stretch> stretches = groundStretches(m_result.project);
         for (std::size_t i = 0; i < m_result.sections.size(); ++i) {
             const SectionResult& section = m_result.sections[i];
+            const double depth = overRadii( // nothing is left to grind in a gap
+                [&](std::size_t k) {
+                    return blank.isGap(k) ? blank.totalInfeed_mm : blank.depthAt(i)[k];
+                });
             LayerColumn column;
             column.zone = section.zone;
             column.section = static_cast<int>(i);

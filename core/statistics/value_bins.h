@@ -8,7 +8,7 @@
 
 namespace sparkout {
 
-inline constexpr std::size_t factorKinds = 7; ///< rows of the table of factors
+inline constexpr std::size_t factorKinds = 16; ///< factors that a batch may have
 
 /// Ranks of a part's factors within their laws, from −2¹⁹ to 2¹⁹: whole numbers, so that sums of
 /// them are exact. Factors that are not given stand at 0 behind the others.

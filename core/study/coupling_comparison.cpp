@@ -23,6 +23,7 @@ double meanDiameterDeviation(const SectionResult& section, const Part& part) {
 CouplingComparison compareCoupling(const Project& project, const std::stop_token& stop) {
     CouplingComparison both;
     Project run = project;
+    run.machine->zone_compliance.reset(); // coupled sections have none
     run.sections_coupled = false;
     both.independent = simulateUnchecked(run, nullptr, stop);
     run.sections_coupled = true;

@@ -71,7 +71,8 @@ double lengthValue(const ProfileSeries& series, const Profile& profile, LengthLi
     case LengthLine::upperLimit: return valueOf(series.upperLimit_mm, series, quantity);
     case LengthLine::target: return valueOf(series.target_mm, series, quantity);
     case LengthLine::blankMin:
-    case LengthLine::blankMax: return edgeOf(spreadOf(series.blank_mm, series, quantity), line);
+    case LengthLine::blankMax:
+        return edgeOf(spreadOf(series.blankOf(profile), series, quantity), line);
     default: return edgeOf(spreadOf(profile.radii_mm, series, quantity), line);
     }
 }

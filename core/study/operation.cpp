@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/operation.h"
 
+#include "core/project/batch.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
@@ -148,6 +149,18 @@ void makeTraverse(Project& project) {
     project = fitted(std::move(project), Operation::traverse);
 }
 
+/// Other zones or sections come: what was stated of single ones is of none of them.
+void forgetZones(Project& project) {
+    project.part->zone_stock_mm.reset();
+    project.part->zone_runout_mm.reset();
+    project.machine->zone_compliance.reset();
+    if (project.batch) {
+        project.batch->zone_stock_mm.reset();
+        project.batch->zone_runout_mm.reset();
+        project.batch->zone_compliance.reset();
+    }
+}
+
 /// A plain shaft: the ground length with an overhang at both ends.
 void giveUsualShaft(Part& part) {
     const double overhang = std::clamp(rounded(part.diameter_mm), 20.0, 100.0);
@@ -191,6 +204,7 @@ Project withOperation(Project project, Operation operation) {
     if (project.least_steps == project.operation->usualLeastSteps) {
         project.least_steps = operation->usualLeastSteps;
     }
+    forgetZones(project);
     operation.match([&](Traverse) { makeTraverse(project); }, [&](Plunge) { makePlunge(project); });
     project.operation = operation;
     return withSearchFor(std::move(project));
@@ -204,6 +218,9 @@ Project withSections(Project project, int sections) {
     }
     if (project.gauge->section && *project.gauge->section >= sections) {
         project.gauge->section.reset();
+    }
+    if (sections != project.sections && !project.operation->hasZones) {
+        forgetZones(project);
     }
     project.sections = sections;
     return project;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/operation_return.h"
 
+#include "core/project/batch.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
@@ -82,6 +83,18 @@ void giveBackLevels(Project& made, const Project& now, const Project& thence, co
     }
 }
 
+/// What the way to another kind of grinding forgot of single zones or sections.
+void giveBackZones(Project& made, const Project& last) {
+    made.part->zone_stock_mm = last.part->zone_stock_mm;
+    made.part->zone_runout_mm = last.part->zone_runout_mm;
+    made.machine->zone_compliance = last.machine->zone_compliance;
+    if (made.batch && last.batch) {
+        made.batch->zone_stock_mm = last.batch->zone_stock_mm;
+        made.batch->zone_runout_mm = last.batch->zone_runout_mm;
+        made.batch->zone_compliance = last.batch->zone_compliance;
+    }
+}
+
 } // namespace
 
 Project withOperation(const Project& project, Operation operation, const Project* last) {
@@ -107,6 +120,7 @@ Project withOperation(const Project& project, Operation operation, const Project
     if (made.sections == last->sections) {
         giveBack(machine.compliance_mm_per_n, now.compliance_mm_per_n,
                  thence.machine->compliance_mm_per_n, last->machine->compliance_mm_per_n);
+        giveBackZones(made, *last);
     }
     return fitted(std::move(made), operation);
 }

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace sparkout {
@@ -25,13 +26,15 @@ namespace {
 
 constexpr double fieldTolerance_mm = 1e-9; ///< as the verdict allows [MODEL-8]
 
-std::vector<double> blankRadii(const Part& part) {
+/// Of a zone or section, or as the part has them.
+std::vector<double> blankRadii(const Part& part, std::optional<std::size_t> place = {}) {
     const Blank blank = makeBlank(part);
+    const std::vector<double>& depth_mm = place ? blank.depthAt(*place) : blank.depth_mm;
     const double side = part.surface == Surface::internal ? 1 : -1;
     std::vector<double> radii;
-    for (std::size_t k = 0; k < blank.depth_mm.size(); ++k) {
+    for (std::size_t k = 0; k < depth_mm.size(); ++k) {
         radii.push_back(blank.isGap(k) ? std::numeric_limits<double>::quiet_NaN()
-                                       : blank.firstTouchRadius_mm + side * blank.depth_mm[k]);
+                                       : blank.firstTouchRadius_mm + side * depth_mm[k]);
     }
     return radii;
 }
@@ -96,6 +99,14 @@ ProfileSeries endOfCycle(const SimulationResult& result) {
     }
     setStretches(series, result.project);
     addZoneSections(series, result);
+    if (!zoneBlanks(part).empty()) {
+        for (std::size_t i = 0; i < series.profiles.size(); ++i) {
+            series.profiles[i].blank_mm = blankRadii(part, i);
+        }
+        for (Profile& section : series.zoneSections) {
+            section.blank_mm = blankRadii(part, static_cast<std::size_t>(section.zone));
+        }
+    }
     return series;
 }
 
@@ -119,7 +130,8 @@ void rewindTo(ProfileSeries& series, const Trajectory& trajectory, const Progres
     for (std::size_t i = 0; i < visits.size(); ++i) {
         for (std::size_t k = 0; k < visits[i].size(); ++k) {
             const Visit* const last = visits[i][k];
-            series.profiles[i].radii_mm[k] = last ? last->radius_mm : series.blank_mm[k];
+            series.profiles[i].radii_mm[k] =
+                last ? last->radius_mm : series.blankOf(series.profiles[i])[k];
         }
     }
     const Place at = moment.isBlank() ? Place{} : trajectory.passes[moment.end - 1].place;

@@ -34,6 +34,7 @@ struct Profile {
     double from_mm = 0;           ///< the stretch of the ground length it stands for
     double to_mm = 0;             ///< its end, from < to
     std::vector<double> radii_mm; ///< R_k, K values; not a number in a gap
+    std::vector<double> blank_mm; ///< its own blank's; empty: that of the part
     double diameterMin_mm = 0;    ///< min of D_k less the nominal diameter
     double diameterMax_mm = 0;    ///< max of D_k less the nominal diameter
     double radialRunout_mm = 0;   ///< R_max − R_min plus the machine's geometric runout
@@ -54,7 +55,7 @@ struct ProfileSeries {
     double upperLimit_mm = 0;     ///< radius at the upper deviation
     double length_mm = 0;         ///< L_p
     double gauge_mm = 0;          ///< where the gauge stands along the ground length
-    std::vector<double> blank_mm; ///< the K radii before the first touch, the same everywhere
+    std::vector<double> blank_mm; ///< the K radii before the first touch, as the part has them
     std::vector<Profile> profiles;
     std::vector<Profile> zoneSections; ///< where zones hold several, at the end of the cycle
     std::vector<ZoneForm> zoneForms;   ///< of those zones; empty where they are not asked for
@@ -65,6 +66,10 @@ struct ProfileSeries {
     double time_s = 0;      ///< from the start of the cycle
     bool isWhole = true;    ///< else strips stay uncut: no size and form is told of the surface
 
+    /// The K radii of a profile before the first touch.
+    [[nodiscard]] const std::vector<double>& blankOf(const Profile& profile) const {
+        return profile.blank_mm.empty() ? blank_mm : profile.blank_mm;
+    }
     [[nodiscard]] int radii() const { return static_cast<int>(blank_mm.size()); }
     [[nodiscard]] bool atEnd() const { return stroke == strokeCount && strokeDone; }
 };

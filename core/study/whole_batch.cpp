@@ -40,7 +40,7 @@ BatchOutcomePtr runWholeBatch(const Project& project, const BatchOptions& option
 }
 
 std::int64_t partsOf(const Project& project) {
-    const std::size_t factors = givenFactors(project).size();
+    const std::size_t factors = scatteredFactors(project).size();
     if (!project.batch) {
         return 0;
     }
@@ -49,7 +49,7 @@ std::int64_t partsOf(const Project& project) {
 }
 
 std::int64_t partsOfIndices(const Project& project, int points) {
-    return std::int64_t{points} * (static_cast<std::int64_t>(givenFactors(project).size()) + 2);
+    return std::int64_t{points} * (static_cast<std::int64_t>(scatteredFactors(project).size()) + 2);
 }
 
 } // namespace sparkout

@@ -73,7 +73,7 @@ Reach reachOf(const ProfileSeries& series, const std::vector<int>& shown, Radius
             reach.include(radius - scale.reference_mm);
         }
         for (std::size_t k = 0; withBlank && k < series.blank_mm.size(); ++k) {
-            reach.include(series.blank_mm[k] - scale.reference_mm);
+            reach.include(series.blankOf(profile)[k] - scale.reference_mm);
         }
     }
     return reach;

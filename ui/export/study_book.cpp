@@ -114,7 +114,7 @@ CsvTable batchFacts(const BatchOutcome& outcome) {
     addFact(table, StudyBook::tr("Parts that did not reach size"),
             static_cast<double>(summary.failed));
     for (const GivenFactor& factor : outcome.factors) {
-        addFact(table, StudyBook::tr("Factor: %1").arg(BatchText::factor(factor.kind)),
+        addFact(table, StudyBook::tr("Factor: %1").arg(BatchText::factor(factor)),
                 report::PassportInputs::law(factor), factorUnit(factor.kind));
     }
     return table;
@@ -130,8 +130,8 @@ CsvTable worstPart(const BatchOutcome& outcome) {
     const ScenarioSource source(outcome.result.project);
     const std::vector<double> values = source.values(part);
     for (std::size_t f = 0; f < values.size(); ++f) {
-        const FactorKind kind = source.factors()[f].kind;
-        addFact(table, BatchText::factor(kind), values[f], factorUnit(kind));
+        const GivenFactor& factor = source.factors()[f];
+        addFact(table, BatchText::factor(factor), values[f], factorUnit(factor.kind));
     }
     return table;
 }
@@ -143,9 +143,9 @@ CsvTable correlationTable(const BatchOutcome& outcome) {
         return table;
     }
     table.header << StudyBook::tr("Factor");
-    for (std::size_t i = 0; i < outcome.factors.size(); ++i) {
-        table.header << BatchText::factor(outcome.factors[i].kind);
-        std::vector<CsvCell> row{BatchText::factor(outcome.factors[i].kind)};
+    for (std::size_t i = 0; i < matrix->size(); ++i) { // those of zones are independent
+        table.header << BatchText::factor(outcome.factors[i]);
+        std::vector<CsvCell> row{BatchText::factor(outcome.factors[i])};
         row.insert(row.end(), matrix->at(i).begin(), matrix->at(i).end());
         table.rows.push_back(std::move(row));
     }

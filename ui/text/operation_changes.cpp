@@ -7,22 +7,36 @@
 
 #include <QCoreApplication>
 
+#include <optional>
+#include <vector>
+
 namespace sparkout {
 
 namespace {
 
-/// Of a compliance what its values are given for.
-QString switchedText(const ConstMember& member) {
-    if (member.field->kind != Kind::compliance) {
-        return valueText(*member.field, member.owner);
+QString byPlace(bool zones) {
+    return zones ? QCoreApplication::translate("OperationNotice", "zone by zone")
+                 : QCoreApplication::translate("OperationNotice", "section by section");
+}
+
+/// Of a compliance, and of what zones or sections have of their own, what the values are given for.
+QString switchedText(const ConstMember& member, const Project& of) {
+    switch (member.field->kind) {
+    case Kind::compliance: {
+        const auto& given = member.field->as<GivenCompliance>(member.owner);
+        return std::holds_alternative<std::monostate>(given)
+                   ? inputText(member.field->nullMeaning)
+                   : byPlace(std::holds_alternative<ZoneCompliance>(given));
     }
-    const auto& given = member.field->as<GivenCompliance>(member.owner);
-    if (std::holds_alternative<std::monostate>(given)) {
-        return inputText(member.field->nullMeaning);
+    case Kind::optionalNumberList:
+        return member.field->as<std::optional<std::vector<double>>>(member.owner)
+                   ? byPlace(of.operation->hasZones)
+                   : inputText(member.field->nullMeaning);
+    case Kind::numberRows:
+        return member.field->as<NumberRows>(member.owner) ? byPlace(of.operation->hasZones)
+                                                          : inputText(member.field->nullMeaning);
+    default: return valueText(*member.field, member.owner);
     }
-    return std::holds_alternative<ZoneCompliance>(given)
-               ? QCoreApplication::translate("OperationNotice", "zone by zone")
-               : QCoreApplication::translate("OperationNotice", "section by section");
 }
 
 } // namespace
@@ -32,10 +46,12 @@ QStringList changesOfOperation(const Project& before, const Project& after) {
     for (const char* path :
          {"/part/length_mm", "/wheel/width_mm", "/machine/overrun_entry_mm",
           "/machine/overrun_exit_mm", "/machine/compliance_mm_per_n", "/gauge/section",
-          "/gauge/position_mm", "/gauge/compliance_mm_per_n", "/least_steps"}) {
+          "/gauge/position_mm", "/gauge/compliance_mm_per_n", "/least_steps", "/part/zone_stock_mm",
+          "/part/zone_runout_mm", "/machine/zone_compliance", "/batch/zone_stock_mm",
+          "/batch/zone_runout_mm", "/batch/zone_compliance"}) {
         const ConstMember was = findMember(before, path);
-        const QString old = switchedText(was);
-        const QString made = switchedText(findMember(after, path));
+        const QString old = switchedText(was, before);
+        const QString made = switchedText(findMember(after, path), after);
         if (old != made) {
             changes += QStringLiteral("%1: %2 → %3").arg(inputText(was.field->label), old, made);
         }

@@ -46,7 +46,7 @@ using namespace sparkout;
 namespace {
 
 /// Types into the widget of a row, whatever it is, so that its value changes.
-void changeByHand(QWidget* widget) {
+void changeByHand(QWidget* widget, int places) {
     widget->setFocus();
     if (auto* number = qobject_cast<NumberField*>(widget)) {
         const QString before = number->text();
@@ -60,7 +60,10 @@ void changeByHand(QWidget* widget) {
         QTest::keyClick(number, Qt::Key_Return);
     } else if (auto* line = qobject_cast<QLineEdit*>(widget)) {
         const bool rows = line->objectName().endsWith(QStringLiteral("/n_um_at_n"));
-        QTest::keyClicks(line, rows ? QStringLiteral("0 50; 200 80") : QStringLiteral("x"));
+        const bool zones = line->objectName().contains(QStringLiteral("/zone_"));
+        QTest::keyClicks(line, rows    ? QStringLiteral("0 50; 200 80")
+                               : zones ? QStringLiteral("0.001; ").repeated(places)
+                                       : QStringLiteral("x"));
         QTest::keyClick(line, Qt::Key_Return);
     } else if (auto* text = qobject_cast<QPlainTextEdit*>(widget)) {
         QTest::keyClicks(text, QStringLiteral("x"));
@@ -198,7 +201,7 @@ private slots:
                 ++edited;
                 const QByteArray name = QByteArray::fromStdString(row->editor().path());
                 const std::string before = writeProject(document.project());
-                changeByHand(widget);
+                changeByHand(widget, placeCount(document.project()));
                 QVERIFY2(writeProject(document.project()) != before, name);
                 document.undo();
                 QVERIFY2(writeProject(document.project()) == before, name);

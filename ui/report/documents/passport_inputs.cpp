@@ -56,10 +56,10 @@ Table correlations(const std::vector<GivenFactor>& factors,
     Table table;
     table.head = {PassportInputs::tr("Correlation")};
     table.texts = {true};
-    for (std::size_t i = 0; i < factors.size(); ++i) {
-        table.head << BatchText::factor(factors[i].kind);
-        QStringList row{BatchText::factor(factors[i].kind)};
-        for (std::size_t j = 0; j < factors.size(); ++j) {
+    for (std::size_t i = 0; i < matrix.size(); ++i) { // those of zones are independent
+        table.head << BatchText::factor(factors[i]);
+        QStringList row{BatchText::factor(factors[i])};
+        for (std::size_t j = 0; j < matrix.size(); ++j) {
             row << printedNumber(matrix.at(i).at(j));
         }
         table.rows.push_back(row);
@@ -160,7 +160,7 @@ std::vector<Block> PassportInputs::scenarios(const Subject& subject) {
     table.texts = {true, true, true};
     const auto ranges = drawnRanges(source);
     for (std::size_t f = 0; f < factors.size(); ++f) {
-        table.rows.push_back({BatchText::factor(factors[f].kind), factorUnit(factors[f].kind),
+        table.rows.push_back({BatchText::factor(factors[f]), factorUnit(factors[f].kind),
                               law(factors[f]), Names::significant(ranges[f].first),
                               Names::significant(ranges[f].second)});
     }

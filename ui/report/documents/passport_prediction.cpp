@@ -153,10 +153,11 @@ std::vector<Block> PassportPrediction::worst(const Subject& subject) {
     if (!values.empty()) {
         Facts facts;
         for (std::size_t f = 0; f < values.size(); ++f) {
-            const FactorKind kind = source.factors()[f].kind;
-            const char* unit = tableOf<Factors>().fields[static_cast<std::size_t>(kind)].unit;
+            const GivenFactor& factor = source.factors()[f];
+            const char* unit =
+                tableOf<Factors>().fields[static_cast<std::size_t>(factor.kind)].unit;
             const QString value = Names::significant(values[f], factorDigits);
-            facts.facts.emplace_back(BatchText::factor(kind),
+            facts.facts.emplace_back(BatchText::factor(factor),
                                      *unit ? withUnit(value, unit) : value);
         }
         blocks.push_back(std::move(facts));

@@ -56,13 +56,18 @@ QString BatchText::axis(const Characteristic& characteristic) {
     return QStringLiteral("%1, %2").arg(name(characteristic), unitText(characteristic.unit));
 }
 
-QString BatchText::factor(FactorKind kind) {
-    return inputText(tableOf<Factors>().fields[static_cast<std::size_t>(kind)].label);
+QString BatchText::factor(const GivenFactor& factor) {
+    const QString name = inputText(factorLabel(factor));
+    if (factor.place < 0) {
+        return name;
+    }
+    const Zone zone = factor.isOfZone ? static_cast<Zone>(factor.place) : Zone::section;
+    return QStringLiteral("%1, %2").arg(name, Names::zone(zone, factor.place));
 }
 
-QString BatchText::factorAxis(FactorKind kind) {
-    const char* unit = tableOf<Factors>().fields[static_cast<std::size_t>(kind)].unit;
-    return *unit ? QStringLiteral("%1, %2").arg(factor(kind), unitText(unit)) : factor(kind);
+QString BatchText::factorAxis(const GivenFactor& of) {
+    const char* unit = tableOf<Factors>().fields[static_cast<std::size_t>(of.kind)].unit;
+    return *unit ? QStringLiteral("%1, %2").arg(factor(of), unitText(unit)) : factor(of);
 }
 
 QString BatchText::value(double value, const Characteristic& characteristic) {
@@ -245,10 +250,10 @@ QString BatchText::part(const BatchOutcome& outcome, std::int64_t part) {
     const ScenarioSource source(outcome.result.project);
     const std::vector<double> values = source.values(part);
     for (std::size_t f = 0; f < values.size(); ++f) {
-        const FactorKind kind = source.factors()[f].kind;
-        const char* unit = tableOf<Factors>().fields[static_cast<std::size_t>(kind)].unit;
+        const GivenFactor& of = source.factors()[f];
+        const char* unit = tableOf<Factors>().fields[static_cast<std::size_t>(of.kind)].unit;
         texts << QStringLiteral("%1 %2 %3")
-                     .arg(factor(kind), Names::significant(values[f]), unitText(unit))
+                     .arg(factor(of), Names::significant(values[f]), unitText(unit))
                      .trimmed();
     }
     return tr("Part %1").arg(Names::part(part))

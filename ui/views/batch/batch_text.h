@@ -17,8 +17,8 @@ public:
     static QString where(const Characteristic& characteristic); ///< "RZ1", "whole part"
     static QString full(const Characteristic& characteristic);  ///< "Mean diameter, RZ1"
     static QString axis(const Characteristic& characteristic);  ///< "Mean diameter, µm"
-    static QString factor(FactorKind kind);                     ///< "Stock per side"
-    static QString factorAxis(FactorKind kind);                 ///< "Stock per side, mm"
+    static QString factor(const GivenFactor& factor);           ///< "Stock per side"
+    static QString factorAxis(const GivenFactor& factor);       ///< "Stock per side, mm"
 
     /// Without unit; an estimate with one digit, and nothing but 0 as 0.
     static QString value(double value, const Characteristic& characteristic);

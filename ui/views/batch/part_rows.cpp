@@ -38,7 +38,7 @@ std::vector<std::string> headOfParts(const PartColumns& columns) {
     QStringList names{PartRows::tr("Part"), PartRows::tr("State"), PartRows::tr("Good"),
                       PartRows::tr("Least margin, of its limit")};
     for (const GivenFactor& factor : columns.factors) {
-        names << BatchText::factorAxis(factor.kind);
+        names << BatchText::factorAxis(factor);
     }
     for (const Characteristic& of : columns.characteristics) {
         names << QStringLiteral("%1, %2").arg(BatchText::full(of), unitText(of.unit));

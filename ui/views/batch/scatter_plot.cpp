@@ -28,7 +28,7 @@ constexpr double scatterRoom = 0.05;
 QString quantityName(const BatchOutcome& outcome, BatchQuantity quantity) {
     const Characteristic* const of = outcome.characteristicOf(quantity);
     return of ? QStringLiteral("%1, %2").arg(BatchText::full(*of), unitText(of->unit))
-              : BatchText::factorAxis(outcome.factors[quantity].kind);
+              : BatchText::factorAxis(outcome.factors[quantity]);
 }
 
 ScatterPlot::ScatterPlot(QWidget* parent) : ViewPlot(parent) {

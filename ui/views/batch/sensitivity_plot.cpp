@@ -70,7 +70,7 @@ BarChart SensitivityPlot::makeChart() const {
         ranks ? tr("Coefficient of the standardised rank regression") : tr("Share of the variance");
     chart.number = [](double value) { return Names::fixed(value, 2); };
     for (const auto& factor : m_outcome->factors) {
-        chart.categories << BatchText::factor(factor.kind);
+        chart.categories << BatchText::factor(factor);
     }
     for (std::size_t i = 0; i < m_bars.size(); ++i) {
         const Bars& bars = m_bars[i];
@@ -106,10 +106,9 @@ CsvTable SensitivityPlot::ranksTable(const BatchOutcome& outcome) {
     for (std::size_t i = 0; i < outcome.regressions.size(); ++i) {
         const Characteristic& of = outcome.summary.characteristics[i].characteristic;
         for (std::size_t f = 0; outcome.regressions[i] && f < outcome.factors.size(); ++f) {
-            table.rows.push_back({BatchText::where(of), BatchText::name(of),
-                                  BatchText::factor(outcome.factors[f].kind),
-                                  outcome.regressions[i]->coefficients[f],
-                                  outcome.regressions[i]->determination});
+            table.rows.push_back(
+                {BatchText::where(of), BatchText::name(of), BatchText::factor(outcome.factors[f]),
+                 outcome.regressions[i]->coefficients[f], outcome.regressions[i]->determination});
         }
     }
     return table;
@@ -124,7 +123,7 @@ CsvTable SensitivityPlot::sobolTable(const BatchOutcome& outcome, const SobolInd
         const std::vector<SobolIndex>& byFactor = indices.byCharacteristic[i];
         for (std::size_t f = 0; f < byFactor.size(); ++f) {
             table.rows.push_back({BatchText::where(of), BatchText::name(of),
-                                  BatchText::factor(outcome.factors[f].kind), byFactor[f].first,
+                                  BatchText::factor(outcome.factors[f]), byFactor[f].first,
                                   byFactor[f].total});
         }
     }
@@ -140,7 +139,7 @@ CsvTable SensitivityPlot::table() const {
     for (std::size_t i = 0; i < m_bars.size(); ++i) {
         const Bars& bars = m_bars[i];
         for (std::size_t f = 0; f < bars.inner.size() && shows(i * seriesOfPlace()); ++f) {
-            table.rows.push_back({placeName(bars), BatchText::factor(m_outcome->factors[f].kind),
+            table.rows.push_back({placeName(bars), BatchText::factor(m_outcome->factors[f]),
                                   bars.inner[f], ranks ? bars.determination : bars.outer[f]});
         }
     }
@@ -151,7 +150,7 @@ QString SensitivityPlot::described(const BarPart& part) const {
     const Bars& bars = m_bars.at(part.series / seriesOfPlace());
     const auto number = [](double value) { return Names::fixed(value, 2); };
     const QString who = QStringLiteral("%1, %2").arg(
-        placeName(bars), BatchText::factor(m_outcome->factors[part.category].kind));
+        placeName(bars), BatchText::factor(m_outcome->factors[part.category]));
     return m_kind == SensitivityKind::ranks
                ? tr("%1: %2 of the standardised rank regression")
                      .arg(who, number(bars.inner[part.category]))

@@ -81,7 +81,7 @@ void ProfileCell::fill(const ProfileSeries& series, const Profile& profile, cons
     m_target->setRadius(std::max(scale.at(series.target_mm), 0.0));
     m_grid->setScale(scale, reach);
     m_profile->data()->set(toData(closedLine(profile.radii_mm, scale)), true);
-    m_blank->data()->set(toData(closedLine(series.blank_mm, scale)), true);
+    m_blank->data()->set(toData(closedLine(series.blankOf(profile), scale)), true);
     fillCircles(profile, scale, hidden, circles);
     const bool marked = profile.radii_mm.size() <= mostMarkers;
     m_profile->setScatterStyle(marked ? QCPScatterStyle(QCPScatterStyle::ssDisc, 4)

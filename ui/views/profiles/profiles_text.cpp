@@ -30,8 +30,8 @@ QString range(double low_mm, double high_mm, int decimals = 3) {
 
 } // namespace
 
-QString ProfilesText::blankText(const ProfileSeries& series, int k) {
-    const double blank = series.blank_mm[static_cast<std::size_t>(k)];
+QString ProfilesText::blankText(const ProfileSeries& series, const Profile& profile, int k) {
+    const double blank = series.blankOf(profile)[static_cast<std::size_t>(k)];
     return tr("; blank %1 µm from target").arg(signedUm(blank - series.target_mm));
 }
 
@@ -89,14 +89,14 @@ QString ProfilesText::sample(const ProfileSeries& series, const Profile& profile
                "mean; opposite a gap")
                 .arg(name, Names::fixed(angle, 1), QString::number(k),
                      signedUm(radius - series.target_mm), signedUm(radius - profile.mean_mm));
-        return withBlank ? text + blankText(series, k) : text;
+        return withBlank ? text + blankText(series, profile, k) : text;
     }
     QString text = tr("%1, φ = %2° (k = %3): radius %4 µm from target, %5 µm from its mean; "
                       "diameter across %6 mm, %7 µm from nominal")
                        .arg(name, Names::fixed(angle, 1), QString::number(k),
                             signedUm(radius - series.target_mm), signedUm(radius - profile.mean_mm),
                             Names::fixed(across, 5), signedUm(across - series.nominal_mm));
-    return withBlank ? text + blankText(series, k) : text;
+    return withBlank ? text + blankText(series, profile, k) : text;
 }
 
 QString ProfilesText::stretch(const ProfileSeries& series, const Profile& profile, bool withBlank) {
@@ -120,7 +120,8 @@ QString ProfilesText::stretch(const ProfileSeries& series, const Profile& profil
                          Names::signedMicrometres(zone.profile.taper_mm * units::umPerMm));
     }
     if (withBlank) {
-        const LengthSpread blank = spreadOf(series.blank_mm, series, LengthQuantity::radius_um);
+        const LengthSpread blank =
+            spreadOf(series.blankOf(profile), series, LengthQuantity::radius_um);
         text += tr("; blank %1 µm from target").arg(range(mm(blank.min), mm(blank.max)));
     }
     return text;

@@ -33,7 +33,7 @@ public:
     static QString summary(const ProfileSeries& series, const std::vector<int>& shown);
 
 private:
-    static QString blankText(const ProfileSeries& series, int k);
+    static QString blankText(const ProfileSeries& series, const Profile& profile, int k);
 };
 
 } // namespace sparkout
