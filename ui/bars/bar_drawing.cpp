@@ -570,7 +570,7 @@ void BarDrawing::paintCategories(QPainter& painter, const Layout& layout) {
     const QRectF& area = layout.area.rect;
     const double line = layout.metrics.height(), room = layout.area.room(m_drawn);
     const double most = std::max(room - textGap, 0.0); // under a standing bar
-    const QFont font = m_drawn.isLying ? m_look.font : categoryFont(most);
+    const QFont font = categoryFont(m_drawn.isLying ? area.left() - textGap : most);
     const QFontMetricsF metrics(font);
     painter.setFont(font);
     double last = std::numeric_limits<double>::lowest(); // end of the one before

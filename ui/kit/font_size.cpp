@@ -20,6 +20,7 @@ constexpr const char* systemFont = "sparkoutSystemFont";
 constexpr const char* percentNow = "sparkoutFontSize";
 constexpr const char* widthWanted = "sparkoutTextWidth";
 constexpr const char* leastWidth = "sparkoutTextMinimumWidth";
+constexpr const char* leastHeight = "sparkoutTextMinimumHeight";
 constexpr const char* linesWanted = "sparkoutTextLines";
 constexpr const char* pixelsMore = "sparkoutTextLinesMore";
 constexpr const char* timesWanted = "sparkoutFontTimes";
@@ -44,6 +45,9 @@ void follow(QWidget& widget) {
     }
     if (const QVariant width = widget.property(leastWidth); width.isValid()) {
         widget.setMinimumWidth(atFontSize(width.toInt()));
+    }
+    if (const QVariant height = widget.property(leastHeight); height.isValid()) {
+        widget.setMinimumHeight(atFontSize(height.toInt()));
     }
     if (const QVariant lines = widget.property(linesWanted); lines.isValid()) {
         widget.setFixedHeight(heightOfLines(lines.toInt()) + widget.property(pixelsMore).toInt());
@@ -101,6 +105,11 @@ void setTextWidth(QWidget& widget, int pixels) {
 
 void setTextMinimumWidth(QWidget& widget, int pixels) {
     widget.setProperty(leastWidth, pixels);
+    follow(widget);
+}
+
+void setTextMinimumHeight(QWidget& widget, int pixels) {
+    widget.setProperty(leastHeight, pixels);
     follow(widget);
 }
 

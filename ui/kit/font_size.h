@@ -26,6 +26,7 @@ void applyFontSize(int percent);
 [[nodiscard]] int atFontSize(int pixels);
 void setTextWidth(QWidget& widget, int pixels); ///< fixed
 void setTextMinimumWidth(QWidget& widget, int pixels);
+void setTextMinimumHeight(QWidget& widget, int pixels);
 /// A fixed height: lines of the program's type, and some pixels more.
 void setTextLines(QWidget& widget, int lines, int more);
 /// A font of its own: a multiple of the program's size, maybe bold.

@@ -259,6 +259,19 @@ private slots:
         }
     }
 
+    /// In smaller type, as under standing bars.
+    void aLongNameBesideALyingBarIsReadInFull() {
+        BarChart chart = chartOf(Shape::stacked, true, 3, 1);
+        QString name = QStringLiteral("Least overlap, stage 2");
+        while (QFontMetrics(QApplication::font()).horizontalAdvance(name) < size.width() / 2) {
+            name += u'0';
+        }
+        chart.categories[1] = name;
+        QStringList texts;
+        const Drawn drawn(chart, size, &texts);
+        QVERIFY2(texts.contains(name), qPrintable(texts.join(u'\n')));
+    }
+
     void noNumberStandsOnTheLineOfALimit_data() {
         QTest::addColumn<bool>("lying");
         QTest::addColumn<bool>("totals");

@@ -171,7 +171,7 @@ private slots:
         QVERIFY(bench.open(example("shaft-30h6-factory")));
         for (const int percent : {115, 130}) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
-            for (const char* name : {"compare", "optimise", "batch", "profiles"}) {
+            for (const char* name : {"compare", "optimise", "batch", "profiles", "constraints"}) {
                 QVERIFY(bench.window->showView(QString::fromLatin1(name)));
                 const View* const view = bench.window->viewTabs().currentView();
                 QTRY_VERIFY_WITH_TIMEOUT(!view->busy(), 60'000);
@@ -184,11 +184,18 @@ private slots:
                             qInfo("ROOM %s at %d %% %d × %d", name, percent, rect->width(),
                                   rect->height());
                             QVERIFY(rect->width() >= 120 && rect->height() >= 80);
-                            QVERIFY(plot->rect().contains(rect->rect()));
+                            // With the names of its axes: else they stand on the texts below.
+                            const QRect& all = rect->outerRect();
+                            QVERIFY2(all.top() >= 0 && all.bottom() <= plot->height(),
+                                     qPrintable(QStringLiteral("%1: %2 to %3 of %4")
+                                                    .arg(QLatin1String(name))
+                                                    .arg(all.top())
+                                                    .arg(all.bottom())
+                                                    .arg(plot->height())));
                         }
                     }
                 }
-                QVERIFY2(seen >= 2, name);
+                QVERIFY2(seen >= (QLatin1String(name) == u"constraints" ? 1 : 2), name);
             }
         }
     }

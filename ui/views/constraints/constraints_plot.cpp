@@ -35,6 +35,15 @@ void setPoints(QCPGraph& graph, const LimitPoints& points) {
     graph.setData(x, y, true);
 }
 
+QString inTwoLines(QString text) {
+    return text.replace(QStringLiteral(": "), QStringLiteral(":\n"));
+}
+
+/// The unit in a line of its own: the plot may be low.
+QString axisLabel(QString text) {
+    return text.replace(QStringLiteral(", "), QStringLiteral(",\n"));
+}
+
 } // namespace
 
 ConstraintsPlot::ConstraintsPlot(QWidget* parent) : ViewPlot(parent), m_rect(addCell()) {
@@ -99,7 +108,7 @@ void ConstraintsPlot::setRun(OutcomePtr outcome, int group) {
     m_fitNext = false;
     m_chart = LimitChart(std::move(outcome), group, m_chart.requirement());
     fill();
-    feedAxis()->setLabel(m_chart.feedLabel());
+    feedAxis()->setLabel(axisLabel(m_chart.feedLabel()));
     if (same) {
         refit();
     } else {
@@ -171,6 +180,12 @@ void ConstraintsPlot::placeMark() {
                      feedAxis()->coordToPixel(marked()->depth_mm * umPerMm));
     const bool right = at.x() < m_rect->rect().center().x();
     const bool below = at.y() < m_rect->rect().center().y();
+    const QMargins around = m_markText->padding();
+    const double room = right ? m_rect->right() - at.x() : at.x() - m_rect->left();
+    const bool fits =
+        QFontMetrics(font()).horizontalAdvance(m_chart.markText()) + around.left() + around.right()
+        <= room;
+    m_markText->setText(fits ? m_chart.markText() : inTwoLines(m_chart.markText()));
     m_markText->setPositionAlignment((right ? Qt::AlignLeft : Qt::AlignRight)
                                      | (below ? Qt::AlignTop : Qt::AlignBottom));
 }
@@ -354,7 +369,7 @@ void ConstraintsPlot::restyle() {
 
 void ConstraintsPlot::setTexts() {
     stockAxis()->setLabel(tr("Stock left after the cut, µm"));
-    feedAxis()->setLabel(m_chart.feedLabel());
+    feedAxis()->setLabel(axisLabel(m_chart.feedLabel()));
     m_markText->setText(m_chart.markText());
     followFeeds();
 }

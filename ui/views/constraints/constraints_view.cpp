@@ -24,6 +24,7 @@
 #include <QItemSelectionModel>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QTextEdit>
@@ -38,7 +39,9 @@ namespace {
 constexpr int plotShare = 340, lowerShare = 200; ///< of the height at first
 constexpr int tableShare = 480, sheetShare = 190;
 // Of the margins, at the usual size of type.
-constexpr int leastColumn = 60, wideTable = 400;
+constexpr int leastColumn = 60, wideTable = 400, leastTable = 110, leastSheet = 66;
+constexpr int bothBeside = 440; ///< table and formulas side by side
+constexpr int leastPlot = 150;  ///< high, at the usual size of type
 
 /// Indices below the line; numbers and result of a formula each on a line of their own.
 QString sheetHtml(const QString& text) {
@@ -83,15 +86,24 @@ void ConstraintsView::build() {
     m_off->setWordWrap(true);
     m_off->setTextFormat(Qt::RichText);
     m_off->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
-    m_plot->setMinimumSize(240, 140);
+    m_plot->setMinimumWidth(240);
+    setTextMinimumHeight(*m_plot, leastPlot);
     QWidget* upper = buildCurves();
-    auto* lower = new QSplitter(Qt::Horizontal, m_splitter);
-    lower->addWidget(buildMargins());
-    lower->addWidget(buildSheet());
-    lower->setChildrenCollapsible(false);
-    lower->setSizes({tableShare, sheetShare});
-    share(*m_splitter, {{upper, plotShare}, {lower, lowerShare}});
-    addColumn({buildTools(), notice(), legend(), m_splitter, m_off}, m_splitter);
+    m_lower = new QSplitter(Qt::Horizontal, m_splitter);
+    m_lower->addWidget(buildMargins());
+    m_lower->addWidget(buildSheet());
+    m_lower->setChildrenCollapsible(false);
+    m_lower->setSizes({tableShare, sheetShare});
+    share(*m_splitter, {{upper, plotShare}, {m_lower, lowerShare}});
+    auto* content = new QWidget(this); // scrolled where curves and table have no room
+    auto* column = rowIn<QVBoxLayout>(content);
+    column->addWidget(legend());
+    column->addWidget(m_splitter, 1);
+    column->addWidget(m_off);
+    QScrollArea* area = scrolled(*content);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setObjectName(QStringLiteral("constraintsArea"));
+    addColumn({buildTools(), notice(), area}, area);
     nameObjects({{m_plot, "constraintsPlot"},
                  {m_zone, "constraintsZone"},
                  {m_logarithmic, "logarithmic"},
@@ -130,6 +142,7 @@ QWidget* ConstraintsView::buildMargins() {
             [this] { m_model->setStacked(m_table->viewport()->width() < atFontSize(wideTable)); });
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    setTextMinimumHeight(*m_table, leastTable);
     m_table->verticalHeader()->hide();
     QHeaderView* header = m_table->horizontalHeader();
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -141,9 +154,17 @@ QWidget* ConstraintsView::buildMargins() {
     return m_table;
 }
 
+/// Side by side the table and the formulas would both be too narrow to be read.
+void ConstraintsView::resizeEvent(QResizeEvent* event) {
+    PlotView::resizeEvent(event);
+    const bool isNarrow = width() < atFontSize(bothBeside);
+    m_lower->setOrientation(isNarrow ? Qt::Vertical : Qt::Horizontal);
+}
+
 QWidget* ConstraintsView::buildSheet() {
     auto* box = new QWidget(this);
     auto* column = rowIn<QVBoxLayout>(box);
+    setTextMinimumHeight(*m_sheet, leastSheet);
     m_sheet->setReadOnly(true);
     m_sheet->setTabChangesFocus(true);
     auto* row = new ToolRow;

@@ -45,6 +45,7 @@ signals:
     void pathAsked(const std::string& path); ///< the input that turns a limit on
 
 protected:
+    void resizeEvent(QResizeEvent* event) override;
     [[nodiscard]] QString hint() const override;
     void nameParts() override;
     void recolour() override;
@@ -78,6 +79,7 @@ private:
     QCheckBox* m_logarithmic;
     QCheckBox* m_places;
     QSplitter* m_splitter;
+    QSplitter* m_lower = nullptr; ///< the margins and the formula of one
     CopyTable* m_table = nullptr;
     MarginModel* m_model;
     QTextEdit* m_sheet;
