@@ -14171,7 +14171,7 @@ target, µm</source>
         </message>
         <message>
             <source>stage %1</source>
-            <translation>ст. %1</translation>
+            <translation>ст. %1</translation>
         </message>
         <message>
             <source>Without a calibration of the wheel Ra comes out too small.</source>
@@ -15318,8 +15318,8 @@ good</source>
     <context>
         <name>sparkout::StiffnessOffer</name>
         <message>
-            <source>Its effect: γ %1 mm/N; machining time %2 min; diameter deviations %3 µm; requirements that fail %4.</source>
-            <translation>Её влияние: γ %1 мм/Н; машинное время %2 мин; отклонения диаметра %3 мкм; невыполненных требований %4.</translation>
+            <source>Its effect: γ %1 nm/N; machining time %2 min; diameter deviations %3 µm; requirements that fail %4.</source>
+            <translation>Её влияние: γ %1 нм/Н; машинное время %2 мин; отклонения диаметра %3 мкм; невыполненных требований %4.</translation>
         </message>
         <message>
             <source>With it the cycle cannot be run: %1</source>

@@ -81,9 +81,10 @@ private slots:
             const QString time = Names::fixed(outcome->result.time_s / 60, 3);
             QVERIFY2(effect.contains(time), qPrintable(effect + u' ' + time));
             const auto& sections = outcome->result.sections;
-            QVERIFY(effect.contains(Names::significant(sections.front().compliance_mm_per_n))
+            QVERIFY(effect.contains(Names::significant(1e6 * sections.front().compliance_mm_per_n))
                     || sections.size() > 3);
         }
+        QVERIFY2(effect.contains(QStringLiteral(" nm/N")), qPrintable(effect)); // as Compliance
         window.document().undo();
         QCOMPARE(window.document().project().machine->name, before.machine->name);
     }
@@ -122,7 +123,7 @@ private slots:
             const auto look = [chosen](QCheckBox& take, QLabel& shown, QDialog&) {
                 QVERIFY(take.isVisible() && !take.isChecked());
                 QTRY_VERIFY_WITH_TIMEOUT(shown.text().contains(u'→'), 20'000);
-                QVERIFY(shown.text().contains(Names::significant(1e-4)));
+                QVERIFY(shown.text().contains(Names::significant(1e6 * 1e-4)));
                 if (chosen) {
                     take.setFocus();
                     QTest::keyClick(&take, Qt::Key_Space);

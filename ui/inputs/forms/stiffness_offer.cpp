@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -23,6 +24,7 @@ namespace sparkout {
 
 namespace {
 
+constexpr double nmOfMm = 1e6;
 constexpr std::size_t mostGammas = 3; ///< zones or sections, else the least and the largest γ
 
 bool isSameStiffness(const std::optional<Stiffness>& a, const std::optional<Stiffness>& b) {
@@ -41,19 +43,21 @@ QString beforeAndAfter(const OutcomePtr& before, const OutcomePtr& after,
     return shown(before) + QStringLiteral(" → ") + shown(after);
 }
 
+/// In the unit of the view "Compliance".
 QString gammasShown(const Outcome& outcome) {
     const auto& sections = outcome.result.sections;
+    const auto shown = [](const auto& section) {
+        return Names::significant(section.compliance_mm_per_n * nmOfMm);
+    };
     QStringList texts;
     if (sections.size() <= mostGammas) {
-        for (const auto& section : sections) {
-            texts << Names::significant(section.compliance_mm_per_n);
-        }
+        std::ranges::transform(sections, std::back_inserter(texts), shown);
+        texts.removeDuplicates();
         return texts.join(QStringLiteral("; "));
     }
     const auto compliance = [](const auto& section) { return section.compliance_mm_per_n; };
     const auto [least, most] = std::ranges::minmax(sections, {}, compliance);
-    return Names::significant(least.compliance_mm_per_n) + u'…'
-           + Names::significant(most.compliance_mm_per_n);
+    return shown(least) == shown(most) ? shown(least) : shown(least) + u'…' + shown(most);
 }
 
 QString minutesShown(const Outcome& outcome) {
@@ -151,7 +155,7 @@ void StiffnessOffer::showEffect(const OutcomePtr& before, const OutcomePtr& afte
         return;
     }
     m_effect->setText(
-        tr("Its effect: γ %1 mm/N; machining time %2 min; diameter deviations %3 µm; requirements "
+        tr("Its effect: γ %1 nm/N; machining time %2 min; diameter deviations %3 µm; requirements "
            "that fail %4.")
             .arg(beforeAndAfter(before, after, gammasShown),
                  beforeAndAfter(before, after, minutesShown),
