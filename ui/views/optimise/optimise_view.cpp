@@ -54,9 +54,10 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings)
     m_bar->takeTurns();
     m_bar->layOut({m_phases, m_refine}, {m_take});
     share(*m_splitter, {{pages(), plotShare}, {buildTable(), foundShare}});
-    QVBoxLayout* const column = addColumn(
-        {m_bar, notice(), m_add, pageTools<ToolRow>({m_zone}), legend(), m_splitter, values()},
-        m_splitter);
+    QWidget* const choice = pageTools<ToolRow>({m_zone});
+    hideUntilDrawn({choice});
+    QVBoxLayout* const column =
+        addColumn({m_bar, notice(), m_add, choice, legend(), m_splitter, values()}, m_splitter);
     column->setAlignment(m_add, Qt::AlignLeft);
     column->addStretch(0);
     nameObjects({{m_curves, "optimiseCurves"},
