@@ -3,9 +3,9 @@
 
 #include "core/files/file_step_text.h"
 #include "core/printable.h"
+#include "ui/text/number_text.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <cstring>
 
@@ -22,7 +22,7 @@ QString details(const FileError& error) {
     }
     if (error.freeBytes) {
         text = QCoreApplication::translate("FileError", "%1; free space: %2")
-                   .arg(text, QLocale().formattedDataSize(qint64(*error.freeBytes)));
+                   .arg(text, sizeText(qint64(*error.freeBytes)));
     }
     return text;
 }

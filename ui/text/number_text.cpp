@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/number_text.h"
 
+#include <QCoreApplication>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -163,6 +164,19 @@ QString dateText(const QDate& date) {
 
 QString momentText(const QDateTime& moment) {
     return dateText(moment.date()) + moment.time().toString(QStringLiteral(", HH:mm"));
+}
+
+QString sizeText(qint64 bytes) {
+    constexpr qint64 kilo = 1000, mega = 1000 * kilo, giga = 1000 * mega;
+    const auto shown = [bytes](const char* unit, qint64 of, int decimals) {
+        const double size = double(bytes) / double(of);
+        const QString number =
+            QLocale().toString(decimals > 0 ? size : std::ceil(size), 'f', decimals);
+        return QCoreApplication::translate("FileSize", unit).arg(number);
+    };
+    return bytes < mega   ? shown(QT_TRANSLATE_NOOP("FileSize", "%1 kB"), kilo, 0)
+           : bytes < giga ? shown(QT_TRANSLATE_NOOP("FileSize", "%1 MB"), mega, 1)
+                          : shown(QT_TRANSLATE_NOOP("FileSize", "%1 GB"), giga, 1);
 }
 
 } // namespace sparkout

@@ -38,4 +38,7 @@ namespace sparkout {
 /// The same with hours and minutes.
 [[nodiscard]] QString momentText(const QDateTime& moment);
 
+/// Of a file or the room for one, in the units of the present language: "10 kB", "2.5 GB".
+[[nodiscard]] QString sizeText(qint64 bytes);
+
 } // namespace sparkout

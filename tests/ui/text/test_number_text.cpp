@@ -104,6 +104,17 @@ private slots:
                  qPrintable(margin));
     }
 
+    void sizesOfFilesAreInThousands() {
+        const QLocale before;
+        QLocale::setDefault(QLocale::c());
+        QCOMPARE(sizeText(0), QStringLiteral("0 kB"));
+        QCOMPARE(sizeText(1), QStringLiteral("1 kB")); // there is something
+        QCOMPARE(sizeText(9600), QStringLiteral("10 kB"));
+        QCOMPARE(sizeText(2'460'000), QStringLiteral("2.5 MB"));
+        QCOMPARE(sizeText(73'000'000'000), QStringLiteral("73.0 GB"));
+        QLocale::setDefault(before);
+    }
+
     void whatIsNoPowerIsNoNumber() {
         for (const QString& text : {QStringLiteral("10⁻"), QStringLiteral("·10⁻⁵"),
                                     QStringLiteral("2 10⁻⁵"), QStringLiteral("⁵")}) {

@@ -9,7 +9,6 @@
 #include <QFileInfo>
 #include <QHeaderView>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -35,9 +34,9 @@ VersionsDialog::VersionsDialog(const QString& project, std::vector<EarlierVersio
     m_list->setHeaderLabels({tr("Replaced at"), tr("Size"), tr("File")});
     m_list->setTextElideMode(Qt::ElideMiddle);
     for (const EarlierVersion& earlier : m_versions) {
-        auto* row = new QTreeWidgetItem(m_list, {momentText(earlier.when.toLocalTime()),
-                                                 QLocale().formattedDataSize(earlier.bytes),
-                                                 printableText(earlier.file)});
+        auto* row =
+            new QTreeWidgetItem(m_list, {momentText(earlier.when.toLocalTime()),
+                                         sizeText(earlier.bytes), printableText(earlier.file)});
         row->setToolTip(2, printableText(earlier.file));
     }
     for (const int column : {0, 1}) {
