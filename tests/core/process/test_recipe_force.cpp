@@ -175,11 +175,13 @@ private slots:
     }
 
     void aFileKeepsIt() {
-        const Project p = anyProject();
-        const ReadResult read = readProject(writeProject(p));
-        QVERIFY(read.project.has_value());
-        QVERIFY(read.project->wheel->force_recipe.has_value());
-        QVERIFY(same(forceLaw(*read.project), forceLaw(p)));
+        QVERIFY(rc::check("file", [] {
+            const Project p = anyProject();
+            const ReadResult read = readProject(writeProject(p));
+            RC_ASSERT(read.project.has_value());
+            RC_ASSERT(read.project->wheel->force_recipe.has_value());
+            RC_ASSERT(same(forceLaw(*read.project), forceLaw(p)));
+        }));
         QVERIFY(writeProject(fixtures::plunge()).find("force_recipe") == std::string::npos);
     }
 

@@ -95,8 +95,8 @@ private slots:
             const Shared of(project);
             const Blank blank = makeBlank(*project.part);
             const double sign = project.part->surface == Surface::external ? 1 : -1;
-            const double before = blank.firstTouchRadius_mm - sign * meanOf(blank.depth_mm);
             for (std::size_t i = 0; i < of.result.sections.size(); ++i) {
+                const double before = blank.firstTouchRadius_mm - sign * meanOf(blank.depthAt(i));
                 double removed = 0;
                 for (const StepSums& stage : of.shares.removed_mm[i]) {
                     removed += stage.total();

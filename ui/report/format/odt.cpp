@@ -339,9 +339,9 @@ QByteArray stylesOf(const Report& report, const OdtForms& forms, bool landscape)
                {QStringLiteral("fo:margin-top"), QStringLiteral("10mm")},
                {QStringLiteral("fo:margin-bottom"), QStringLiteral("10mm")}});
     // A footer is as high as symbol and name of a form with the line below them: it does not grow.
-    for (const auto& [edge, height] :
+    for (const auto& [style, height] :
          {std::pair("style:header-style", "5mm"), std::pair("style:footer-style", "9mm")}) {
-        xml.begin(edge);
+        xml.begin(style);
         xml.empty("style:header-footer-properties",
                   {{QStringLiteral("fo:min-height"), QString::fromLatin1(height)}});
         xml.end();
