@@ -35,7 +35,7 @@ std::vector<double> risingLevels(const Levels& levels) {
     }
     std::vector<double> values = levelValues(levels);
     std::ranges::sort(values);
-    values.erase(std::ranges::unique(values).begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
     return values;
 }
 

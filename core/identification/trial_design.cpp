@@ -237,10 +237,10 @@ private:
             const double value = svd.singularValues()[i];
             const Eigen::VectorXd direction = svd.matrixV().col(i);
             if (value * mostCondition < svd.singularValues()[0]) {
-                constexpr double partOfDirection = 0.2;
+                constexpr double leastPart = 0.2;
                 for (Eigen::Index k = 0; k < interest; ++k) {
                     const auto place = static_cast<std::size_t>(k);
-                    unknown[place] = unknown[place] || std::abs(direction[k]) > partOfDirection;
+                    unknown[place] = unknown[place] || std::abs(direction[k]) > leastPart;
                 }
                 continue;
             }

@@ -24,8 +24,7 @@ bool isSame(double a, double b) {
 std::vector<double> sortedLevels(const Optimisation& search, const StageFeed& feed) {
     std::vector<double> values = levelValues(search.*feed.levels);
     std::ranges::sort(values);
-    const auto again = std::ranges::unique(values, isSame);
-    values.erase(again.begin(), again.end());
+    values.erase(std::unique(values.begin(), values.end(), isSame), values.end());
     return values;
 }
 
