@@ -137,7 +137,8 @@ public:
                 const std::stop_token& stop)
         : m_law(forceLaw(project))
         , m_b(project.part->length_mm)
-        , m_gamma(compliantPoints(project)[gaugeSection(project)].gamma_mm_n)
+        , m_gamma(
+              compliantPoints(project)[static_cast<std::size_t>(gaugeSection(project))].gamma_mm_n)
         , m_infeed_mm(infeed_mm)
         , m_cell_mm(stock_mm / cells) {
         const double lastCut_mm = provedLastCut_mm(project, m_b, m_gamma);
