@@ -43,7 +43,7 @@ void ProfilesPlot::setSeries(ProfileSeries series, std::vector<int> shown) {
     m_series = std::move(series);
     m_shown = std::move(shown);
     const bool sameCells = cellCount() == m_cells.size() && !m_cells.empty();
-    draw();
+    drawProfiles();
     if (!sameCells || arrangement() != m_arrangement) {
         showAll();
         rebuild();
@@ -65,25 +65,25 @@ void ProfilesPlot::setMagnification(std::optional<double> wanted) {
 
 void ProfilesPlot::setCircles(ReferenceCircles circles) {
     m_circles = circles;
-    draw();
+    drawProfiles();
     showAll();
     rebuild(); // the numbers may take a line more
 }
 
 void ProfilesPlot::setFilter(std::optional<int> cutoff_upr) {
     m_cutoff_upr = cutoff_upr;
-    draw();
+    drawProfiles();
     fit();
 }
 
 void ProfilesPlot::setMeasured(std::optional<MeasuredSection> measured) {
     m_measured = std::move(measured);
-    draw();
+    drawProfiles();
     showAll();
     rebuild();
 }
 
-void ProfilesPlot::draw() {
+void ProfilesPlot::drawProfiles() {
     m_drawn.clear();
     for (const int index : m_shown) {
         m_drawn.push_back(shownProfile(m_series.profiles[static_cast<std::size_t>(index)],

@@ -92,7 +92,7 @@ private:
     void rebuild();
     void clearCells();
     void buildCell(QCPLayoutGrid& into);
-    void draw(); ///< the profiles as they are shown
+    void drawProfiles(); ///< the profiles as they are shown
     void chooseMagnification();
     void fill();
     [[nodiscard]] QString numbersOf(std::size_t cell, bool brief) const;
