@@ -93,8 +93,8 @@ ExactAnswer exactAnswer(const StateGrid& grid, const std::stop_token& stop,
     const bool missed =
         !grid.time_s || comparedTime_us(*grid.time_s) > comparedTime_us(*exact.time_s);
     for (int level = 1; missed && level <= static_cast<int>(exact.reached_s.size()); ++level) {
-        if (auto fault = faultAt(grid, moves, exact, level)) {
-            exact.faults.push_back(*std::move(fault));
+        if (const auto fault = faultAt(grid, moves, exact, level)) {
+            exact.faults.push_back(*fault);
         }
     }
     return exact;

@@ -120,6 +120,22 @@ const StructInfo& tableOf<MachineLimits>() {
     return info;
 }
 
+namespace {
+
+Field zoneCompliance() {
+    return SPARKOUT_FIELD(
+        Machine, zone_compliance, .label = SPARKOUT_NOOP("Input", "Compliance factor by zone"),
+        .symbol = "f_γ", .hard = {1e-3, 1e3}, .soft = {0.2, 5},
+        .nullMeaning = SPARKOUT_NOOP("Input", "1 everywhere"), .sparse = true,
+        .page = Page::machine,
+        .hint =
+            SPARKOUT_NOOP("Input", "Multiplies the compliance of each zone or section, in their "
+                                   "order, given or computed; not with coupled sections."),
+        .source = "MODEL-6");
+}
+
+} // namespace
+
 template <>
 const StructInfo& tableOf<Machine>() {
     static const std::array rows{
@@ -200,15 +216,7 @@ const StructInfo& tableOf<Machine>() {
                            "Input", "Headstock, tailstock and wheel head, for a compliance that is "
                                     "computed."),
                        .source = "MODEL-6"),
-        SPARKOUT_FIELD(Machine, zone_compliance,
-                       .label = SPARKOUT_NOOP("Input", "Compliance factor by zone"),
-                       .symbol = "f_γ", .hard = {1e-3, 1e3}, .soft = {0.2, 5},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "1 everywhere"), .sparse = true,
-                       .page = Page::machine,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Multiplies the compliance of each zone or section, in their "
-                                    "order, given or computed; not with coupled sections."),
-                       .source = "MODEL-6"),
+        zoneCompliance(),
         SPARKOUT_FIELD(Machine, geometric_runout_um,
                        .label = SPARKOUT_NOOP("Input", "Geometric runout"), .symbol = "Δ_m",
                        .unit = "µm", .hard = {0, 1000}, .soft = {0, 10}, .page = Page::machine,

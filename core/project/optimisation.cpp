@@ -83,6 +83,17 @@ Field unfedSteps() {
             .source = "MODEL-7"});
 }
 
+Field adaptiveLevels() {
+    return SPARKOUT_FIELD(
+        Optimisation, adaptive, .label = SPARKOUT_NOOP("Input", "Levels follow the answer"),
+        .page = Page::search,
+        .hint = SPARKOUT_NOOP("Input",
+                              "Levels of the feeds are added around the answer, and beyond it "
+                              "where it stands at the edge of its grid and the machine lets it "
+                              "pass; then the grid is searched again."),
+        .source = "MODEL-8");
+}
+
 } // namespace
 
 template <>
@@ -108,14 +119,7 @@ const StructInfo& tableOf<Optimisation>() {
                        .label = SPARKOUT_NOOP("Input", "Feeds never rise"), .page = Page::search,
                        .hint = SPARKOUT_NOOP("Input", "Neither feed rises from stage to stage."),
                        .source = "MODEL-8"),
-        SPARKOUT_FIELD(
-            Optimisation, adaptive, .label = SPARKOUT_NOOP("Input", "Levels follow the answer"),
-            .page = Page::search,
-            .hint = SPARKOUT_NOOP("Input",
-                                  "Levels of the feeds are added around the answer, and beyond it "
-                                  "where it stands at the edge of its grid and the machine lets it "
-                                  "pass; then the grid is searched again."),
-            .source = "MODEL-8"),
+        adaptiveLevels(),
         SPARKOUT_FIELD(Optimisation, scenarios, .label = SPARKOUT_NOOP("Input", "Must hold for"),
                        .page = Page::search,
                        .hint =

@@ -24,7 +24,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr QSize usualSize(760, 460); ///< of Qt's own, at the usual size of type
+constexpr QSize usualDialogSize(760, 460); ///< of Qt's own, at the usual size of type
 constexpr int placesWidth = 140, leastName = 220;
 enum Column { name, size, kind, changed };
 
@@ -91,7 +91,7 @@ void FileDialog::dress(QFileDialog& dialog) {
             found->hide();
         }
     }
-    QSize wanted(atFontSize(usualSize.width()), atFontSize(usualSize.height()));
+    QSize wanted(atFontSize(usualDialogSize.width()), atFontSize(usualDialogSize.height()));
     if (const QScreen* const screen = dialog.screen()) {
         wanted = wanted.boundedTo(screen->availableSize());
     }

@@ -34,7 +34,7 @@
 namespace sparkout {
 
 namespace {
-constexpr int plotShare = 260, foundShare = 140; ///< of the height at first
+constexpr int curvesShare = 260, foundShare = 140; ///< of the height at first
 } // namespace
 
 OptimiseView::OptimiseView(QWidget* parent, Settings* settings)
@@ -59,7 +59,7 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings)
     }
     m_bar->takeTurns();
     m_bar->layOut({m_phases, m_refine}, {m_take});
-    share(*m_splitter, {{pages(), plotShare}, {buildTable(), foundShare}});
+    share(*m_splitter, {{pages(), curvesShare}, {buildTable(), foundShare}});
     QVBoxLayout* const column =
         addColumn({m_bar, m_gridBar, notice(), m_add, pageTools<ToolRow>({m_zone}), legend(),
                    m_splitter, values()},
