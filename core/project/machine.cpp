@@ -134,6 +134,14 @@ Field zoneCompliance() {
         .source = "MODEL-6");
 }
 
+Field geometricRunout() {
+    return SPARKOUT_FIELD(
+        Machine, geometric_runout_um, .label = SPARKOUT_NOOP("Input", "Geometric runout"),
+        .symbol = "Δ_m", .unit = "µm", .hard = {0, 1000}, .soft = {0, 10}, .page = Page::machine,
+        .hint = SPARKOUT_NOOP("Input", "Runout of centres and spindle; it adds to every runout."),
+        .source = "MODEL-7");
+}
+
 } // namespace
 
 template <>
@@ -217,12 +225,7 @@ const StructInfo& tableOf<Machine>() {
                                     "computed."),
                        .source = "MODEL-6"),
         zoneCompliance(),
-        SPARKOUT_FIELD(Machine, geometric_runout_um,
-                       .label = SPARKOUT_NOOP("Input", "Geometric runout"), .symbol = "Δ_m",
-                       .unit = "µm", .hard = {0, 1000}, .soft = {0, 10}, .page = Page::machine,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Runout of centres and spindle; it adds to every runout."),
-                       .source = "MODEL-7"),
+        geometricRunout(),
         SPARKOUT_FIELD(
             Machine, wheel_drive_kw, .label = SPARKOUT_NOOP("Input", "Wheel drive power"),
             .symbol = "N_k", .unit = "kW", .hard = {0, 1000, true},
