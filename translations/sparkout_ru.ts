@@ -12830,8 +12830,8 @@ target, µm</source>
             <translation>Добавить типовой поиск</translation>
         </message>
         <message>
-            <source>A dozen levels of each feed about the present cycle, and steps of stock</source>
-            <translation>Около двенадцати уровней каждой подачи вокруг текущего цикла и шаги припуска</translation>
+            <source>Levels of each feed over the machine&apos;s range, which follow the answer, and steps of stock</source>
+            <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, и шаги припуска</translation>
         </message>
         <message>
             <source>The mass by the steps of the shaft</source>
@@ -12977,8 +12977,8 @@ target, µm</source>
             <translation>Добавить типовой поиск</translation>
         </message>
         <message>
-            <source>A dozen levels of each feed about the present cycle, and steps of stock; can be undone and changed on the page Search</source>
-            <translation>Около двенадцати уровней каждой подачи вокруг текущего цикла и шаги припуска; можно отменить и изменить на странице «Поиск»</translation>
+            <source>Levels of each feed over the machine&apos;s range, which follow the answer, and steps of stock; can be undone and changed on the page Search</source>
+            <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, и шаги припуска; можно отменить и изменить на странице «Поиск»</translation>
         </message>
         <message>
             <source>Between levels</source>

@@ -159,17 +159,17 @@ private:
     StiffnessTrial m_trial;
 };
 
-double& valueOf(Stiffness& stiffness, StiffnessUnit unit) {
+} // namespace
+
+double Stiffness::*memberOf(StiffnessUnit unit) {
     switch (unit) {
-    case StiffnessUnit::headstock: return stiffness.headstock;
-    case StiffnessUnit::tailstock: return stiffness.tailstock;
+    case StiffnessUnit::headstock: return &Stiffness::headstock;
+    case StiffnessUnit::tailstock: return &Stiffness::tailstock;
     case StiffnessUnit::wheel_head:
     case StiffnessUnit::count_: break;
     }
-    return stiffness.wheel_head;
+    return &Stiffness::wheel_head;
 }
-
-} // namespace
 
 StiffnessTrial stiffnessFromTrial(const Project& project, const StiffnessRequest& request) {
     return TrialFit(project, request).fit();
@@ -186,7 +186,7 @@ Project withStiffness(const Project& project, const StiffnessTrial& trial, const
     Stiffness& stiffness =
         machine.stiffness_n_um ? *machine.stiffness_n_um : machine.stiffness_n_um.emplace();
     for (const FoundStiffness& found : trial.found) {
-        valueOf(stiffness, found.unit) = found.n_um;
+        stiffness.*memberOf(found.unit) = found.n_um;
         Calibration calibration;
         calibration.input = std::string("/machine/stiffness_n_um/") + keyOf(found.unit);
         calibration.value = found.n_um;

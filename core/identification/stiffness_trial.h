@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/measured/stiffness_table.h"
+#include "core/project/machine.h"
 #include "core/project/project.h"
 #include "core/statistics/intervals.h"
 
@@ -71,5 +72,7 @@ struct StiffnessRequest {
 [[nodiscard]] double stiffnessLoad_n(const Project& project);
 
 [[nodiscard]] const char* keyOf(StiffnessUnit unit);
+/// Its stiffness in the machine.
+[[nodiscard]] double Stiffness::*memberOf(StiffnessUnit unit);
 
 } // namespace sparkout

@@ -2,10 +2,10 @@
 #include "core/optimisation/robust.h"
 
 #include "core/batch/scenario_source.h"
+#include "core/phases/cycle_trial.h"
 #include "core/project/batch.h"
 #include "core/project/optimisation.h"
 #include "core/project/part.h"
-#include "core/simulation/simulate.h"
 #include "core/simulation/stage_control.h"
 #include "core/statistics/philox.h"
 
@@ -20,29 +20,6 @@ namespace sparkout {
 
 namespace {
 
-/// How a cycle does in a scenario.
-struct Trial {
-    bool holds = false;
-    double leastMargin = -std::numeric_limits<double>::infinity(); ///< relative
-};
-
-/// Nothing: it was stopped, so nothing is known.
-std::optional<Trial> tried(const Project& scenario, const std::stop_token& stop) {
-    const SimulationResult result = simulateUnchecked(scenario, nullptr, stop);
-    if (result.status == RunStatus::stopped) {
-        return std::nullopt;
-    }
-    if (result.status != RunStatus::completed) {
-        return Trial{};
-    }
-    Trial trial{true, std::numeric_limits<double>::infinity()};
-    for (const ConstraintResult& constraint : evaluateConstraints(result)) {
-        trial.holds &= constraint.holds;
-        trial.leastMargin = std::min(trial.leastMargin, constraint.relativeMargin);
-    }
-    return trial;
-}
-
 /// Tries cycles on scenarios that correspond from draw to draw: those first that were the worst for
 /// the last cycle that was tried on all. So one that fails does so soon, where it fails by most.
 class Trials {
@@ -55,10 +32,10 @@ public:
             m_order.resize(scenarios.size());
             std::iota(m_order.begin(), m_order.end(), std::size_t{0});
         }
-        std::vector<Trial> trials(scenarios.size());
+        std::vector<CycleTrial> trials(scenarios.size());
         for (const std::size_t i : m_order) {
             scenarios[i].cycle = best.cycle;
-            const std::optional<Trial> trial = tried(scenarios[i], stop);
+            const std::optional<CycleTrial> trial = tried(scenarios[i], stop);
             if (!trial) {
                 return std::nullopt;
             }
@@ -202,7 +179,7 @@ std::optional<Project> failingPhase(const Project& best, std::uint32_t draw,
             static_cast<std::size_t>(unit(0) * static_cast<double>(infeeds_mm.size()));
         drawn.part->stock_mm = best.part->stock_mm;
         addPhase(drawn, infeeds_mm[stage], unit(1));
-        const std::optional<Trial> trial = tried(drawn, stop);
+        const std::optional<CycleTrial> trial = tried(drawn, stop);
         if (trial && !trial->holds && (!worst || trial->leastMargin < least)) {
             worst = drawn;
             least = trial->leastMargin;

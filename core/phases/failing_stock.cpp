@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/phases/failing_stock.h"
 
+#include "core/phases/cycle_trial.h"
 #include "core/project/part.h"
-#include "core/simulation/simulate.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -93,27 +93,6 @@ private:
     bool m_fails = false, m_isNear = false;
 };
 
-/// The relative margin of a stock for which the cycle fails; nothing: it holds, or was stopped.
-std::optional<double> marginOfFailure(const Project& project, double stock_mm,
-                                      const std::stop_token& stop) {
-    Project made = project;
-    made.part->stock_mm = stock_mm;
-    const SimulationResult result = simulateUnchecked(made, nullptr, stop);
-    if (result.status == RunStatus::stopped) {
-        return std::nullopt;
-    }
-    double least = std::numeric_limits<double>::infinity();
-    bool holds = result.status == RunStatus::completed;
-    if (!holds) {
-        return -least;
-    }
-    for (const ConstraintResult& each : evaluateConstraints(result)) {
-        holds &= each.holds;
-        least = std::min(least, each.relativeMargin);
-    }
-    return holds ? std::nullopt : std::optional(least);
-}
-
 /// Keeps the worst of those that fail.
 class Suspects {
 public:
@@ -137,9 +116,11 @@ public:
             for (const double share : {0.01, 0.99, 0.5}) {
                 const double stock_mm =
                     each.stocks.from_mm + share * (each.stocks.to_mm - each.stocks.from_mm);
-                const std::optional<double> margin = marginOfFailure(project, stock_mm, stop);
-                if (margin && (!found_mm || *margin < least)) {
-                    least = *margin;
+                Project made = project;
+                made.part->stock_mm = stock_mm;
+                const std::optional<CycleTrial> trial = tried(made, stop);
+                if (trial && !trial->holds && (!found_mm || trial->leastMargin < least)) {
+                    least = trial->leastMargin;
                     found_mm = stock_mm;
                 }
             }

@@ -6,6 +6,7 @@
 #include "core/study/search_edits.h"
 #include "ui/dynamic_programming/grid_moment.h"
 #include "ui/dynamic_programming/state_grid_text.h"
+#include "ui/kit/flat_button.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme_icon.h"
@@ -40,11 +41,11 @@ StateGridBar::StateGridBar(QWidget* parent)
     , m_levels(new QSpinBox(this))
     , m_stages(new QSpinBox(this))
     , m_bar(new RunBar(QStringLiteral("stateGrid"), this, StateGridText::progress))
-    , m_first(button("stateGridFirst", u"play_first"))
-    , m_previous(button("stateGridPrevious", u"play_previous"))
-    , m_play(button("stateGridPlay", u"play"))
-    , m_next(button("stateGridNext", u"play_next"))
-    , m_end(button("stateGridLast", u"play_last"))
+    , m_first(flatButton(this, "stateGridFirst", u"play_first"))
+    , m_previous(flatButton(this, "stateGridPrevious", u"play_previous"))
+    , m_play(flatButton(this, "stateGridPlay", u"play"))
+    , m_next(flatButton(this, "stateGridNext", u"play_next"))
+    , m_end(flatButton(this, "stateGridLast", u"play_last"))
     , m_slider(new QSlider(Qt::Horizontal, this))
     , m_place(new QLabel(this)) {
     m_levels->setObjectName(QStringLiteral("stateGridLevels"));
@@ -77,15 +78,6 @@ StateGridBar::StateGridBar(QWidget* parent)
     connect(m_runner, &StateGridRunner::filled, this, &StateGridBar::take);
     connect(m_runner, &StateGridRunner::proved, this, &StateGridBar::takeProof);
     connectSteps();
-}
-
-QToolButton* StateGridBar::button(const char* name, const char16_t* icon) {
-    auto* button = new QToolButton(this);
-    button->setObjectName(QLatin1String(name));
-    button->setIcon(themeIcon(icon));
-    button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::StrongFocus);
-    return button;
 }
 
 QWidget* StateGridBar::buildSteps() {

@@ -44,7 +44,6 @@ signals:
     void moved(int moment); ///< another moment is looked at
 
 private:
-    QToolButton* button(const char* name, const char16_t* icon);
     QWidget* buildSteps();
     void connectSteps();
     [[nodiscard]] StateGridSize size() const;

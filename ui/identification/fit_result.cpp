@@ -5,6 +5,7 @@
 #include "ui/identification/fit_table.h"
 #include "ui/identification/fit_words.h"
 #include "ui/identification/residual_plot.h"
+#include "ui/kit/copyable_label.h"
 #include "ui/kit/metrics.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
@@ -25,26 +26,18 @@ constexpr double doubtfulNormality = 0.05;
 /// Beyond it two parameters are hardly told apart.
 constexpr double closeCorrelation = 0.95;
 
-QLabel* resultLabel(QWidget* parent) {
-    auto* label = new QLabel(parent);
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    return label;
-}
-
 } // namespace
 
 FitResult::FitResult(const Project& project, QWidget* parent)
     : QWidget(parent)
     , m_project(project)
-    , m_words(resultLabel(this))
+    , m_words(copyableLabel(this))
     , m_values(new FitTable(tr("Values found"), this))
-    , m_correlationsName(resultLabel(this))
+    , m_correlationsName(copyableLabel(this))
     , m_correlations(new FitTable(tr("Correlations of the values"), this))
-    , m_residualsName(resultLabel(this))
+    , m_residualsName(copyableLabel(this))
     , m_residuals(new FitTable(tr("Residuals by measurement"), this))
-    , m_normality(resultLabel(this))
+    , m_normality(copyableLabel(this))
     , m_group(new QComboBox(this))
     , m_plot(new ResidualPlot(this)) {
     m_words->setObjectName(QStringLiteral("fitWords"));

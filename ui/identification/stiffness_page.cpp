@@ -10,6 +10,7 @@
 #include "ui/identification/fit_words.h"
 #include "ui/identification/stiffness_model.h"
 #include "ui/identification/stiffness_sheet.h"
+#include "ui/kit/copyable_label.h"
 #include "ui/kit/metrics.h"
 #include "ui/text/names.h"
 #include "words/trial_words.h"
@@ -39,14 +40,6 @@
 namespace sparkout {
 
 namespace {
-
-QLabel* stiffnessLabel(QWidget* parent) {
-    auto* label = new QLabel(parent);
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    return label;
-}
 
 QScrollArea* scrolledColumn(QWidget* content, QWidget* parent) {
     auto* area = new QScrollArea(parent);
@@ -78,16 +71,6 @@ double loadOf(const Project& project) {
     return isSoundBut(project, true) ? stiffnessLoad_n(project) : usual_n;
 }
 
-double valueNow(const Stiffness& stiffness, StiffnessUnit unit) {
-    switch (unit) {
-    case StiffnessUnit::headstock: return stiffness.headstock;
-    case StiffnessUnit::tailstock: return stiffness.tailstock;
-    case StiffnessUnit::wheel_head:
-    case StiffnessUnit::count_: break;
-    }
-    return stiffness.wheel_head;
-}
-
 } // namespace
 
 StiffnessPage::StiffnessPage(const Project& project, QWidget* parent)
@@ -95,7 +78,7 @@ StiffnessPage::StiffnessPage(const Project& project, QWidget* parent)
     , m_project(project)
     , m_table(new QTableView(this))
     , m_indicator(new QComboBox(this))
-    , m_words(stiffnessLabel(this))
+    , m_words(copyableLabel(this))
     , m_found(new FitTable(tr("Stiffness found"), this))
     , m_compliance(new FitTable(tr("Compliance along the part"), this))
     , m_take(new QPushButton(tr("&Take over the stiffness"), this))
@@ -129,7 +112,7 @@ QWidget* StiffnessPage::buildSheet() {
     auto* page = new QWidget(this);
     auto* column = new QVBoxLayout(page);
     column->setContentsMargins(0, 0, 0, 0);
-    auto* steps = stiffnessLabel(page);
+    auto* steps = copyableLabel(page);
     steps->setObjectName(QStringLiteral("stiffnessSteps"));
     QStringList lines;
     for (const QString& step : m_isMeasurable ? m_sheet->steps() : QStringList()) {
@@ -310,7 +293,7 @@ void StiffnessPage::showFound() {
         const QString dash = QStringLiteral("—");
         rows.push_back(
             {FitWords::trial(wordsOf(unit)),
-             before ? FitWords::number(valueNow(*before, unit)) : dash,
+             before ? FitWords::number((*before).*memberOf(unit)) : dash,
              isFound ? FitWords::number(found->n_um) : tr("not measured"),
              isFound && found->interval95 ? FitWords::interval(*found->interval95) : dash});
     }

@@ -8,6 +8,7 @@
 #include "core/units.h"
 #include "ui/identification/fit_table.h"
 #include "ui/identification/fit_words.h"
+#include "ui/kit/copyable_label.h"
 #include "ui/kit/metrics.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
@@ -37,14 +38,6 @@ bool canRunTrials(const Project& project) {
         validate(project), [](const Issue& issue) { return issue.severity == Severity::error; });
 }
 
-QLabel* trialLabel(QWidget* parent) {
-    auto* label = new QLabel(parent);
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    return label;
-}
-
 } // namespace
 
 TrialPage::TrialPage(const Project& project, QWidget* parent)
@@ -52,8 +45,8 @@ TrialPage::TrialPage(const Project& project, QWidget* parent)
     , m_project(project)
     , m_record(new QComboBox(this))
     , m_table(new FitTable(tr("Trials by what they tell"), this))
-    , m_words(trialLabel(this))
-    , m_fault(trialLabel(this))
+    , m_words(copyableLabel(this))
+    , m_fault(copyableLabel(this))
     , m_progress(new QProgressBar(this))
     , m_find(new QPushButton(tr("&Compare trials"), this))
     , m_stop(new QPushButton(tr("&Stop"), this)) {

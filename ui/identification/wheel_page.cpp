@@ -6,6 +6,7 @@
 #include "core/units.h"
 #include "ui/fields/number_field.h"
 #include "ui/identification/fit_words.h"
+#include "ui/kit/copyable_label.h"
 #include "ui/kit/metrics.h"
 #include "ui/text/texts.h"
 
@@ -26,14 +27,6 @@ namespace {
 
 std::string dateOfToday() {
     return QDate::currentDate().toString(Qt::ISODate).toStdString();
-}
-
-QLabel* wheelLabel(const QString& text, QWidget* parent) {
-    auto* label = new QLabel(text, parent);
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    return label;
 }
 
 NumberField* positiveField(const char* unit, const char* name, QWidget* parent) {
@@ -58,7 +51,7 @@ WheelPage::WheelPage(const Project& project, QWidget* parent)
     , m_value(positiveField("N", "limitValue", this))
     , m_unit(new QLabel(this))
     , m_width(positiveField("mm", "limitWidth", this))
-    , m_found(wheelLabel({}, this))
+    , m_found(copyableLabel(this))
     , m_take(new QPushButton(tr("Take over the s&trengths"), this)) {
     auto* column = new QVBoxLayout(this);
     column->addWidget(buildRoughness());
@@ -70,7 +63,7 @@ WheelPage::WheelPage(const Project& project, QWidget* parent)
 QWidget* WheelPage::buildRoughness() {
     auto* box = new QGroupBox(tr("Roughness Ra"), this);
     auto* column = new QVBoxLayout(box);
-    auto* words = wheelLabel({}, box);
+    auto* words = copyableLabel(box);
     words->setObjectName(QStringLiteral("roughnessFound"));
     auto* take = new QPushButton(tr("Take over the &Ra factor"), box);
     take->setObjectName(QStringLiteral("roughnessTake"));
@@ -110,10 +103,10 @@ QWidget* WheelPage::buildRoughness() {
 QWidget* WheelPage::buildStrengths() {
     auto* box = new QGroupBox(tr("Strengths of the wheel"), this);
     auto* column = new QVBoxLayout(box);
-    column->addWidget(wheelLabel(
+    column->addWidget(copyableLabel(
+        box,
         tr("One reading at which the wheel just began to shed its grains gives a common factor of "
-           "the four strengths of grain and bond."),
-        box));
+           "the four strengths of grain and bond.")));
     m_reading->setObjectName(QStringLiteral("limitReading"));
     m_reading->addItem(tr("normal force"), static_cast<int>(LimitReading::normal_force));
     m_reading->addItem(tr("power of the wheel, without idle power"),

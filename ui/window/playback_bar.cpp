@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/playback_bar.h"
 
+#include "ui/kit/flat_button.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
@@ -34,11 +35,11 @@ constexpr int wheelSteps = 200;       ///< of the mouse wheel over the whole cyc
 PlaybackBar::PlaybackBar(CycleCursor& cursor, QWidget* parent)
     : QWidget(parent)
     , m_cursor(cursor)
-    , m_first(button("playFirst", u"play_first"))
-    , m_previous(button("playPrevious", u"play_previous"))
-    , m_play(button("play", u"play"))
-    , m_next(button("playNext", u"play_next"))
-    , m_last(button("playLast", u"play_last"))
+    , m_first(flatButton(this, "playFirst", u"play_first"))
+    , m_previous(flatButton(this, "playPrevious", u"play_previous"))
+    , m_play(flatButton(this, "play", u"play"))
+    , m_next(flatButton(this, "playNext", u"play_next"))
+    , m_last(flatButton(this, "playLast", u"play_last"))
     , m_unit(new QComboBox(this))
     , m_speed(new QComboBox(this))
     , m_slider(new QSlider(Qt::Horizontal, this))
@@ -48,15 +49,6 @@ PlaybackBar::PlaybackBar(CycleCursor& cursor, QWidget* parent)
     build();
     connectParts();
     retranslate();
-}
-
-QToolButton* PlaybackBar::button(const char* name, const char16_t* icon) {
-    auto* button = new QToolButton(this);
-    button->setObjectName(QLatin1String(name));
-    button->setIcon(themeIcon(icon));
-    button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::StrongFocus);
-    return button;
 }
 
 void PlaybackBar::build() {
@@ -89,7 +81,7 @@ void PlaybackBar::build() {
 }
 
 void PlaybackBar::addTool(QAction* action) {
-    auto* const tool = button("playTool", u"formula");
+    auto* const tool = flatButton(this, "playTool", u"formula");
     tool->setDefaultAction(action);
     m_row->addWidget(tool);
 }

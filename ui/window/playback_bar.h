@@ -34,7 +34,6 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    QToolButton* button(const char* name, const char16_t* icon);
     void build();
     void connectParts();
     void follow(); ///< shows where the cursor stands

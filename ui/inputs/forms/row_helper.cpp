@@ -69,7 +69,8 @@ const Offer usualSearch{
                       "feeds and stocks listed here. The view Optimise runs it."),
     QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Add a usual search"),
     QT_TRANSLATE_NOOP("sparkout::OfferHelper",
-                      "A dozen levels of each feed about the present cycle, and steps of stock")};
+                      "Levels of each feed over the machine's range, which follow the answer, and "
+                      "steps of stock")};
 
 std::optional<double> estimatedMass_kg(const Project& project) {
     return conditions::external(project, &*project.part) ? steelMass_kg(project.part->shaft)

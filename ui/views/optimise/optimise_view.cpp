@@ -462,9 +462,10 @@ void OptimiseView::nameButtons() {
     tellButton(*m_refine, tr("Between levels"),
                tr("Go on from the quickest cycle between the levels of the grid, in the machine's "
                   "steps: every cycle is run in full, but that none is quicker is not proved"));
-    tellButton(*m_add, tr("Add a usual search"),
-               tr("A dozen levels of each feed about the present cycle, and steps of stock; can be "
-                  "undone and changed on the page Search"));
+    tellButton(
+        *m_add, tr("Add a usual search"),
+        tr("Levels of each feed over the machine's range, which follow the answer, and steps of "
+           "stock; can be undone and changed on the page Search"));
 }
 
 } // namespace sparkout
