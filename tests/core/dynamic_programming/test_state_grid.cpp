@@ -131,8 +131,9 @@ class TestStateGrid : public QObject {
 private slots:
     // Eq. 27 by single runs: each move is a truncated cycle from the blank.
     void timesAndPredecessorsAreThoseOfSingleRuns() {
-        int compared = 0, struckOut = 0;
+        int projects = 0, compared = 0, struckOut = 0;
         for (Project& p : gaugedCases(samples::sized(24, 8, 100))) {
+            ++projects;
             p.material->burn_rise_k.reset(); // its limit is of the stock left
             p.sections_coupled = false;      // their power is judged at the end alone
             const StateGridSize size{4, 3};
@@ -173,7 +174,7 @@ private slots:
             }
         }
         std::printf("%d states compared, %d moves struck out\n", compared, struckOut);
-        QVERIFY(compared > 100 && struckOut > 0);
+        QVERIFY(compared > 4 * projects && struckOut > 0);
     }
 
     void everyMoveIsAccountedFor() {
