@@ -28,7 +28,9 @@ struct Suspect {
 class SharedRun {
 public:
     SharedRun(const PhasePiece& piece, const SimulationResult& result)
-        : m_result(result)
+        : failing{piece.from_mm, piece.to_mm}
+        , m_result(result)
+        , m_piece{piece.from_mm, piece.to_mm}
         , m_low_um(2 * (piece.from_mm - result.project.part->stock_mm) * units::umPerMm)
         , m_high_um(2 * (piece.to_mm - result.project.part->stock_mm) * units::umPerMm) {
         if (result.status != RunStatus::completed) {
@@ -45,6 +47,7 @@ public:
     [[nodiscard]] bool holds() const { return !m_fails && !m_isNear; }
     [[nodiscard]] bool fails() const { return m_fails; }
     double leastMargin = std::numeric_limits<double>::infinity(); ///< relative, at the worse end
+    StockRange failing; ///< stocks of the piece that the diameter that fails by most fails for
 
 private:
     void take(const ConstraintResult& each) {
@@ -77,18 +80,38 @@ private:
         const Part& part = *m_result.project.part;
         const bool isBore = part.surface == Surface::internal;
         const double width_um = part.upper_deviation_um - part.lower_deviation_um;
-        for (const double change_um : {m_low_um, m_high_um}) {
-            const double margin_um =
-                each.margin + (each.isLeast != isBore ? change_um : -change_um);
-            leastMargin = std::min(leastMargin, width_um > 0 ? margin_um / width_um : margin_um);
-            m_fails |= margin_um < -nearest_um;
-            m_isNear |= margin_um < nearest_um || !each.isWhole;
+        const double sign = each.isLeast != isBore ? 1 : -1;
+        const double low_um = each.margin + sign * m_low_um;
+        const double high_um = each.margin + sign * m_high_um;
+        const double margin_um = std::min(low_um, high_um);
+        leastMargin = std::min(leastMargin, width_um > 0 ? margin_um / width_um : margin_um);
+        m_fails |= margin_um < -nearest_um;
+        m_isNear |= margin_um < nearest_um || !each.isWhole;
+        if (margin_um < m_worst_um) {
+            m_worst_um = margin_um;
+            failing = belowZero(low_um, high_um);
         }
+    }
+
+    /// The stocks of the piece where a margin that is affine in the stock is negative; all of them
+    /// where it is so at both ends.
+    [[nodiscard]] StockRange belowZero(double low_um, double high_um) const {
+        StockRange range = m_piece;
+        const double share = low_um / (low_um - high_um); // of the piece, where it is zero
+        const double zero_mm = m_piece.from_mm + share * (m_piece.to_mm - m_piece.from_mm);
+        if (low_um < 0 && high_um >= 0) {
+            range.to_mm = zero_mm;
+        } else if (low_um >= 0 && high_um < 0) {
+            range.from_mm = zero_mm;
+        }
+        return range;
     }
 
     static bool isLengthOf(const Requirement& row) { return row.unit == std::string_view("µm"); }
 
     const SimulationResult& m_result;
+    StockRange m_piece;
+    double m_worst_um = 0; ///< margin of a diameter that fails
     double m_low_um, m_high_um; ///< diameters of the ends of the piece less those of the run
     bool m_fails = false, m_isNear = false;
 };
@@ -152,7 +175,7 @@ std::optional<double> failingStock_mm(const Project& project, StockRange range,
             return true;
         }
         if (isShared && shared.fails()) {
-            suspects.add({{piece.from_mm, piece.to_mm}, shared.leastMargin});
+            suspects.add({shared.failing, shared.leastMargin});
             return true;
         }
         const DecidedPiece decided = decidePiece(part, piece, stop);

@@ -231,6 +231,36 @@ private slots:
         QVERIFY(changes > 0);
     }
 
+    /// Be the stretch that fails at the end of a piece as short as can be, a stock of it is found.
+    void aShortStretchThatFailsIsFound() {
+        Project project = samples::project("smallest-plunge");
+        project.gauge->control = Control::gauge;
+        const StockRange range = usualPhases(project);
+        // Whatever the field, the same size is aimed at.
+        project.part->target_diameter_mm = project.part->diameter_mm;
+        project.part->lower_deviation_um = -1000;
+        project.part->upper_deviation_um = 1000;
+        project.part->tolerance = {};
+        double least_mm = 1, most_mm = -1, widest_mm = 0;
+        for (const DecidedPiece& piece : decidePhases(project, range).pieces) {
+            least_mm = std::min(least_mm, piece.low.deviations[0].least_mm);
+            most_mm = std::max(most_mm, piece.high.deviations[0].most_mm);
+            widest_mm = std::max(widest_mm, piece.piece.to_mm - piece.piece.from_mm);
+        }
+        constexpr double umPerMm = 1000;
+        for (const double share : {0.0008, 0.003, 0.007, 0.012, 0.1}) {
+            const double beyond_um = 2 * share * widest_mm * umPerMm;
+            Project narrow = project;
+            narrow.part->lower_deviation_um = least_mm * umPerMm + beyond_um;
+            QCOMPARE(wrongAboutFailing(narrow, decidePhases(narrow, range), range), std::string());
+            QVERIFY(failingStock_mm(narrow, range).has_value());
+            narrow = project;
+            narrow.part->upper_deviation_um = most_mm * umPerMm - beyond_um;
+            QCOMPARE(wrongAboutFailing(narrow, decidePhases(narrow, range), range), std::string());
+            QVERIFY(failingStock_mm(narrow, range).has_value());
+        }
+    }
+
     /// Of a uniform stock the share is a length over a length; where ranges overlap once.
     void theShareThatFailsIsThatOfTheDistribution() {
         const auto uniform = [](double from, double to) {
