@@ -38,7 +38,8 @@ struct TrialRequest {
 /// How well a trial would determine one parameter, at the present values of the project.
 struct TrialExpectation {
     FittedParameter parameter;
-    double error = 0;         ///< standard error of its coordinate: of a factor relative to it
+    double error = 0; ///< standard error of its coordinate, to first order in the noise: of a
+                      ///< factor relative to it
     double low = 0, high = 0; ///< expected 95 % interval, as the value of a fit has it
 };
 
