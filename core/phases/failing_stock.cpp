@@ -111,7 +111,7 @@ private:
 
     const SimulationResult& m_result;
     StockRange m_piece;
-    double m_worst_um = 0; ///< margin of a diameter that fails
+    double m_worst_um = 0;      ///< margin of a diameter that fails
     double m_low_um, m_high_um; ///< diameters of the ends of the piece less those of the run
     bool m_fails = false, m_isNear = false;
 };
