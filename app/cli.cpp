@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli_batch_command.h"
+#include "app/cli_dressing.h"
 #include "app/cli_optimise.h"
 #include "app/cli_phases.h"
 #include "app/cli_remedies.h"
@@ -44,6 +45,7 @@ constexpr const char* helpText =
   sparkout-cli batch-merge SHARD… [--json | --csv] [--check]
   sparkout-cli sweep FILE [--surface NAME|N|all] [--threads N] [--json | --csv] [--progress]
   sparkout-cli phases FILE [--surface NAME|N|all] [--from MM] [--to MM] [--json] [--check]
+  sparkout-cli dressing FILE [--scenarios HOW] [--json] [--check] [--progress]
   sparkout-cli measured FILE [--surface NAME|N|all] [--data TABLE.csv] [--fit PARAMETER,…]
                         [--json] [--check] [--progress]
   sparkout-cli measured FILE [--surface NAME|N|all] [--json] --roundness [--profile TABLE.csv]
@@ -110,6 +112,13 @@ phases     decides for which stocks of the blank the cycle holds every requireme
                        and above the stock in the file
   --json               prints one JSON object
   --check              exit status 4 when it fails for a stock
+dressing   runs part after part with the wheel as those before have left it, by the wear in the file,
+           until the first that does not hold: the parts between two dressings. With the rates of
+           optimisation/cost also after how many dressing is quickest and cheapest
+  --scenarios          each part must hold for the parts of the surface's batch too, chosen by
+                       corners, latin_hypercube, sobol or random
+  --json               prints one JSON object
+  --check              exit status 4 when no part holds
 measured   holds what was measured, in the file's section measured, against the predicted batch:
            for each zone or section and quantity the mean with its 95 % interval, the
            predicted range, Fisher's ratio of the variances, the share of the parts inside
@@ -149,7 +158,8 @@ its reports from 1.
 
 Exit status: 0 done; 1 the input is refused; 2 usage; 3 the cycle cannot reach size;
 4 a requirement fails (--check); 5 no cycle of the grid is feasible; 130 or 143 a batch,
-sweep or search for remedies ended by Ctrl+C or SIGTERM, or a decision on phases.
+sweep or search for remedies ended by Ctrl+C or SIGTERM, or a decision on phases
+or parts between dressings.
 
 A batch on a cluster, here with Slurm: batch.sbatch in resources/help.
 )";
@@ -293,7 +303,8 @@ int run(const std::vector<std::string>& arguments) {
     const std::string& command = options.command;
     if (command != "simulate" && command != "validate" && command != "remedies"
         && command != "batch" && command != "batch-merge" && command != "sweep"
-        && command != "measured" && command != "phases" && command != "examples") {
+        && command != "measured" && command != "phases" && command != "dressing"
+        && command != "examples") {
         return usageError(command.empty() ? "a command is needed" : "unknown command " + command);
     }
     if (options.operand.empty()) {
@@ -316,6 +327,9 @@ int run(const std::vector<std::string>& arguments) {
     }
     if (command == "phases") {
         return runPhasesCommand(options);
+    }
+    if (command == "dressing") {
+        return runDressingCommand(options);
     }
     if (command == "measured") {
         return runMeasuredCommand(options);

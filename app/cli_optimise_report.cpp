@@ -2,8 +2,8 @@
 #include "app/cli_optimise_report.h"
 
 #include "app/io/cli_report.h"
+#include "core/dressing/part_cost.h"
 #include "core/format/project_file.h"
-#include "core/optimisation/cost.h"
 #include "core/optimisation/levels.h"
 #include "core/optimisation/limit.h"
 #include "core/optimisation/search_names.h"

@@ -5583,7 +5583,15 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Lowest and highest factor on the compliance of each zone or section, in their order; each scatters by itself, evenly. Twice the same is a constant.</source>
             <translation>Наименьший и наибольший множитель податливости каждой зоны или сечения, по порядку; каждый рассеивается сам по себе, равномерно. Два одинаковых числа — постоянная.</translation>
         </message>
-    </context>
+        <message>
+        <source>Exponent of dulling</source>
+        <translation>Показатель роста затупления</translation>
+    </message>
+    <message>
+        <source>1: the dullness grows evenly. Below 1 it grows most just after dressing, above 1 towards the end; the dulling is then counted per mm² to this power.</source>
+        <translation>1 — затупление растёт равномерно. Меньше 1 — быстрее всего сразу после правки, больше 1 — к концу; коэффициент затупления отнесён тогда к мм² в этой степени.</translation>
+    </message>
+</context>
     <context>
         <name>Issue</name>
         <message>

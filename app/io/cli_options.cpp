@@ -101,6 +101,10 @@ const ValueOption valueOptions[] = {
      [](const std::string& text, Options& options) {
          return put(options.scenarios, scenariosOf(text));
      }},
+    {"dressing", "--scenarios", "corners, latin_hypercube, sobol or random",
+     [](const std::string& text, Options& options) {
+         return put(options.scenarios, scenariosOf(text));
+     }},
     {"batch", "--measured", "a file name",
      [](const std::string& text, Options& options) {
          return put(options.measured, fileName(text));
@@ -165,15 +169,17 @@ bool* switchOf(const std::string& name, Options& options) {
     const bool batch = runs || options.command == "batch-merge";
     const bool sweeps = options.command == "sweep", mends = options.command == "remedies";
     const bool measures = options.command == "measured", decides = options.command == "phases";
-    const bool prints = simulates || mends || batch || sweeps || measures || decides;
-    return prints && name == "--json"                                         ? &options.json
-           : (simulates || batch || measures || decides) && name == "--check" ? &options.check
-           : (batch || sweeps) && name == "--csv"                             ? &options.csv
-           : (runs || sweeps || measures) && name == "--progress"             ? &options.progress
-           : measures && name == "--roundness"                                ? &options.roundness
-           : measures && name == "--stiffness-sheet"                          ? &options.sheet
-           : (runs || options.command == "examples") && name == "--force"     ? &options.force
-                                                                              : nullptr;
+    const bool dresses = options.command == "dressing";
+    const bool checks = simulates || batch || measures || decides || dresses;
+    const bool prints = checks || mends || sweeps;
+    return prints && name == "--json"                                        ? &options.json
+           : checks && name == "--check"                                     ? &options.check
+           : (batch || sweeps) && name == "--csv"                            ? &options.csv
+           : (runs || sweeps || measures || dresses) && name == "--progress" ? &options.progress
+           : measures && name == "--roundness"                               ? &options.roundness
+           : measures && name == "--stiffness-sheet"                         ? &options.sheet
+           : (runs || options.command == "examples") && name == "--force"    ? &options.force
+                                                                             : nullptr;
 }
 
 /// Options that contradict each other.

@@ -18,9 +18,8 @@ Wheel wheelAfter(const Wheel& dressed, const WheelWear& wear, double removed_mm3
         return wheel;
     }
     if (wear.dulling_per_mm2) {
-        const double specific_mm2 = removed_mm3 / dressed.width_mm;
-        setDullness(wheel,
-                    std::min(1.0, dullnessOf(dressed) + *wear.dulling_per_mm2 * specific_mm2));
+        const double grown = std::pow(removed_mm3 / dressed.width_mm, wear.dulling_exponent);
+        setDullness(wheel, std::min(1.0, dullnessOf(dressed) + *wear.dulling_per_mm2 * grown));
     }
     if (wear.grinding_ratio) {
         const double worn_mm3 = removed_mm3 / *wear.grinding_ratio;
@@ -40,7 +39,14 @@ const StructInfo& tableOf<WheelWear>() {
                        .hint = SPARKOUT_NOOP("Input",
                                              "By how much the dullness grows for each mm³ that a "
                                              "millimetre of the wheel's width has removed."),
-                       .formula = "η = η_0 + c·V_w/B", .source = "MODEL-12"),
+                       .formula = "η = η_0 + c·(V_w/B)ᵖ", .source = "MODEL-12"),
+        SPARKOUT_FIELD(
+            WheelWear, dulling_exponent, .label = SPARKOUT_NOOP("Input", "Exponent of dulling"),
+            .symbol = "p", .hard = {0.1, 5}, .soft = {0.3, 2},
+            .hint = SPARKOUT_NOOP("Input", "1: the dullness grows evenly. Below 1 it grows most "
+                                           "just after dressing, above 1 towards the end; the "
+                                           "dulling is then counted per mm² to this power."),
+            .formula = "η = η_0 + c·(V_w/B)ᵖ", .source = "MODEL-12"),
         SPARKOUT_FIELD(WheelWear, grinding_ratio, .label = SPARKOUT_NOOP("Input", "Grinding ratio"),
                        .symbol = "G", .hard = {0.01, 1000000}, .soft = {1, 100000},
                        .nullMeaning = SPARKOUT_NOOP("Input", "the wheel keeps its diameter"),

@@ -54,8 +54,8 @@ private slots:
         const QString narrow = save(QStringLiteral("narrow.sparkout"), file.dump());
         const Outcome outcome = run({"phases", narrow, "--check"});
         QCOMPARE(outcome.status, 4);
-        QVERIFY(outcome.out.contains("fails for stocks of "));
-        QVERIFY(!outcome.out.contains("holds for every stock"));
+        QVERIFY(QByteArray::fromStdString(outcome.out).contains("fails for stocks of "));
+        QVERIFY(!QByteArray::fromStdString(outcome.out).contains("holds for every stock"));
         QCOMPARE(run({"phases", narrow}).status, 0);
     }
 
@@ -75,7 +75,7 @@ private slots:
         const QString position = save(QStringLiteral("position.sparkout"), file.dump());
         const Outcome outcome = run({"phases", position});
         QCOMPARE(outcome.status, 1);
-        QVERIFY(outcome.err.contains("/gauge/control"));
+        QVERIFY(QByteArray::fromStdString(outcome.err).contains("/gauge/control"));
         QCOMPARE(run({"phases", examplePath(), "--from", "2", "--to", "1"}).status, 2);
         QCOMPARE(run({"phases", examplePath(), "--from", "0"}).status, 2);
         QCOMPARE(run({"phases"}).status, 2);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The laws that hold for the best cycle of any grid: what binds, what a limit, a stage or a
 // scenario does to its time, and that none is quicker than the stepless one.
+#include "core/dressing/part_cost.h"
 #include "core/optimisation/binding.h"
-#include "core/optimisation/cost.h"
 #include "core/optimisation/cycle_runner.h"
 #include "core/optimisation/limit.h"
 #include "core/optimisation/refine.h"

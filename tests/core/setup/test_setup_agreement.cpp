@@ -50,6 +50,9 @@ json randomFile(std::uint64_t seed) {
     json wear = json::object(), times = json::object();
     if (share(seed, 0) < 0.7) {
         wear["dulling_per_mm2"] = 1e-6 * std::pow(100, share(seed, 1));
+        if (share(seed, 60) < 0.5) {
+            wear["dulling_exponent"] = 0.6 + 0.6 * share(seed, 61);
+        }
     }
     if (share(seed, 2) < 0.7) {
         wear["grinding_ratio"] = std::pow(100, share(seed, 3));
@@ -150,9 +153,10 @@ private slots:
         if (m_kinds.empty()) {
             QSKIP("nothing was compared in this run");
         }
-        for (const char* kind : {"completed", "not completed", "1 surfaces", "2 surfaces",
-                                 "3 surfaces", "traverse and plunge", "the wheel dulls",
-                                 "the wheel wears", "times as sums", "times given"}) {
+        for (const char* kind :
+             {"completed", "not completed", "1 surfaces", "2 surfaces", "3 surfaces",
+              "traverse and plunge", "the wheel dulls", "it dulls by a power", "the wheel wears",
+              "times as sums", "times given"}) {
             QVERIFY2(m_kinds[kind] >= setups() / 30,
                      qPrintable(QString("%1: %2").arg(kind).arg(m_kinds[kind])));
         }
@@ -168,6 +172,7 @@ private:
         const bool some = std::ranges::any_of(setup.surfaces, travels);
         m_kinds["traverse and plunge"] += some && !std::ranges::all_of(setup.surfaces, travels);
         const bool several = setup.surfaces.size() > 1;
+        m_kinds["it dulls by a power"] += several && file["wear"].contains("dulling_exponent");
         m_kinds["the wheel dulls"] += several && file["wear"].contains("dulling_per_mm2");
         m_kinds["the wheel wears"] += several && file["wear"].contains("grinding_ratio");
         const bool given = file["times"].contains("main_min")

@@ -34,8 +34,9 @@ json worn(const json& dressed, const json& wear, Real removed_mm3) {
     json wheel = dressed;
     const Real B = dressed.at("width_mm").get<double>();
     const Real D = dressed.at("diameter_mm").get<double>();
-    const Real eta =
-        dressed.at("dullness").get<double>() + given(wear, "dulling_per_mm2", 0) * removed_mm3 / B;
+    const Real eta = dressed.at("dullness").get<double>()
+                     + given(wear, "dulling_per_mm2", 0)
+                           * std::pow(removed_mm3 / B, given(wear, "dulling_exponent", 1));
     wheel["dullness"] = static_cast<double>(eta > 1 ? 1 : eta);
     if (const Real G = given(wear, "grinding_ratio", 0); G > 0) {
         const Real area = std::numbers::pi_v<Real> / 4 * D * D - removed_mm3 / G / B;

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli_dressing.h"
+
+#include "app/io/batch_watch.h"
+#include "app/io/cli_io.h"
+#include "app/io/cli_report.h"
+#include "app/io/stop_signals.h"
+#include "core/dressing/dressing_interval.h"
+#include "core/project/optimisation.h"
+#include "core/quality/result_names.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace sparkout::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+/// Of the first surface that gives rates.
+const Cost* ratesOf(const Setup& setup) {
+    for (const GroundSurface& surface : setup.surfaces) {
+        if (surface.project.optimisation && surface.project.optimisation->cost) {
+            return &*surface.project.optimisation->cost;
+        }
+    }
+    return nullptr;
+}
+
+/// What the interval is for, for programs and for people.
+struct Best {
+    std::optional<BestInterval> quickest, cheapest;
+};
+
+Best bestOf(const DressingInterval& interval, const Cost* rates) {
+    Best best;
+    if (rates) {
+        best.quickest = quickestInterval(interval, rates->dressing_s);
+        best.cheapest = cheapestInterval(interval, *rates);
+    }
+    return best;
+}
+
+ordered_json bestJson(const std::optional<BestInterval>& best, const char* value) {
+    return best ? ordered_json{{"parts", best->parts}, {value, best->value}}
+                : ordered_json(nullptr);
+}
+
+ordered_json endJson(const Setup& setup, const DressingInterval& interval) {
+    if (!interval.end) {
+        return nullptr;
+    }
+    const WornFailure& end = *interval.end;
+    ordered_json json = {{"part", end.part},
+                         {"surface", setup.surfaces[end.surface].name},
+                         {"scenario", end.scenario ? ordered_json(*end.scenario) : nullptr},
+                         {"status", end.issues.empty() ? statusKey(end.status) : "refused"},
+                         {"requirement", nullptr},
+                         {"where", nullptr},
+                         {"value", nullptr},
+                         {"limit", nullptr}};
+    if (end.worst) {
+        json["requirement"] = requirementOf(end.worst->kind).key;
+        json["where"] = whereText(*end.worst);
+        json["value"] = end.worst->value;
+        json["limit"] = end.worst->limit;
+    }
+    return json;
+}
+
+std::string dressingJson(const Setup& setup, const DressingInterval& interval, const Best& best) {
+    const ordered_json json = {{"parts", interval.parts},
+                               {"endless", interval.isEndless},
+                               {"at_least", !interval.end && !interval.isEndless},
+                               {"part_volume_mm3", interval.partVolume_mm3},
+                               {"runs", interval.tried},
+                               {"ends_by", endJson(setup, interval)},
+                               {"quickest", bestJson(best.quickest, "time_s")},
+                               {"cheapest", bestJson(best.cheapest, "cost")}};
+    return json.dump(2) + '\n';
+}
+
+std::string endText(const Setup& setup, const WornFailure& end) {
+    const std::string& surface = setup.surfaces[end.surface].name;
+    std::string text = "ends by              part " + std::to_string(end.part);
+    text += surface.empty() ? "" : ", " + surface;
+    text += end.scenario ? ", part " + std::to_string(*end.scenario) + " of its batch: " : ": ";
+    if (!end.issues.empty()) {
+        return text + "the worn wheel is refused\n";
+    }
+    if (!end.worst) {
+        return text + "it does not reach size\n";
+    }
+    const Requirement& row = requirementOf(end.worst->kind);
+    return text + row.key + " in " + whereText(*end.worst) + ", "
+           + fixed(end.worst->value, row.digits.printed) + ' ' + row.unit + ", limit "
+           + fixed(end.worst->limit, row.digits.printed) + '\n';
+}
+
+std::string partsText(const DressingInterval& interval) {
+    if (interval.isEndless) {
+        return "any number: the wheel gets no duller, and every part holds";
+    }
+    const std::string parts = std::to_string(interval.parts);
+    return interval.end ? parts : "at least " + parts;
+}
+
+std::string dressingText(const Setup& setup, const DressingInterval& interval, const Best& best) {
+    std::string text = "parts to a dressing  " + partsText(interval) + '\n';
+    if (interval.end) {
+        text += endText(setup, *interval.end);
+    }
+    text += "a part removes       " + fixed(interval.partVolume_mm3, 1) + " mm³\n";
+    if (best.quickest) {
+        text += "quickest after       " + std::to_string(best.quickest->parts) + " parts, "
+                + fixed(best.quickest->value, 2) + " s a part with dressing\n";
+        text += "cheapest after       " + std::to_string(best.cheapest->parts) + " parts, "
+                + fixed(best.cheapest->value, 4) + " a part\n";
+    }
+    return text;
+}
+
+/// Why there is no answer; nothing: there is one.
+std::optional<std::string> refusal(const DressingInterval& interval) {
+    switch (interval.fault) {
+    case DressingFault::none: return std::nullopt;
+    case DressingFault::noWear:
+        return "/wear: not given; a dulling or a grinding ratio says how the wheel wears";
+    case DressingFault::firstFails: return "the first part after dressing does not reach size";
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+int runDressingCommand(const Options& options) {
+    const auto setup = loadSetup(options.operand);
+    if (!setup) {
+        return refused;
+    }
+    DressingInterval interval;
+    {
+        DressingOptions run;
+        BatchWatch watch(run.most, options.progress, "parts");
+        run.scenarios = options.scenarios;
+        run.stop = watch.stop();
+        run.onPart = [&watch](std::int64_t part) { *watch.done() = part; };
+        interval = dressingInterval(*setup, run);
+    }
+    if (interval.isStopped) {
+        return interrupted + caughtSignal();
+    }
+    if (!interval.issues.empty()) {
+        printIssues(options.operand, interval.issues);
+        return refused;
+    }
+    if (const auto why = refusal(interval)) {
+        print(stderr, options.operand + ": " + *why + '\n');
+        return interval.fault == DressingFault::noWear ? refused : cannotReachSize;
+    }
+    const Best best = bestOf(interval, ratesOf(*setup));
+    print(stdout, options.json ? dressingJson(*setup, interval, best)
+                               : dressingText(*setup, interval, best));
+    return options.check && interval.parts == 0 ? requirementFails : done;
+}
+
+} // namespace sparkout::cli

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dressing/dressing_interval.h"
+
+#include "core/batch/batch_check.h"
+#include "core/batch/scenario_source.h"
+#include "core/dressing/part_cost.h"
+#include "core/dressing/worn_parts.h"
+#include "core/project/optimisation.h"
+#include "core/project/validate.h"
+#include "core/project/wheel.h"
+#include "core/simulation/simulate.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+/// A surface as it stands, or a part of its batch.
+struct Case {
+    std::size_t surface;
+    std::optional<std::int64_t> scenario;
+    Project project;
+};
+
+/// Its batch, without the dullness, which the wear says.
+Project batchOf(const Project& project, Scenarios scenarios) {
+    Project sampled = project;
+    sampled.batch->scenarios = scenarios;
+    sampled.batch->factors.dullness.reset();
+    return sampled;
+}
+
+/// Goes through the parts of one case after the other.
+class Walk {
+public:
+    Walk(const WornParts& worn, const DressingOptions& options, DressingInterval& found)
+        : m_worn(worn), m_options(options), m_found(found) {
+        m_found.parts = options.most;
+    }
+
+    /// Every part that still counts, in one case; whether it was not stopped.
+    bool walk(Case& tried, bool isTimed) {
+        for (std::int64_t part = 1; part <= m_found.parts; ++part) {
+            *tried.project.wheel = m_worn.wheel(tried.surface, part);
+            std::optional<WornFailure> failure = failureOf(tried, part, isTimed);
+            if (m_options.stop.stop_requested()) {
+                m_found.isStopped = true;
+                m_found.parts = 0;
+                m_found.time_s.clear();
+                m_found.end.reset();
+                return false;
+            }
+            if (failure) {
+                m_found.end = std::move(failure);
+                m_found.parts = part - 1;
+                return true;
+            }
+            if (m_options.onPart) {
+                m_options.onPart(part);
+            }
+            if (m_worn.isWornOut(part)) {
+                m_wornOut = part;
+                return true;
+            }
+        }
+        return true;
+    }
+    /// The part from which on all find the same wheel; nothing: none was come to.
+    [[nodiscard]] std::optional<std::int64_t> wornOut() const { return m_wornOut; }
+
+private:
+    std::optional<WornFailure> failureOf(const Case& tried, std::int64_t part, bool isTimed) {
+        WornFailure failure{part, tried.surface, tried.scenario, validate(tried.project), {}, {}};
+        std::erase_if(failure.issues,
+                      [](const Issue& issue) { return issue.severity != Severity::error; });
+        if (!failure.issues.empty()) {
+            return failure;
+        }
+        ++m_found.tried;
+        const SimulationResult result = simulateUnchecked(tried.project, nullptr, m_options.stop);
+        failure.status = result.status;
+        if (result.status != RunStatus::completed) {
+            return failure;
+        }
+        if (isTimed) {
+            const auto at = static_cast<std::size_t>(part - 1);
+            m_found.time_s.resize(std::max(m_found.time_s.size(), at + 1));
+            m_found.time_s[at] += result.time_s;
+        }
+        for (ConstraintResult& each : evaluateConstraints(result)) {
+            if (!each.holds
+                && (!failure.worst || each.relativeMargin < failure.worst->relativeMargin)) {
+                failure.worst = each;
+            }
+        }
+        return failure.worst ? std::optional(std::move(failure)) : std::nullopt;
+    }
+
+    const WornParts& m_worn;
+    const DressingOptions& m_options;
+    DressingInterval& m_found;
+    std::optional<std::int64_t> m_wornOut;
+};
+
+/// Why the batches that the surfaces must hold for cannot be run.
+Issues batchFaults(const Setup& setup, const DressingOptions& options) {
+    Issues issues;
+    for (std::size_t i = 0; i < setup.surfaces.size() && options.scenarios; ++i) {
+        const Project& project = setup.surfaces[i].project;
+        if (project.batch && issues.empty()) {
+            issues = checkBatch(batchOf(project, *options.scenarios));
+        }
+    }
+    return issues;
+}
+
+/// In every scenario of every surface; whether it was not stopped.
+bool walkScenarios(const Setup& setup, const DressingOptions& options, Walk& walk) {
+    for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
+        const Project& project = setup.surfaces[i].project;
+        if (!project.batch) {
+            continue;
+        }
+        const ScenarioSource source(batchOf(project, *options.scenarios));
+        for (std::int64_t part = 0; part < source.parts(); ++part) {
+            Case tried{i, part, source.project(part)};
+            if (!walk.walk(tried, false)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+template <typename Value>
+std::optional<BestInterval> bestInterval(const DressingInterval& interval, const Value& valueOf) {
+    std::optional<BestInterval> best;
+    double sum_s = 0;
+    for (std::size_t i = 0; i < interval.time_s.size(); ++i) {
+        sum_s += interval.time_s[i];
+        const auto parts = static_cast<std::int64_t>(i) + 1;
+        const double value = valueOf(sum_s / static_cast<double>(parts), parts);
+        if (!best || value < best->value) {
+            best = {parts, value};
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+DressingInterval dressingInterval(const Setup& setup, const DressingOptions& options) {
+    DressingInterval found;
+    if (!setup.wear.isGiven()) {
+        found.fault = DressingFault::noWear;
+        return found;
+    }
+    const SetupRun first = runSetup(setup, options.stop);
+    found.isStopped = options.stop.stop_requested();
+    found.issues = first.issues.empty() ? batchFaults(setup, options) : first.issues;
+    if (found.isStopped || !found.issues.empty()) {
+        return found;
+    }
+    if (!first.isCompleted(setup)) {
+        found.fault = DressingFault::firstFails;
+        return found;
+    }
+    const WornParts worn(setup, first);
+    found.partVolume_mm3 = worn.partVolume_mm3();
+    Walk walk(worn, options, found);
+    for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
+        Case asItStands{i, std::nullopt, setup.surfaces[i].project};
+        if (!walk.walk(asItStands, true)) {
+            return found;
+        }
+    }
+    if (options.scenarios && !walkScenarios(setup, options, walk)) {
+        return found;
+    }
+    found.isEndless = !found.end && walk.wornOut();
+    found.time_s.resize(std::min(found.time_s.size(), static_cast<std::size_t>(found.parts)));
+    return found;
+}
+
+std::optional<BestInterval> quickestInterval(const DressingInterval& interval, double dressing_s) {
+    return bestInterval(interval, [dressing_s](double mean_s, std::int64_t parts) {
+        return mean_s + dressing_s / static_cast<double>(parts);
+    });
+}
+
+std::optional<BestInterval> cheapestInterval(const DressingInterval& interval, const Cost& cost) {
+    return bestInterval(interval, [&cost](double mean_s, std::int64_t parts) {
+        return partCost(cost, mean_s, parts);
+    });
+}
+
+} // namespace sparkout
