@@ -154,6 +154,7 @@ private:
         const auto shift = static_cast<std::uint32_t>(
             randomBits(m_seed, RandomStream::shift, 1, static_cast<std::uint32_t>(dimension))
             >> 32);
+        static_assert(2 * limits::factors <= sobolDimensions); // of A and of B
         const std::uint32_t x = sobolCoordinate(point, static_cast<int>(dimension)) ^ shift;
         const double share = (x + 0.5) * 0x1p-32;
         const GivenFactor& given = m_source.factors()[factor];

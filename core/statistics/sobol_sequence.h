@@ -5,9 +5,9 @@
 
 namespace sparkout {
 
-/// Dimensions the sequence is tabulated for: two points of seven factors each, as the sensitivity
-/// indices need them.
-inline constexpr int sobolDimensions = 14;
+/// Dimensions the sequence is tabulated for: two points of sixteen factors each, as the sensitivity
+/// indices of a batch with as many as there may be need them.
+inline constexpr int sobolDimensions = 32;
 
 /// Coordinate of point `index` (below 2³²) of the Sobol sequence as a fraction of 2³², directions
 /// of Joe and Kuo [JOEKUO2008]; in natural, not Gray-code, order.

@@ -8,6 +8,7 @@
 #include "core/batch/factor_law.h"
 #include "core/batch/part_table.h"
 #include "core/batch/scenario_source.h"
+#include "core/batch/sensitivity.h"
 #include "core/format/project_file.h"
 #include "core/optimisation/robust.h"
 #include "core/project/batch.h"
@@ -191,6 +192,47 @@ private slots:
             (*plunge.batch->zone_compliance)[i] = {1, 1};
         }
         QVERIFY(faultsOf(plunge).empty());
+    }
+
+    /// Of sixteen sections fed to a position each mean diameter follows from the section's own
+    /// factor: its index is 1, those of the others are 0. The points have two coordinates for each
+    /// factor.
+    void ofAsManyFactorsAsThereMayBeEachHasItsIndex() {
+        constexpr std::size_t sections = limits::factors;
+        Project plunge = fixtures::plunge();
+        plunge.gauge->control = Control::position;
+        plunge.sections = static_cast<int>(sections);
+        plunge.machine->compliance_mm_per_n = std::vector<double>(sections, 1e-4);
+        plunge.batch = Batch{};
+        plunge.batch->zone_compliance =
+            std::vector<std::vector<double>>(sections, std::vector<double>{0.8, 1.2});
+        QVERIFY(faultsOf(plunge).empty());
+        const auto indices = sobolIndices(plunge, 512);
+        QVERIFY(indices.has_value());
+        const std::vector<Characteristic> all = characteristicsOf(plunge);
+        std::size_t diameters = 0;
+        for (std::size_t c = 0; c < all.size(); ++c) {
+            if (std::string(all[c].name) != "diameter") {
+                continue;
+            }
+            ++diameters;
+            const std::vector<SobolIndex>& shares = indices->byCharacteristic[c];
+            QCOMPARE(shares.size(), sections);
+            for (std::size_t f = 0; f < sections; ++f) {
+                const double whole = f == static_cast<std::size_t>(all[c].section) ? 1 : 0;
+                QVERIFY2(std::abs(shares[f].total - whole) < (whole > 0 ? 0.1 : 1e-9),
+                         QByteArray::number(shares[f].total).constData());
+            }
+        }
+        QCOMPARE(diameters, sections);
+        plunge.batch->scenarios = Scenarios::sobol;
+        plunge.batch->parts = 64;
+        const ScenarioSource source(plunge);
+        for (std::int64_t part = 0; part < source.parts(); ++part) {
+            const std::vector<double> values = source.values(part);
+            QVERIFY(std::ranges::all_of(values, [](double v) { return v >= 0.8 && v <= 1.2; }));
+            QVERIFY(std::set<double>(values.begin(), values.end()).size() == sections);
+        }
     }
 
     void shardsAddUpToTheWholeBatch() {
