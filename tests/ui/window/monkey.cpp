@@ -16,6 +16,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QTest>
 #include <QTimer>
@@ -30,9 +31,11 @@ namespace {
 constexpr int patience = 12;    ///< events a dialog or a menu may stay: the window is the larger
 constexpr int notesToTell = 20; ///< of a monkey in trouble
 
-/// Which widget it is, over restarts of the window.
+/// Which widget it is, over restarts of the window. The editors of the rows of a file that is read
+/// are one for each column, however many rows it has.
 QString identityOf(const QWidget& widget) {
-    QString path = pathOf(&widget);
+    static const QRegularExpression row(QStringLiteral("column-\\d+-"));
+    QString path = pathOf(&widget).replace(row, QStringLiteral("column-"));
     if (const QWidget* parent = widget.parentWidget(); parent && widget.objectName().isEmpty()) {
         int number = 0;
         for (const QObject* sibling : parent->children()) {
