@@ -21,16 +21,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Of the first surface that gives rates.
-const Cost* ratesOf(const Setup& setup) {
-    for (const GroundSurface& surface : setup.surfaces) {
-        if (surface.project.optimisation && surface.project.optimisation->cost) {
-            return &*surface.project.optimisation->cost;
-        }
-    }
-    return nullptr;
-}
-
 /// What the interval is for, for programs and for people.
 struct Best {
     std::optional<BestInterval> quickest, cheapest;

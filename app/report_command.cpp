@@ -120,6 +120,10 @@ std::variant<report::Subject, int> subjectOf(const ReportRequest& request) {
         const bool fits = subject.batch && sameBatch(subject.batch->result.project, predicting);
         subject.predicting = fits ? subject.batch : runWatched(predicting);
     }
+    if (report::rowOf(request.kind).takesBatch) {
+        const auto setup = openSetupOrSay(request.file);
+        subject.dressing = setup ? report::dressingOf(*setup) : nullptr;
+    }
     return subject;
 }
 

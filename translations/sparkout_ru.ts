@@ -6655,7 +6655,11 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Measured parts against the prediction</source>
             <translation>Измеренные детали и прогноз</translation>
         </message>
-    </context>
+        <message>
+        <source>Wheel between dressings</source>
+        <translation>Круг между правками</translation>
+    </message>
+</context>
     <context>
         <name>WorkedStep</name>
         <message>
@@ -9961,7 +9965,11 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>&amp;Import measurements…</source>
             <translation>&amp;Импорт измерений…</translation>
         </message>
-    </context>
+        <message>
+        <source>Parts &amp;between dressings…</source>
+        <translation>Детали ме&amp;жду правками…</translation>
+    </message>
+</context>
     <context>
         <name>sparkout::BatchFigures</name>
         <message>
@@ -18460,4 +18468,114 @@ s</source>
             <translation>Величина</translation>
         </message>
     </context>
+<context>
+    <name>DressingText</name>
+    <message>
+        <source>Parts to a dressing</source>
+        <translation>Деталей на правку</translation>
+    </message>
+    <message>
+        <source>Ends by</source>
+        <translation>Ограничивает</translation>
+    </message>
+    <message>
+        <source>A part removes</source>
+        <translation>Деталь снимает</translation>
+    </message>
+    <message>
+        <source>%1 mm³</source>
+        <translation>%1 мм³</translation>
+    </message>
+    <message>
+        <source>Quickest</source>
+        <translation>Быстрее всего</translation>
+    </message>
+    <message>
+        <source>after %1 parts: %2 s a part with its share of the dressing</source>
+        <translation>правка через %1 дет.: %2 с на деталь с её долей правки</translation>
+    </message>
+    <message>
+        <source>Cheapest</source>
+        <translation>Дешевле всего</translation>
+    </message>
+    <message>
+        <source>after %1 parts: %2 a part</source>
+        <translation>правка через %1 дет.: %2 на деталь</translation>
+    </message>
+    <message>
+        <source>How the wheel wears is not given: a dulling c or a grinding ratio G.</source>
+        <translation>Износ круга не задан: нужно затупление c или коэффициент шлифования G.</translation>
+    </message>
+    <message>
+        <source>The first part after dressing does not reach size.</source>
+        <translation>Первая деталь после правки не достигает размера.</translation>
+    </message>
+    <message>
+        <source>any number: the wheel gets no duller, and every part holds</source>
+        <translation>сколько угодно: круг больше не тупится, годна каждая деталь</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>не менее %1</translation>
+    </message>
+    <message>
+        <source>part %1</source>
+        <translation>деталь %1</translation>
+    </message>
+    <message>
+        <source>part %1 of its batch</source>
+        <translation>деталь %1 её партии</translation>
+    </message>
+    <message>
+        <source>%1: it does not reach size</source>
+        <translation>%1: размер не достигнут</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3: %4, limit %5</source>
+        <translation>%1: %2, %3: %4, предел %5</translation>
+    </message>
+</context>
+<context>
+    <name>sparkout::DressingDialog</name>
+    <message>
+        <source>Parts between dressings</source>
+        <translation>Детали между правками</translation>
+    </message>
+    <message>
+        <source>&amp;Each part holds for:</source>
+        <translation>&amp;Каждая деталь годна для:</translation>
+    </message>
+    <message>
+        <source>the part as it stands</source>
+        <translation>детали, как она задана</translation>
+    </message>
+    <message>
+        <source>all corners of the batches</source>
+        <translation>всех крайних сочетаний партий</translation>
+    </message>
+    <message>
+        <source>parts of the batches</source>
+        <translation>деталей партий</translation>
+    </message>
+    <message>
+        <source>Batches are set up in the view Batch; the dullness is the wear&apos;s.</source>
+        <translation>Партии задаются в виде «Партия»; затупление берётся из износа.</translation>
+    </message>
+    <message>
+        <source>&amp;Wheel wear…</source>
+        <translation>&amp;Износ круга…</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Закрыть</translation>
+    </message>
+    <message>
+        <source>Stopped: nothing is known.</source>
+        <translation>Остановлено: ничего не известно.</translation>
+    </message>
+</context>
 </TS>

@@ -184,6 +184,15 @@ DressingInterval dressingInterval(const Setup& setup, const DressingOptions& opt
     return found;
 }
 
+const Cost* ratesOf(const Setup& setup) {
+    for (const GroundSurface& surface : setup.surfaces) {
+        if (surface.project.optimisation && surface.project.optimisation->cost) {
+            return &*surface.project.optimisation->cost;
+        }
+    }
+    return nullptr;
+}
+
 std::optional<BestInterval> quickestInterval(const DressingInterval& interval, double dressing_s) {
     return bestInterval(interval, [dressing_s](double mean_s, std::int64_t parts) {
         return mean_s + dressing_s / static_cast<double>(parts);

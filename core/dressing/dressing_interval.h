@@ -71,6 +71,9 @@ struct DressingInterval {
 [[nodiscard]] DressingInterval dressingInterval(const Setup& setup,
                                                 const DressingOptions& options = {});
 
+/// The rates of the first surface that gives some; null: none does.
+[[nodiscard]] const Cost* ratesOf(const Setup& setup);
+
 /// Parts between dressings, and what they come to for each part.
 struct BestInterval {
     std::int64_t parts = 0;

@@ -45,6 +45,7 @@ Actions::Actions(QMainWindow& window)
     , nextSurface(make("nextSurface", u"", Qt::CTRL | Qt::Key_PageDown))
     , wholePart(make("wholePart", u"part", Qt::CTRL | Qt::SHIFT | Qt::Key_W))
     , standardTimes(make("standardTimes", u""))
+    , dressing(make("dressing", u""))
     , calibrate(make("calibrate", u"gauge"))
     , english(make("english", u""))
     , russian(make("russian", u""))
@@ -164,7 +165,7 @@ void Actions::buildPartMenu(QMenuBar& bar) {
     m_part->addSeparator();
     m_part->addActions({previousSurface, nextSurface});
     m_part->addSeparator();
-    m_part->addActions({wholePart, standardTimes});
+    m_part->addActions({wholePart, standardTimes, dressing});
 }
 
 void Actions::buildStudyMenu(QMenuBar& bar) {
@@ -279,6 +280,7 @@ void Actions::retranslate() {
     nextSurface->setText(tr("&Next surface"));
     wholePart->setText(tr("&Whole part…"));
     standardTimes->setText(tr("&Standard times and wheel wear…"));
+    dressing->setText(tr("Parts &between dressings…"));
     calibrate->setText(tr("&Calibrate from measurements…"));
     m_view->setTitle(tr("&View"));
     m_help->setTitle(tr("&Help"));

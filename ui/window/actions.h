@@ -76,6 +76,7 @@ public:
     QAction* nextSurface;
     QAction* wholePart;
     QAction* standardTimes;
+    QAction* dressing;
     QAction* calibrate; ///< from measurements
     QAction* english;
     QAction* russian;

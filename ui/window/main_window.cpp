@@ -324,6 +324,7 @@ void MainWindow::connectPart() {
     on(m_actions->previousSurface, [this] { m_part->showNext(-1); });
     on(m_actions->nextSurface, [this] { m_part->showNext(1); });
     on(m_actions->standardTimes, [this] { m_part->editTimes(); });
+    on(m_actions->dressing, [this] { m_part->showDressing(); });
     on(m_actions->wholePart, [this] { showWholePart(); });
     connect(m_strip, &PartStrip::surfaceWanted, m_part, &PartCommands::show);
     connect(m_strip, &PartStrip::surfaceOnStepWanted, m_part,
@@ -346,12 +347,12 @@ void MainWindow::connectReports() {
     };
     auto* commands = new ReportCommands(
         [this, outcomeOfNow]() -> ReportCommands::Subject {
-            const bool several = m_document.surfaceCount() > 1;
+            const bool isSetup = m_document.surfaceCount() > 1 || m_document.state().wear.isGiven();
             return {outcomeOfNow(),
                     m_document.filePath(),
                     m_batch->batch(),
                     &m_cursor,
-                    several ? std::optional(m_document.setup()) : std::nullopt,
+                    isSetup ? std::optional(m_document.setup()) : std::nullopt,
                     m_measured->prediction()};
         },
         m_settings, this);

@@ -3,9 +3,12 @@
 
 #include "core/units.h"
 #include "ui/part/add_surface_dialog.h"
+#include "ui/part/dressing_dialog.h"
 #include "ui/part/name_dialog.h"
 #include "ui/part/times_dialog.h"
 #include "ui/session/part_runs.h"
+
+#include <QTimer>
 
 #include <utility>
 
@@ -88,6 +91,19 @@ void PartCommands::editTimes() {
     TimesDialog dialog(state.times, state.wear, state.surfaces.size(), cycles_min, m_window);
     if (dialog.exec() == QDialog::Accepted) {
         m_edits.setTimes(dialog.times(), dialog.wear());
+    }
+}
+
+void PartCommands::showDressing() {
+    bool again = m_mayLeave();
+    while (again) {
+        DressingDialog dialog(m_document.state().setup(), m_window);
+        QTimer::singleShot(0, &dialog, &DressingDialog::find); // once it is in sight
+        dialog.exec();
+        again = dialog.wantsWear();
+        if (again) {
+            editTimes();
+        }
     }
 }
 

@@ -32,6 +32,7 @@ public:
     void move(int by);
     void remove();
     void editTimes();
+    void showDressing(); ///< the parts between dressings
 
 signals:
     void stayed(); ///< the surface that was in front still is

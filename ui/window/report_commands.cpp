@@ -86,6 +86,9 @@ std::optional<report::Report> ReportCommands::reportOfNow(report::Kind kind) {
     if (row.takesBatch && !addPrediction(subject, now.predicting)) {
         return {};
     }
+    if (row.takesBatch && now.setup) {
+        runAside([&] { subject.dressing = report::dressingOf(*now.setup); });
+    }
     subject.breathe = [] { QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents); };
     return row.make(subject);
 }

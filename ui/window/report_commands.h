@@ -29,7 +29,7 @@ public:
         QString file;
         BatchOutcomePtr batch;
         const CycleCursor* cycle = nullptr; ///< where the window's cycle stands
-        std::optional<Setup> setup;         ///< where there are several surfaces
+        std::optional<Setup> setup;         ///< where there are several surfaces, or wear
         BatchOutcomePtr predicting = {};    ///< that measured parts are held against; or null
     };
 

@@ -14,6 +14,7 @@
 #include "tests/registry.h"
 #include "tests/ui/support/passport_bench.h"
 #include "ui/measured/measured_text.h"
+#include "ui/text/dressing_text.h"
 #include "ui/text/field_text.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
@@ -308,6 +309,26 @@ private slots:
         QVERIFY(rowOf(rowsOfHtml(bytesOf(report::passport(subject), Format::html)),
                       {MeasuredText::name(project, rows.front().measured)})
                     .isEmpty());
+    }
+
+    void theIntervalBetweenDressingsIsStated_data() { addLanguages(); }
+    void theIntervalBetweenDressingsIsStated() {
+        QFETCH(QString, language);
+        m_language.apply(language);
+        const Project project = smallBatch();
+        report::Subject subject = subjectOf(project);
+        Setup setup = plainSetup(project);
+        QVERIFY(!report::dressingOf(setup));
+        setup.wear.dulling_per_mm2 = 1e-5;
+        subject.dressing = report::dressingOf(setup);
+        const QByteArray html = bytesOf(report::passport(subject), Format::html);
+        const QString text = textOfHtml(html).simplified();
+        for (const auto& [name, value] : DressingText::facts(setup, dressingInterval(setup))) {
+            QVERIFY2(text.contains(name) && text.contains(value.simplified()), qPrintable(value));
+        }
+        subject.dressing.reset();
+        QVERIFY(!bytesOf(report::passport(subject), Format::html)
+                     .contains(DressingText::tr("Parts to a dressing").toUtf8()));
     }
 
 private:

@@ -14,6 +14,7 @@
 #include "ui/report/parts/cell_text.h"
 #include "ui/report/parts/operation_setup.h"
 #include "ui/report/parts/part_sketch.h"
+#include "ui/text/dressing_text.h"
 #include "ui/text/example_texts.h"
 #include "ui/views/overview/overview_charts.h"
 
@@ -61,6 +62,7 @@ public:
         if (!m_outcome.constraints.empty()) {
             addBars(OverviewChart::requirements, OverviewCharts::requirements(m_outcome));
         }
+        addDressing();
         rows(tr("Calibrated inputs"), CalibratedTable::of(m_project));
         addTexts();
         section(tr("Recomputing"), PassportInputs::recomputing(m_subject));
@@ -102,6 +104,15 @@ private:
             for (const QString& text : texts) {
                 add(Paragraph{text});
             }
+        }
+    }
+
+    /// How many parts the wheel grinds, where that can be said.
+    void addDressing() {
+        if (m_subject.dressing && m_subject.dressing->interval.ran()) {
+            const auto& [setup, interval] = *m_subject.dressing;
+            heading(tr("Wheel between dressings"));
+            add(Facts{DressingText::facts(setup, interval)});
         }
     }
 

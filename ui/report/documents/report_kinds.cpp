@@ -120,4 +120,14 @@ OutcomePtr runWorstPart(const BatchOutcome& batch) {
     return evaluate(source.project(batch.summary.worstPart), {});
 }
 
+DressingSubjectPtr dressingOf(const Setup& setup) {
+    if (!setup.wear.isGiven()) {
+        return nullptr;
+    }
+    DressingOptions options;
+    options.most = 2000; // a report shall not take long
+    return std::make_shared<DressingSubject>(
+        DressingSubject{setup, dressingInterval(setup, options)});
+}
+
 } // namespace sparkout::report

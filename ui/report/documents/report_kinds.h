@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/dressing/dressing_interval.h"
 #include "core/setup/setup.h"
 #include "core/setup/setup_run.h"
 #include "core/study/outcome.h"
@@ -25,6 +26,13 @@ struct SetupSubject {
     SetupRun run;
 };
 
+/// A set-up whose wheel wears, and how many parts it grinds.
+struct DressingSubject {
+    Setup setup;
+    DressingInterval interval;
+};
+using DressingSubjectPtr = std::shared_ptr<const DressingSubject>;
+
 /// What is reported.
 struct Subject {
     OutcomePtr outcome;    ///< of a run that ran
@@ -35,8 +43,9 @@ struct Subject {
     QString file;     ///< path of the project, or empty
     QDate date;
     std::shared_ptr<const SetupSubject> setup; ///< null: the outcome alone
-    Company company;                           ///< of the heads
-    HandoutOptions handout;                    ///< what the course hand-out is to have
+    DressingSubjectPtr dressing; ///< of the set-up, for a kind that takes a batch; or null
+    Company company;             ///< of the heads
+    HandoutOptions handout;      ///< what the course hand-out is to have
     std::function<void()> breathe = [] {}; ///< called between figures, so that a window may live
 };
 
@@ -45,7 +54,7 @@ struct KindRow {
     const char* key;         ///< on the command line
     const char* description; ///< there, in English
     const char* menu;        ///< its menu, to be translated in the context ReportKind
-    bool takesBatch;         ///< it is about the project's batch, when there is one
+    bool takesBatch;         ///< it is about batches and wheels, where there are such
     bool takesSetup;         ///< it is about all surfaces of a set-up
     Report (*make)(const Subject& subject);
 };
@@ -57,6 +66,9 @@ struct KindRow {
 
 /// An outcome as the set-up of its one surface.
 [[nodiscard]] SetupSubject setupOf(const Outcome& outcome);
+
+/// Runs the parts between dressings of a set-up, as they stand; null: its wheel does not wear.
+[[nodiscard]] DressingSubjectPtr dressingOf(const Setup& setup);
 
 /// Runs the part of the batch with the least margin as a cycle of its own.
 [[nodiscard]] OutcomePtr runWorstPart(const BatchOutcome& batch);
