@@ -10868,7 +10868,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         <name>sparkout::ConstraintsPlot</name>
         <message>
             <source>accuracy, proved</source>
-            <translation>точность, доказан</translation>
+            <translation>точность, доказано</translation>
         </message>
         <message>
             <source>accuracy at steady feed, estimate</source>
@@ -11662,10 +11662,6 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>%1 copy</source>
             <translation>%1 (копия)</translation>
-        </message>
-        <message>
-            <source>Untitled</source>
-            <translation>Без названия</translation>
         </message>
         <message>
             <source>The project is not complete</source>
@@ -15547,8 +15543,8 @@ target, µm</source>
             <translation>Проект не заполнен. Ещё нужны:</translation>
         </message>
         <message>
-            <source>The pale curves are those of the project before.</source>
-            <translation>Бледные кривые — прежнего проекта.</translation>
+            <source>The pale curves are those of the last complete inputs.</source>
+            <translation>Бледные кривые — по последним полным данным.</translation>
         </message>
     </context>
     <context>
@@ -17193,7 +17189,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>Of typed statistics the box is that of a normal law of their mean and standard deviation.</source>
-            <translation>Для введённой статистики прямоугольник построен по нормальному закону с её средним и средним квадратическим отклонением.</translation>
+            <translation>По введённой статистике он построен для нормального закона.</translation>
         </message>
         <message>
             <source>tolerance field</source>
@@ -17209,7 +17205,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>Box: the middle half of the parts, with their median; whiskers: the smallest and the largest part.</source>
-            <translation>Прямоугольник — средняя половина деталей, черта в нём — медиана; «усы» — до наименьшей и наибольшей детали.</translation>
+            <translation>Прямоугольник — средняя половина деталей с медианой, «усы» — до крайних деталей.</translation>
         </message>
         <message>
             <source>Corners are no sample: of their prediction there is no box.</source>

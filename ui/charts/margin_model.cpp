@@ -93,7 +93,8 @@ int MarginModel::rowOf(const ConstraintResult& wanted) const {
 QString MarginModel::text(const ConstraintResult& c, int column) {
     switch (column) {
     case requirement:
-        return QStringLiteral("%1, %2").arg(Names::constraint(c.kind), Names::where(c));
+        return QStringLiteral("%1, %2").arg(Names::constraint(c.kind),
+                                            Names::within(Names::where(c)));
     case usage:
         return Names::isRange(c.kind) ? Names::inRange(c, true)
                : c.isWhole            ? LimitNames::percent(usageOf(c))
@@ -107,9 +108,9 @@ QString MarginModel::text(const ConstraintResult& c, int column) {
 }
 
 QString MarginModel::stackedText(const ConstraintResult& c, int column) {
-    return column == requirement
-               ? QStringLiteral("%1, %2").arg(Names::constraintBrief(c.kind), Names::where(c))
-               : onLines(text(c, column));
+    return column == requirement ? QStringLiteral("%1, %2").arg(Names::constraintBrief(c.kind),
+                                                                Names::within(Names::where(c)))
+                                 : onLines(text(c, column));
 }
 
 QVariant MarginModel::cell(int row, int column, int role) const {

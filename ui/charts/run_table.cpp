@@ -132,9 +132,10 @@ struct ResultShown {
     }
     ShownValue operator()(const WorstMargin& of) const {
         const ConstraintResult& worst = of.requirement;
-        const QString text = RunTable::tr("%1, %2: %3")
-                                 .arg(Names::constraint(worst.kind), Names::where(worst),
-                                      percentShown(worst.relativeMargin));
+        const QString text =
+            RunTable::tr("%1, %2: %3")
+                .arg(Names::constraint(worst.kind), Names::within(Names::where(worst)),
+                     percentShown(worst.relativeMargin));
         return {RunTable::tr("Worst margin"), {}, text, text};
     }
     ShownValue operator()(Light light) const {

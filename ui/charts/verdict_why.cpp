@@ -37,7 +37,7 @@ QString VerdictWhy::diameter(const Outcome& outcome, const ConstraintResult& c) 
     const DiameterShares shares =
         diameterShares(outcome.result, static_cast<std::size_t>(c.section),
                        smallest ? DiameterEnd::smallest : DiameterEnd::largest);
-    const QString zone = Names::zone(c.zone, c.section);
+    const QString zone = Names::within(Names::zone(c.zone, c.section));
     QString own = tr("%1 against the gauge %2 µm", "zone")
                       .arg(zone, Names::signedMicrometres(shares.section_um));
     if (std::abs(shares.complianceRatio - 1) > tellingRatio) {
@@ -58,9 +58,10 @@ QString VerdictWhy::form(const Outcome& outcome, const ConstraintResult& c) {
         c.kind == ConstraintKind::radialRunout ? project.machine->geometric_runout_um : 0;
     const double blank_um = initialRunout(*project.part) * units::umPerMm;
     const double left_um = c.value - own_um;
-    QString text = tr("%1 in %2: the blank has %3 µm, the end of the cycle %4 µm")
-                       .arg(Names::constraint(c.kind), Names::zone(c.zone, c.section),
-                            Names::micrometres(blank_um), Names::micrometres(left_um));
+    QString text =
+        tr("%1 in %2: the blank has %3 µm, the end of the cycle %4 µm")
+            .arg(Names::constraint(c.kind), Names::within(Names::zone(c.zone, c.section)),
+                 Names::micrometres(blank_um), Names::micrometres(left_um));
     if (own_um > 0) {
         text += tr("; the machine's own runout adds %1 µm").arg(Names::micrometres(own_um));
     }
@@ -87,7 +88,7 @@ QString VerdictWhy::wholePart(const Outcome& outcome) {
     }
     for (const std::size_t i : std::set{low, high}) {
         parts << QStringLiteral("%1 %2").arg(
-            Names::zone(outcome.result.sections[i].zone, static_cast<int>(i)),
+            Names::within(Names::zone(outcome.result.sections[i].zone, static_cast<int>(i))),
             Names::signedMicrometres((sections[i].meanRadius_mm - mean_mm) * units::umPerMm));
     }
     return tr("Mean radii along the part, µm from their own mean: %1; the worst section is %2 µm "

@@ -252,7 +252,12 @@ void PlotView::showOutcome() {
     QElapsedTimer clock;
     clock.start();
     if (latest() && latest()->ran() && draws(*latest())) {
+        keepOutcome();
         takeOutcome(std::exchange(m_good, latest()));
+    } else if (latest() && isOfBefore()) {
+        keepOutcome();
+        m_good.reset();
+        dropOutcome();
     }
     showState();
     showLegend();
@@ -293,7 +298,7 @@ void PlotView::showState() {
     const bool incomplete = refused() && Names::incomplete(latest()->issues);
     m_notice->setTextFormat(incomplete ? Qt::RichText : Qt::PlainText);
     if (incomplete) { // each as a link to its field
-        const QString old = tr("The pale curves are those of the project before.");
+        const QString old = tr("The pale curves are those of the last complete inputs.");
         m_notice->setText(refusedText() + u' ' + Names::missingLinks(latest()->issues) + u'.'
                           + (m_good ? u' ' + old : QString()));
     } else {

@@ -115,6 +115,7 @@ protected:
     [[nodiscard]] virtual bool draws(const Outcome& outcome) const; ///< here: of zones or sections
     /// good() is another; before it was that one, maybe null.
     virtual void takeOutcome(const OutcomePtr& before) = 0;
+    virtual void dropOutcome() {} ///< good() is null: it was of another document
     [[nodiscard]] virtual bool drawn() const { return m_good != nullptr; } ///< there are curves
     [[nodiscard]] virtual bool faint() const; ///< they are not of the newest outcome
     [[nodiscard]] virtual bool isFaint(const ViewPlot&) const { return faint(); }

@@ -55,6 +55,12 @@ void View::setOutcome(OutcomePtr outcome) {
         Qt::QueuedConnection);
 }
 
+void View::forget() {
+    m_latest.reset();
+    m_ofBefore = true;
+    dropStudies();
+}
+
 void View::setUpNotice(QLabel& label) {
     label.setTextFormat(Qt::PlainText);
     label.setTextInteractionFlags(Qt::TextSelectableByMouse);

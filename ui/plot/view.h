@@ -29,7 +29,9 @@ public:
     [[nodiscard]] virtual bool busy() const { return false; } ///< with what it computes itself
     /// Whether it shows a moment of the cycle, which the playback moves.
     [[nodiscard]] virtual bool showsMoment() const { return false; }
-    virtual void forget() {} ///< drops what was computed on demand: another document comes
+    /// Another document comes, or surface. What is shown of the one before stays until this one has
+    /// a result of its own, but not longer: where that is refused, it goes.
+    void forget();
 
 signals:
     void updated();                           ///< an outcome has been drawn
@@ -49,6 +51,10 @@ protected:
     void readOut(const QString& text = {}); ///< nothing: the hint
     /// What the read-out says while nothing is pointed at.
     [[nodiscard]] virtual QString hint() const = 0;
+    virtual void dropStudies() {} ///< what was computed on demand: another document comes
+    /// Whether no outcome of the present document has been given since forget().
+    [[nodiscard]] bool isOfBefore() const { return m_ofBefore; }
+    void keepOutcome() { m_ofBefore = false; } ///< what is shown is of the present document
     virtual void recolour() {} ///< what does not follow the palette by itself, as a legend
     /// Ends a constructor: gives the texts, then and whenever the language changes.
     void built();
@@ -67,6 +73,7 @@ private:
     bool m_stale = false;
     bool m_queued = false;
     bool m_moved = false;
+    bool m_ofBefore = false; ///< what is shown is of another document
 };
 
 } // namespace sparkout

@@ -283,13 +283,31 @@ OpenResult Document::open(const QString& path) {
 Issues Document::openCopy(const QByteArray& text) {
     LoadedProject loaded = parseProject({text.constData(), static_cast<std::size_t>(text.size())});
     if (loaded.setup && !hasErrors(loaded.issues)) {
+        std::vector<std::pair<std::string, std::string>> names;
         for (GroundSurface& surface : loaded.setup->surfaces) {
+            names.emplace_back(surface.project.title, surface.name);
             surface.project.title = exampleTitle(surface.project.title).toStdString();
             surface.name = exampleTitle(surface.name).toStdString();
         }
         startUntitled(std::move(*loaded.setup));
+        m_exampleNames = std::move(names);
     }
     return loaded.issues;
+}
+
+void Document::nameExample() {
+    if (m_exampleNames.size() != surfaceCount() || m_history.count() > 0 || !m_filePath.isEmpty()) {
+        return;
+    }
+    for (std::size_t i = 0; i < surfaceCount(); ++i) {
+        auto named = std::make_shared<SurfaceState>(*m_present.surfaces[i]);
+        named->project.title = exampleTitle(m_exampleNames[i].first).toStdString();
+        named->name = exampleTitle(m_exampleNames[i].second).toStdString();
+        m_present.surfaces[i] = std::move(named);
+    }
+    m_project.title = m_present.inFront().project.title;
+    m_begun.title = m_project.title;
+    emit changed();
 }
 
 std::optional<FileError> Document::save() {
@@ -310,6 +328,7 @@ void Document::markSaved(const QString& path, const QByteArray& hash) {
     m_readOnly = false;
     endMerge();
     m_history.setClean();
+    emit saved();
     emit historyChanged();
 }
 
@@ -365,6 +384,7 @@ void Document::recover(Setup setup, const QString& path, const QByteArray& hash,
 
 void Document::replace(SetupState state, const QString& path, const QByteArray& hash, bool readOnly,
                        Kept kept) {
+    m_exampleNames.clear();
     m_history.clear();
     if (kept == Kept::nowhere) {
         m_history.resetClean();

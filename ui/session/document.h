@@ -107,6 +107,8 @@ public:
     void withdraw(const std::string& path, EditText text);
     [[nodiscard]] OpenResult open(const QString& path);
     [[nodiscard]] Issues openCopy(const QByteArray& text); ///< of an example, untitled
+    /// Another language: an example that nobody has edited or saved since has its titles in it.
+    void nameExample();
     [[nodiscard]] std::optional<FileError> save();
     [[nodiscard]] std::optional<FileError> saveAs(const QString& path);
 
@@ -127,6 +129,7 @@ signals:
     void stepped(const std::string& path);
     void replaced();        ///< another document; projectReplaced() and changed() follow
     void projectReplaced(); ///< another surface is in front, or another document; changed() follows
+    void saved();           ///< historyChanged() follows
     void historyChanged();  ///< undo, redo, modified state or file
 
 private:
@@ -149,6 +152,8 @@ private:
     QString m_filePath;
     QByteArray m_diskHash;
     bool m_readOnly = false;
+    std::vector<std::pair<std::string, std::string>>
+        m_exampleNames; ///< titles, surfaces: as shipped
     QUndoStack m_history;
     [[nodiscard]] QString roundKey(const QString& mergeKey) const;
 

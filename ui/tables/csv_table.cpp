@@ -35,8 +35,11 @@ QString cellText(const CsvCell& cell, QChar decimal) {
     return text ? harmlessCell(harmlessText(*text)) : QString();
 }
 
+/// Spreadsheets and programs look the names up: they have plain spaces.
 std::vector<CsvCell> headerCells(const CsvTable& table) {
-    return {table.header.begin(), table.header.end()};
+    QStringList names = table.header;
+    names.replaceInStrings(QString(QChar::Nbsp), QStringLiteral(" "));
+    return {names.cbegin(), names.cend()};
 }
 
 } // namespace

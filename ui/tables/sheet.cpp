@@ -112,7 +112,8 @@ std::vector<SheetColumn> columnsOf(const CsvTable& table) {
     const QSet<QString> units = knownUnits();
     std::vector<SheetColumn> columns;
     for (qsizetype i = 0; i < table.header.size(); ++i) {
-        auto [name, unit] = parted(table.header[i], units);
+        QString header = table.header[i];
+        auto [name, unit] = parted(header.replace(QChar::Nbsp, u' '), units);
         columns.push_back({name, unit,
                            table.ownUnits ? SheetColumn::general
                                           : decimalsOf(table, static_cast<std::size_t>(i))});

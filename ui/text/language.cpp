@@ -4,8 +4,31 @@
 #include <QCoreApplication>
 #include <QLibraryInfo>
 #include <QLocale>
+#include <QRegularExpression>
 
 namespace sparkout {
+
+namespace {
+
+/// A number, or what stands for one in a text to be filled, a space and the sign of per cent.
+QString withPercentsKept(QString text) {
+    static const QRegularExpression parted(QStringLiteral("(?<=\\d) %(?![0-9A-Za-z])"));
+    return text.contains(u" %") ? text.replace(parted, QStringLiteral("\u00a0%")) : text;
+}
+
+} // namespace
+
+/// A text that has no translation is looked at, too: the usual one for English.
+QString Language::Texts::translate(const char* context, const char* source,
+                                   const char* disambiguation, int n) const {
+    const QString text = QTranslator::translate(context, source, disambiguation, n);
+    if (!text.isNull()) {
+        return withPercentsKept(text);
+    }
+    const QString own = QString::fromUtf8(source);
+    const QString kept = withPercentsKept(own);
+    return kept == own ? text : kept;
+}
 
 Language::~Language() {
     QCoreApplication::removeTranslator(&m_own);

@@ -19,8 +19,15 @@ public:
     [[nodiscard]] const QString& code() const { return m_code; }
 
 private:
+    /// The program's own texts, in which a percent sign stays with its number.
+    class Texts : public QTranslator {
+    public:
+        [[nodiscard]] QString translate(const char* context, const char* source,
+                                        const char* disambiguation, int n) const override;
+    };
+
     QString m_code;
-    QTranslator m_own;
+    Texts m_own;
     QTranslator m_qt;
 };
 

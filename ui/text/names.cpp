@@ -152,6 +152,10 @@ QString Names::inSentence(QString name) {
     return name;
 }
 
+QString Names::within(const QString& place) {
+    return QLocale().language() == QLocale::Russian ? inSentence(place) : place;
+}
+
 QString Names::where(const ConstraintResult& constraint) {
     if (constraint.at || constraint.section >= 0) {
         return zone(constraint.zone, constraint.at ? constraint.at->section : constraint.section);

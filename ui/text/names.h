@@ -35,6 +35,8 @@ public:
     static QString constraintBrief(ConstraintKind kind); ///< "Max. diameter"
     /// A name as it stands within a sentence; a symbol, as Ra, stays.
     static QString inSentence(QString name);
+    /// A place within a sentence or after a comma: Russian has a small letter there.
+    static QString within(const QString& place);
     /// What it is held against: "RZ1", "whole part", "stage 2", "cycle".
     static QString where(const ConstraintResult& constraint);
     /// A value, limit or margin in the unit of its kind, which its row names.

@@ -166,6 +166,14 @@ QString momentText(const QDateTime& moment) {
     return dateText(moment.date()) + moment.time().toString(QStringLiteral(", HH:mm"));
 }
 
+QString keptTogether(QString line) {
+    static const QRegularExpression gap(QStringLiteral("(?<=[0-9]) (?=\\p{L})|(?<=[≤≥=]) "));
+    static const QRegularExpression fraction(QStringLiteral("(?<=\\p{L})/(?=\\p{L})"));
+    constexpr QChar joiner(0x2060);
+    return line.replace(gap, QStringLiteral("\u00A0"))
+        .replace(fraction, QStringLiteral("/") + joiner);
+}
+
 QString sizeText(qint64 bytes) {
     constexpr qint64 kilo = 1000, mega = 1000 * kilo, giga = 1000 * mega;
     const auto shown = [bytes](const char* unit, qint64 of, int decimals) {

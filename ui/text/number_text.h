@@ -41,4 +41,8 @@ namespace sparkout {
 /// Of a file or the room for one, in the units of the present language: "10 kB", "2.5 GB".
 [[nodiscard]] QString sizeText(qint64 bytes);
 
+/// A text in which no line ends between a number and its unit, a sign and its number, or within a
+/// unit.
+[[nodiscard]] QString keptTogether(QString line);
+
 } // namespace sparkout

@@ -61,6 +61,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace sparkout {
 
@@ -383,6 +384,7 @@ void MainWindow::connectReports() {
 void MainWindow::setLanguage(const QString& code) {
     m_settings.setLanguage(code);
     m_language.apply(code);
+    m_document.nameExample();
     setLocale(QLocale());
     retranslate();
 }
@@ -444,6 +446,7 @@ void MainWindow::connectDocument() {
             view->forget();
         }
         m_verdict->forget();
+        m_isOutcomeOfBefore = true;
     });
     connect(&m_document, &Document::stepped, this, drop);
     connect(&m_document, &Document::historyChanged, this, [this] {
@@ -538,7 +541,8 @@ void MainWindow::showOutcome(const OutcomePtr& outcome) {
     m_partRuns->setOutcome(outcome);
     m_inputs->setOutcome(outcome);
     m_messages->setOutcome(outcome);
-    m_cursor.setOutcome(outcome);
+    const bool isOfBefore = std::exchange(m_isOutcomeOfBefore, false);
+    m_cursor.setOutcome(isOfBefore && !outcome->ran() ? nullptr : outcome); // keeps a refused one's
     for (View* view : views()) {
         view->setOutcome(outcome);
     }

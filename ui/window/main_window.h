@@ -104,6 +104,7 @@ private:
     Language& m_language;
     Document m_document;
     OutcomePtr m_outcome;
+    bool m_isOutcomeOfBefore = false; ///< of another document or surface
     CycleCursor m_cursor;
     KeptRuns* m_kept;
     PartRuns* m_partRuns;

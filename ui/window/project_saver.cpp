@@ -8,6 +8,8 @@
 #include "ui/session/document.h"
 #include "ui/session/program_log.h"
 #include "ui/session/settings.h"
+#include "ui/text/number_text.h"
+#include "ui/text/size_field.h"
 #include "ui/text/texts.h"
 #include "ui/window/disk_wait.h"
 
@@ -141,7 +143,15 @@ QString ProjectSaver::suggestedPath() const {
     if (name.isEmpty()) {
         name = fileNameOf({QString::fromStdString(project.title)});
     }
-    return m_settings.lastFolder() + u'/' + (name.isEmpty() ? tr("Untitled") : name) + suffix;
+    if (name.isEmpty()) {
+        const QString field = fieldOf(*project.part);
+        const QString size = field.isEmpty()
+                                 ? printedNumber(project.part->diameter_mm) + u' ' + unitText("mm")
+                                 : field;
+        name = fileNameOf({QStringLiteral("%1, %2").arg(
+            size, choiceText(project.operation->choice.label))}); // 30h6, plunge grinding
+    }
+    return m_settings.lastFolder() + u'/' + name + suffix;
 }
 
 } // namespace sparkout

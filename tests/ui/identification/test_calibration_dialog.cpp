@@ -263,7 +263,7 @@ private slots:
         QVERIFY(mark() && mark()->holds());
         const QString tip = mark()->toolTip();
         QVERIFY2(tip.contains(QStringLiteral("calibrated on cycle-17.csv (n = "))
-                     && tip.contains(QStringLiteral("95 % interval: ")),
+                     && tip.contains(QStringLiteral("95\u00a0% interval: ")),
                  qPrintable(tip));
         QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
         QTest::keyClicks(field, QStringLiteral("0.5"));

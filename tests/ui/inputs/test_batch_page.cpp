@@ -266,6 +266,10 @@ private slots:
         paste("/batch/correlation/2/0", "0,3\n1,4\n"); // down from here
         QVERIFY2(reason().contains(QStringLiteral("1,4")), qPrintable(reason()));
         QVERIFY(!page.batch().correlation);
+        const QTemporaryDir folder;
+        QVERIFY(
+            !page.bench.window->document().saveAs(folder.filePath(QStringLiteral("a.sparkout"))));
+        QCOMPARE(reason(), QString());
         paste("/batch/correlation/2/0", "0,3\n0,4\n");
         const std::vector<std::vector<double>> lower{{1, 0, 0.3}, {0, 1, 0.4}, {0.3, 0.4, 1}};
         QCOMPARE(*page.batch().correlation, lower);

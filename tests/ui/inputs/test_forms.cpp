@@ -136,6 +136,12 @@ private slots:
                  qPrintable(refusal()));
         QCOMPARE(stored(), before);
         QVERIFY(!document.canUndo());
+        QVERIFY2(page.refusals().empty(), "what stands in the field was not refused");
+        Project edited = document.project();
+        edited.title = "Another title";
+        document.edit(edited, {"Edit", "Edit"});
+        QVERIFY2(refusal().isEmpty(), qPrintable(refusal()));
+        document.undo();
         paste("0,002\n7\n");
         QVERIFY2(refusal().contains(QStringLiteral("row 2: “7” is out of range; allowed: ")),
                  qPrintable(refusal()));

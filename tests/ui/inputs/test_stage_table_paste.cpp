@@ -11,6 +11,7 @@
 #include <QItemSelectionModel>
 #include <QLabel>
 #include <QLocale>
+#include <QTemporaryDir>
 
 #include <random>
 
@@ -117,6 +118,31 @@ private slots:
         QCOMPARE(bench.stages()[0].stock_mm, before[0].stock_mm);
         QCOMPARE(bench.stages().size(), before.size());
         QTest::keyClick(&bench.table.view(), Qt::Key_Escape);
+        QCOMPARE(reasons(bench), QString());
+    }
+
+    /// The next edit of anything, saving, and another project leave it without a meaning.
+    void whatWasNotPastedIsSaidUntilSomethingElseIsDone() {
+        const QTemporaryDir folder;
+        const auto refused = [](Bench& bench) {
+            bench.select(0, 0);
+            paste(bench, QStringLiteral("abc\tdef"));
+            return reasons(bench).contains(QStringLiteral("Not pasted"));
+        };
+        Bench bench;
+        QVERIFY(refused(bench));
+        Project edited = bench.document.project();
+        edited.title = "Another title";
+        bench.document.edit(edited, {"Edit", "Edit"});
+        QCOMPARE(reasons(bench), QString());
+        QVERIFY(refused(bench));
+        QVERIFY(!bench.document.saveAs(folder.filePath(QStringLiteral("a.sparkout"))));
+        QCOMPARE(reasons(bench), QString());
+        QVERIFY(refused(bench));
+        bench.document.startUntitled(newProject(Operation::traverse));
+        QCOMPARE(reasons(bench), QString());
+        QVERIFY(refused(bench));
+        paste(bench, QStringLiteral("0.006"));
         QCOMPARE(reasons(bench), QString());
     }
 

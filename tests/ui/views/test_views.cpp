@@ -105,7 +105,7 @@ void TestViews::theVerdictNamesTheWorstRequirement() {
                             requirement(ConstraintKind::diameterMin, -3.2, -0.2)};
     settle(panel, outcome);
     QCOMPARE(overall->text(),
-             QStringLiteral("Does not hold: diameter in NZ is 3.20 µm below the lower limit"));
+             QStringLiteral("Does not hold: diameter in NZ is 3.20\u00a0µm below the lower limit"));
     outcome = std::make_shared<Outcome>(*outcome);
     outcome->constraints.pop_back();
     settle(panel, outcome);

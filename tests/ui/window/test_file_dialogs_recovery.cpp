@@ -40,11 +40,7 @@ private slots:
                 {QStringLiteral("Lost <b>work</b>"), bench.path, QDateTime::currentDateTimeUtc(),
                  contentHash(textWith(30).toStdString()), false, true},
                 plainSetup(project))));
-        QStringList list{answer};
-        if (answer == u"discard") {
-            list += QStringLiteral("later");
-        }
-        DialogAnswers answers(list);
+        DialogAnswers answers({answer}); // with its last item the dialog closes by itself
         QStringList columns;
         answers.seen = [&](QDialog& dialog) {
             if (auto* row = dialog.findChild<QTreeWidget*>()->topLevelItem(0)) {

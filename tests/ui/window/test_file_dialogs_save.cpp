@@ -67,8 +67,8 @@ private slots:
         row("Вал 30h6", "Exercise 3", "Вал 30h6");
         row("Вал: «КП»/1\\2 ", "", "Вал_ «КП»_1_2");
         row("", "Exercise 3", "Exercise 3");
-        row("..\n", "", "Untitled");
-        row("", "", "Untitled");
+        row("..\n", "", "30h6, traverse grinding"); // of its drawing
+        row("", "", "30h6, traverse grinding");
     }
     void aNewFileIsNamedAfterThePart() {
         QFETCH(QString, part);

@@ -27,6 +27,7 @@
 #include "tests/registry.h"
 
 #include <QAbstractButton>
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QFile>
@@ -286,6 +287,40 @@ private slots:
             QVERIFY(document.filePath().isEmpty());
             QVERIFY(!document.modified());
         }
+    }
+
+    void anExampleNobodyTouchedHasItsTitlesInTheLanguageOfTheWindow() {
+        Bench bench(QStringLiteral("en"));
+        Document& document = bench.window->document();
+        const auto choose = [&bench](const char* language) {
+            bench.window->findChild<QAction*>(QLatin1String(language))->trigger();
+        };
+        const auto open = [&document](const char* name) {
+            QVERIFY(!hasErrors(document.openCopy(
+                ExamplesDialog::textOf(QStringLiteral(":/examples/") + QLatin1String(name)))));
+        };
+        open("wheel-dull.sparkout");
+        QCOMPARE(document.project().title, std::string("Dull wheel"));
+        choose("russian");
+        QCOMPARE(document.project().title, std::string("Затупившийся круг"));
+        QVERIFY(bench.window->windowTitle().startsWith(QStringLiteral("Затупившийся круг")));
+        QVERIFY(!document.modified() && !document.canUndo());
+        Project edited = document.project();
+        edited.author = "N. N.";
+        document.edit(edited, {"Edit", "Edit"});
+        choose("english");
+        QCOMPARE(document.project().title,
+                 std::string("Затупившийся круг")); // it is the user's now
+        document.undo();
+        choose("russian");
+        choose("english");
+        QCOMPARE(document.project().title, std::string("Затупившийся круг"));
+        open("spindle.sparkout");
+        const std::string name = document.state().surfaces[1]->name;
+        choose("russian");
+        QVERIFY(document.state().surfaces[1]->name != name);
+        choose("english");
+        QCOMPARE(document.state().surfaces[1]->name, name);
     }
 
     void theLayoutIsRememberedAndUndoReachesTheWholeWindow() {

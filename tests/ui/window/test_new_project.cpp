@@ -10,6 +10,9 @@
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
 #include "ui/plot/plot_view.h"
+#include "ui/plot/view_plot.h"
+#include "ui/session/cycle_cursor.h"
+#include "ui/views/feeds/feeds_plot.h"
 #include "ui/views/feeds/feeds_view.h"
 #include "ui/views/verdict/verdict_panel.h"
 #include "ui/window/file_commands.h"
@@ -97,6 +100,38 @@ private slots:
         QTRY_VERIFY(notice->text().contains(QStringLiteral("Still needed")));
         emit notice->linkActivated(QStringLiteral("/part/length_mm"));
         QCOMPARE(QApplication::focusWidget(), &bench.field("/part/length_mm"));
+    }
+
+    /// Of the project before, with a batch, kept runs and measured parts, nothing is left.
+    void noViewShowsTheProjectBefore() {
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(QStringLiteral(SPARKOUT_SOURCE_DIR
+                                          "/resources/examples/shaft-30h6-measured.sparkout")));
+        for (const View* view : bench.window->views()) {
+            QVERIFY(bench.window->showView(view->objectName()));
+            bench.settle();
+        }
+        QVERIFY(bench.window->cursor().outcome());
+        bench.action("newPlunge")->trigger();
+        QTRY_VERIFY(bench.window->outcome() && !bench.window->outcome()->ran());
+        QVERIFY(!bench.window->cursor().outcome());
+        for (const View* view : bench.window->views()) {
+            QVERIFY(bench.window->showView(view->objectName()));
+            bench.settle();
+            for (const ViewPlot* plot : view->findChildren<ViewPlot*>()) {
+                QVERIFY2(!plot->isVisible(), qPrintable(plot->objectName()));
+            }
+        }
+        for (const auto& [path, text] : drawing) { // and the new one is shown once it is complete
+            auto* field = bench.window->findChild<NumberField*>(QString::fromStdString(path));
+            field->setFocus();
+            field->selectAll();
+            QTest::keyClicks(field, text);
+            QTest::keyClick(field, Qt::Key_Return);
+        }
+        QTRY_VERIFY(bench.window->outcome()->ran());
+        QVERIFY(bench.window->showView(QStringLiteral("feeds")));
+        QTRY_VERIFY(bench.window->findChild<FeedsView*>()->findChild<FeedsPlot*>()->isVisible());
     }
 
     void everyViewLeadsToWhatIsMissing() {

@@ -12,6 +12,7 @@ LineEditor::LineEditor(const std::string& path, const Field& field, Document& do
     : FieldEditor(path, field, document), m_line(new CellsLineEdit(parent)) {
     m_line->installEventFilter(this);
     m_line->setTakesCells([this](const PastedCells& cells) { takeCells(cells); });
+    connect(&document, &Document::saved, this, &LineEditor::forgetPaste);
     connect(m_line, &QLineEdit::textEdited, this, &LineEditor::take);
     connect(m_line, &QLineEdit::editingFinished, this, [this] {
         this->document().endMerge();
@@ -24,28 +25,38 @@ QWidget* LineEditor::widget() const {
 }
 
 void LineEditor::take() {
+    forgetPaste();
     refuse(accept(m_line->text()));
 }
 
 void LineEditor::takeCells(const PastedCells& cells) {
     const CellsText meant = textOf(cells);
     document().endMerge();
-    const QString reason = meant.fault.isEmpty() ? accept(meant.text) : meant.fault;
+    m_notPasted = meant.fault.isEmpty() ? accept(meant.text) : meant.fault;
     document().endMerge();
-    if (reason.isEmpty()) {
+    if (m_notPasted.isEmpty()) {
         m_line->setText(meant.text);
+        refuse({});
+    } else {
+        emit remarkChanged();
     }
-    refuse(reason, Shown::atOnce);
 }
 
-void LineEditor::refuse(const QString& reason, Shown shown) {
-    m_shown = shown;
+void LineEditor::forgetPaste() {
+    if (!m_notPasted.isEmpty()) {
+        m_notPasted.clear();
+        emit remarkChanged();
+    }
+}
+
+void LineEditor::refuse(const QString& reason) {
     m_kept = storedText();
     m_refused = reason;
     emit remarkChanged();
 }
 
 void LineEditor::show(bool replaced) {
+    forgetPaste();
     if (!m_refused.isEmpty() && !replaced && storedText() == m_kept) {
         return; // the refused text stays in sight
     }
@@ -56,6 +67,7 @@ void LineEditor::show(bool replaced) {
 }
 
 void LineEditor::retranslate() {
+    forgetPaste();
     m_line->setPlaceholderText(inputText(field().nullMeaning));
     if (m_refused.isEmpty()) {
         m_line->setText(storedText());
@@ -65,7 +77,10 @@ void LineEditor::retranslate() {
 }
 
 Remark LineEditor::remark() const {
-    const bool typing = m_shown == Shown::onLeaving && m_line->hasFocus();
+    if (!m_notPasted.isEmpty()) {
+        return {Mark::error, m_notPasted};
+    }
+    const bool typing = m_line->hasFocus();
     return m_refused.isEmpty() || typing ? FieldEditor::remark() : Remark{Mark::error, m_refused};
 }
 

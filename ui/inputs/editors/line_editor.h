@@ -41,13 +41,13 @@ protected:
 private:
     void take();
     void takeCells(const PastedCells& cells); ///< in place of all that is there, or not at all
-    enum class Shown { onLeaving, atOnce };
-    void refuse(const QString& reason, Shown shown = Shown::onLeaving);
+    void refuse(const QString& reason);
+    void forgetPaste();
 
     CellsLineEdit* m_line;
-    Shown m_shown = Shown::onLeaving;
-    QString m_refused; ///< why the text was not taken; empty when it was
-    QString m_kept;    ///< the document's value when that happened
+    QString m_notPasted; ///< why cells were not taken, until something else is done
+    QString m_refused;   ///< why the text was not taken; empty when it was
+    QString m_kept;      ///< the document's value when that happened
 };
 
 } // namespace sparkout

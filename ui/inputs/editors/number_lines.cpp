@@ -22,6 +22,8 @@ NumberLines::NumberLines(Document& document, const char* editText, QWidget* pare
     : QWidget(parent), m_document(document), m_editText(editText) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
+    connect(&document, &Document::changed, this, &NumberLines::forgetPaste);
+    connect(&document, &Document::saved, this, &NumberLines::forgetPaste);
 }
 
 void NumberLines::setOwner(std::function<QString()> owner) {
@@ -97,10 +99,14 @@ void NumberLines::connectRow(std::size_t index) {
     connect(field, &QLineEdit::editingFinished, this, [this] { m_document.endMerge(); });
 }
 
-void NumberLines::paste(std::size_t index, const PastedCells& cells) {
-    for (const Row& row : m_rows) { // what was said of cells pasted before
+void NumberLines::forgetPaste() {
+    for (const Row& row : m_rows) {
         row.reason->showRemark(row.field->remark());
     }
+}
+
+void NumberLines::paste(std::size_t index, const PastedCells& cells) {
+    forgetPaste();
     QString fault;
     const std::vector<QString> texts = m_order(cells, fault);
     Project project = m_document.project();
@@ -170,6 +176,7 @@ void NumberLines::retranslate(const Row& row) {
 }
 
 void NumberLines::retranslate() {
+    forgetPaste();
     for (const Row& row : m_rows) {
         retranslate(row);
     }

@@ -68,6 +68,7 @@ private:
     };
     void addRow(Line line);
     void connectRow(std::size_t index);
+    void forgetPaste(); ///< what was said of cells that were not taken
     void paste(std::size_t index, const PastedCells& cells); ///< all or, with a reason, none
     [[nodiscard]] QString pasteInto(Project& project, std::size_t first,
                                     const std::vector<QString>& cells) const;

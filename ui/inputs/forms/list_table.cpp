@@ -109,6 +109,7 @@ void ListTable::setUp() {
     layout->addWidget(m_reasons); // below: what is dragged stays where it is
     connect(&m_document, &Document::projectReplaced, this, [this] { m_replaced = true; });
     connect(&m_document, &Document::changed, this, &ListTable::takeProject);
+    connect(&m_document, &Document::saved, this, &ListTable::forgetPaste);
     connect(m_model, &ListModel::refusalsChanged, this, [this] {
         updateReasons();
         emit refusalsChanged();
@@ -129,7 +130,7 @@ void ListTable::showCurrent() {
 void ListTable::takeProject() {
     const int row = m_wanted.value_or(m_replaced ? 0 : std::max(0, currentRow()));
     const int column = m_view->currentIndex().column();
-    m_notPasted.clear();
+    forgetPaste();
     m_model->update(m_replaced || m_wanted);
     m_replaced = false;
     m_wanted.reset();
@@ -259,6 +260,14 @@ void ListTable::setIssues(const Issues& issues) {
     updateReasons();
 }
 
+void ListTable::forgetPaste() {
+    if (m_refusedCells) {
+        m_refusedCells.reset();
+        m_notPasted.clear();
+        updateReasons();
+    }
+}
+
 void ListTable::updateReasons() {
     QStringList lines;
     const QPalette colors = m_title->palette();
@@ -314,6 +323,11 @@ void ListTable::retranslate() {
     name(*m_down, shown.down, tr("Ctrl+Down"));
     m_model->retranslate();
     m_sliders->retranslate();
+    if (m_refusedCells) { // the reasons in the present language
+        ListPaste again(*m_model, m_path, m_list, m_document.project());
+        again.paste(m_refusedCells->first, m_refusedCells->second);
+        m_notPasted = again.faults();
+    }
     updateReasons();
     updateButtons();
     fitHeight();
@@ -377,8 +391,7 @@ bool ListTable::takeKey(const QKeyEvent& key) {
         return true;
     }
     if (key.key() == Qt::Key_Escape && !m_notPasted.isEmpty()) {
-        m_notPasted.clear();
-        updateReasons();
+        forgetPaste();
     } else if (key.key() == Qt::Key_Insert && key.modifiers() == Qt::NoModifier) {
         addRow();
     } else if (key.key() == Qt::Key_Delete) {
@@ -434,8 +447,7 @@ void ListTable::copyCells() const {
 
 void ListTable::paste() {
     PastedCells cells = PastedCells::of(QGuiApplication::clipboard()->mimeData());
-    m_notPasted.clear();
-    updateReasons();
+    forgetPaste();
     if (cells.empty()) {
         return;
     }
@@ -446,12 +458,13 @@ void ListTable::paste() {
     const int column = std::max(0, at.column());
     const int width = static_cast<int>(cells.rows.front().size());
     ListPaste pasted(*m_model, m_path, m_list, m_document.project());
-    pasted.paste(std::move(cells), at);
+    pasted.paste(cells, at);
     if (pasted.project()) {
         apply(*pasted.project(), {"Edit", QT_TRANSLATE_NOOP("Edit", "Paste")}, pasted.firstRow());
         selectBlock(pasted.firstRow(), column, pastedRows, width);
         return;
     }
+    m_refusedCells.emplace(std::move(cells), at);
     m_notPasted = pasted.faults();
     updateReasons();
 }

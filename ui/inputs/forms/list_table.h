@@ -4,10 +4,13 @@
 #include "ui/fields/mark.h"
 #include "ui/inputs/forms/form_page.h"
 #include "ui/session/document.h"
+#include "ui/tables/pasted_cells.h"
 
+#include <QModelIndex>
 #include <QWidget>
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 class QHBoxLayout;
@@ -98,6 +101,7 @@ private:
     void store(const std::vector<Numbers>& items, int selected);
     void updateButtons();
     void updateReasons();
+    void forgetPaste(); ///< what was said of cells that were not taken
     void fitHeight();
 
     std::string m_path;
@@ -116,6 +120,7 @@ private:
     QToolButton* m_down = nullptr;
     Issues m_issues;
     QStringList m_notPasted; ///< why, until something else is done
+    std::optional<std::pair<PastedCells, QModelIndex>> m_refusedCells; ///< and where they were put
     bool m_replaced = false;
     std::optional<int> m_wanted; ///< row to select once the table has its rows
 };

@@ -49,11 +49,6 @@ QString percentText(double order) {
     return printedNumber(100 * order, 6) + QStringLiteral("\u00a0%");
 }
 
-/// A text whose numbers keep their percent signs.
-QString unparted(QString text) {
-    return text.replace(QStringLiteral(" %"), QStringLiteral("\u00a0%"));
-}
-
 /// The requirements of one part, the worst of each kind.
 Table worstRequirements(const Outcome& outcome) {
     Outcome worst;
@@ -115,7 +110,7 @@ Table PassportPrediction::capability(const BatchSummary& summary) {
         QStringList row{BatchText::full(of.characteristic)};
         for (const auto figure : {BatchFigures::pp, BatchFigures::ppk, BatchFigures::outside,
                                   BatchFigures::normality}) {
-            row << unparted(BatchFigures::text(of, summary.isSample, figure));
+            row << BatchFigures::text(of, summary.isSample, figure);
         }
         table.rows.push_back(row);
     }

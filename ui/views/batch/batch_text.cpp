@@ -49,7 +49,8 @@ QString BatchText::where(const Characteristic& characteristic) {
 QString BatchText::full(const Characteristic& characteristic) {
     return characteristic.section < 0
                ? name(characteristic)
-               : QStringLiteral("%1, %2").arg(name(characteristic), where(characteristic));
+               : QStringLiteral("%1, %2").arg(name(characteristic),
+                                              Names::within(where(characteristic)));
 }
 
 QString BatchText::axis(const Characteristic& characteristic) {
@@ -62,7 +63,7 @@ QString BatchText::factor(const GivenFactor& factor) {
         return name;
     }
     const Zone zone = factor.isOfZone ? static_cast<Zone>(factor.place) : Zone::section;
-    return QStringLiteral("%1, %2").arg(name, Names::zone(zone, factor.place));
+    return QStringLiteral("%1, %2").arg(name, Names::within(Names::zone(zone, factor.place)));
 }
 
 QString BatchText::factorAxis(const GivenFactor& of) {
@@ -165,6 +166,7 @@ QString BatchText::decision(const BatchOutcome& outcome) {
     const BatchVerdict verdict = weigh(summary, outcome.result);
     const CharacteristicSummary* const of =
         verdict.characteristic ? &summary.characteristics[*verdict.characteristic] : nullptr;
+    const auto inSentence = [&of] { return Names::inSentence(full(of->characteristic)); };
     const auto limit = [&verdict] { return Names::significant(verdict.limit); };
     const auto limitPercent = [&verdict] { return Names::significant(100 * verdict.limit); };
     switch (verdict.reason) {
@@ -182,14 +184,13 @@ QString BatchText::decision(const BatchOutcome& outcome) {
     case BatchReason::fewParts: return tr("a single part tells no Ppk");
     case BatchReason::outside:
         return tr("%1 % of the parts are expected out of tolerance, more than the allowed %2 %: %3")
-            .arg(Names::significant(100 * verdict.value, 2), limitPercent(),
-                 full(of->characteristic));
+            .arg(Names::significant(100 * verdict.value, 2), limitPercent(), inSentence());
     case BatchReason::ppk:
         return tr("Ppk %1, its lower bound below %2: %3")
-            .arg(capability(of->ppk), limit(), full(of->characteristic));
+            .arg(capability(of->ppk), limit(), inSentence());
     case BatchReason::allHold:
         return of ? tr("every part is good, and the least lower bound of Ppk reaches %1: %2, %3")
-                        .arg(limit(), capability(of->ppk), full(of->characteristic))
+                        .arg(limit(), capability(of->ppk), inSentence())
                   : tr("every part is good, and the sizes hardly scatter");
     }
     return {};

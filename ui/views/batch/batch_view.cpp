@@ -69,9 +69,10 @@ BatchView::BatchView(QWidget* parent, Settings* settings)
     setUpNotice(*m_bar->state());
     m_bar->layOut({m_worst, m_rows}, {}, stateLetters);
     share(*m_splitter, {{pages(), histogramShare}, {buildFigures(), figuresShare}});
-    QVBoxLayout* const column = addColumn({pageTools<ToolRow>({m_name, m_weights, m_across, m_up}),
-                                           m_bar, notice(), m_add, legend(), m_splitter, values()},
-                                          m_splitter);
+    QVBoxLayout* const column =
+        addColumn({m_choice = pageTools<ToolRow>({m_name, m_weights, m_across, m_up}), m_bar,
+                   notice(), m_add, legend(), m_splitter, values()},
+                  m_splitter);
     column->setAlignment(m_add, Qt::AlignLeft);
     column->addStretch(0);
     nameObjects({{m_histograms, "batchHistograms"},
@@ -190,7 +191,7 @@ void BatchView::takeOutcome(const OutcomePtr&) {
     const Project& project = good()->result.project;
     const bool runs = m_running && m_runner->running() && sameBatch(*m_running, project);
     if (!project.batch) {
-        forget();
+        dropStudies();
     } else if (stale() && !runs) {
         m_runner->drop();
         m_refused.reset();
@@ -200,7 +201,7 @@ void BatchView::takeOutcome(const OutcomePtr&) {
     }
 }
 
-void BatchView::forget() {
+void BatchView::dropStudies() {
     m_runner->drop();
     m_indexRunner->drop();
     m_batch.reset();
@@ -354,6 +355,7 @@ void BatchView::showState() {
     PlotView::showState();
     const bool has = good() && good()->result.project.batch;
     m_add->setVisible(good() && !has);
+    m_choice->setVisible(has || m_batch); // else there is nothing to choose
     m_bar->setVisible(has);
     m_bar->showRunning(busy(), has && !refused());
     m_bar->state()->setText(m_batch ? BatchText::run(*m_batch) + u' ' + BatchText::verdict(*m_batch)

@@ -42,7 +42,6 @@ public:
     [[nodiscard]] bool stale() const { return m_stale; } ///< what is shown is of other inputs
 
     [[nodiscard]] QString title() const override;
-    void forget() override;
 
 signals:
     /// The document is to be changed so.
@@ -66,6 +65,7 @@ protected:
     [[nodiscard]] QStringList subheading() const override;
 
 private:
+    void dropStudies() override;
     CopyTable* buildFigures();
     void buildRows();
     void connectParts();
@@ -95,6 +95,7 @@ private:
     SensitivityPlot* m_sensitivity;
     ScatterPlot* m_scatter;
     ParetoPlot* m_pareto;
+    QWidget* m_choice = nullptr; ///< of what is drawn, and how it leaves
     QSplitter* m_splitter;
     BatchFigures* m_figures;
     CopyTable* m_table = nullptr;

@@ -219,19 +219,27 @@ bool HistogramPlot::shareWidth() {
     return !alike;
 }
 
+/// All axes alike: the name where each cell has the room for it, else their unit, which the box
+/// above names.
+bool HistogramPlot::hasRoomForNames() const {
+    const QFontMetrics text(font());
+    return m_cells.size() <= mostNamed && std::ranges::all_of(m_cells, [&text](const Cell& cell) {
+               return text.horizontalAdvance(BatchText::axis(cell.summary.characteristic))
+                      <= cell.rect->width();
+           });
+}
+
 /// A name and ticks that have no room below a cell give way to the unit and to fewer ticks.
 /// Bars are set apart where that leaves something of them; narrow ones are an area of one colour,
 /// each at least a pixel wide.
 void HistogramPlot::outline() {
     const QFontMetrics text(font());
     bool changed = shareWidth();
+    const bool named = hasRoomForNames();
     for (const Cell& cell : m_cells) {
         QCPAxis& values = *cell.rect->axis(QCPAxis::atBottom);
         const Characteristic& of = cell.summary.characteristic;
-        const QString full = BatchText::axis(of);
-        const bool named = m_cells.size() <= mostNamed
-                           && text.horizontalAdvance(full) <= cell.rect->outerRect().width();
-        values.setLabel(named ? full : unitText(of.unit));
+        values.setLabel(named ? BatchText::axis(of) : unitText(of.unit));
         const int tick =
             std::max(text.horizontalAdvance(BatchText::mark(values.range().lower, of)),
                      text.horizontalAdvance(BatchText::mark(values.range().upper, of)));

@@ -54,6 +54,7 @@ private:
     [[nodiscard]] const Cell& at(int cell) const { return m_cells[static_cast<std::size_t>(cell)]; }
     void build(Cell& cell, int column);
     bool shareWidth(); ///< the cells are alike; whether another layout is needed
+    [[nodiscard]] bool hasRoomForNames() const;
     void outline();
     [[nodiscard]] QString headingOf(const CharacteristicSummary& summary) const;
 

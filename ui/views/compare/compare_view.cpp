@@ -189,6 +189,12 @@ void CompareView::takeOutcome(const OutcomePtr& before) {
     fillZones();
 }
 
+void CompareView::dropOutcome() {
+    m_present.reset();
+    fillAxes();
+    fillZones();
+}
+
 /// Of the zone or section the user chose: of an alike run the same one, of another the nearest
 /// along the part. Nothing while it is not computed or when it was not recorded.
 std::optional<ComparedFeeds> CompareView::feedsOf(int run) const {

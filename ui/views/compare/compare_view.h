@@ -42,6 +42,7 @@ protected:
     [[nodiscard]] QString hint() const override;
     void nameParts() override;
     void takeOutcome(const OutcomePtr& before) override;
+    void dropOutcome() override;
     [[nodiscard]] bool drawn() const override;
     void showState() override; ///< and the kept runs of now, which change by themselves
     void followCycle() override;

@@ -137,6 +137,11 @@ void ComplianceView::takeOutcome(const OutcomePtr&) {
     ask();
 }
 
+void ComplianceView::dropOutcome() {
+    m_studied.reset();
+    ask();
+}
+
 bool ComplianceView::drawn() const {
     return good()
            && (m_plot->content() != ComplianceContent::coupling
@@ -230,7 +235,7 @@ QString ComplianceView::complianceSummary() const {
     };
     return tr("%1 yields %2 times as much as %3.")
         .arg(name(high), Names::significant(high->compliance_mm_per_n / low->compliance_mm_per_n),
-             name(low));
+             Names::within(name(low)));
 }
 
 void ComplianceView::nameParts() {

@@ -28,6 +28,7 @@ protected:
     [[nodiscard]] QString hint() const override;
     void nameParts() override;
     void takeOutcome(const OutcomePtr& before) override;
+    void dropOutcome() override;
     [[nodiscard]] bool drawn() const override;
     void showState() override;
     [[nodiscard]] QString remark() const override;

@@ -26,6 +26,11 @@ constexpr double gaugeHalf = 1.25; ///< half the line of the gauge, of the large
 QString stiffnessText(double value_n_um) {
     return printedNumber(value_n_um, 4);
 }
+
+/// From the middle of a name to what it is clear of.
+double halfLine(const QCPPainter* painter) {
+    return painter->fontMetrics().height() / 2.0 + 1;
+}
 } // namespace
 
 ShaftScene::ShaftScene(QCPAxisRect* rect)
@@ -121,7 +126,9 @@ void ShaftScene::drawSupport(QCPPainter* painter, bool tailstock) {
     if (painter->fontMetrics().horizontalAdvance(text) < room - 2) {
         note(painter, beside, tailstock ? Qt::AlignLeft : Qt::AlignRight, text);
     } else {
-        note(painter, at(end + out, y), tailstock ? Qt::AlignRight : Qt::AlignLeft, text);
+        QPointF under = at(end + out, y); // a slender part has little room beside it
+        under.setY(std::max(under.y(), at(0, -m_high_mm).y() + halfLine(painter)));
+        note(painter, under, tailstock ? Qt::AlignRight : Qt::AlignLeft, text);
     }
 }
 
@@ -167,7 +174,9 @@ void ShaftScene::placeWheel() {
 void ShaftScene::drawWheel(QCPPainter* painter) {
     const Part& part = *m_project.part;
     painter->drawRect(m_wheelBox);
-    QPointF where(m_wheelBox.right() + noteGap, at(0, m_high_mm * (1 + (above - 1) * 0.7)).y());
+    QPointF where(m_wheelBox.right() + noteGap,
+                  std::min(at(0, m_high_mm * (1 + (above - 1) * 0.7)).y(),
+                           at(0, m_high_mm).y() - halfLine(painter)));
     if (part.surface == Surface::internal && part.shaft.quill) {
         const Quill& quill = *part.shaft.quill;
         const double half = quill.diameter_mm / 2 * m_rect->height()

@@ -2,6 +2,7 @@
 #include "ui/views/constraints/constraints_plot.h"
 
 #include "core/units.h"
+#include "ui/plot/free_place.h"
 #include "ui/plot/hair_line.h"
 #include "ui/plot/quantity_line.h"
 #include "ui/text/limit_names.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace sparkout {
 
@@ -24,6 +26,7 @@ constexpr double visibleLimits = 3;   ///< times the deepest cut, of limits that
 constexpr double decades = 1e-4;      ///< of the deepest cut, in visible at most
 constexpr double forbidden_um = 1e6;  ///< far above all plots
 constexpr int forbiddenAlpha = 34;
+constexpr int markPadding = 4; ///< about its text
 constexpr double markSize = 13, cutSize = 3.5, exceededSize = 6;
 
 void setPoints(QCPGraph& graph, const LimitPoints& points) {
@@ -82,8 +85,15 @@ void ConstraintsPlot::build() {
     m_markText = new QCPItemText(this);
     m_markText->setSelectable(false);
     m_markText->setClipToAxisRect(true);
-    anchor({m_markText->position}, *m_rect);
-    m_markText->setPadding(QMargins(10, 6, 10, 6));
+    m_markText->position->setType(QCPItemPosition::ptAbsolute);
+    m_markText->setPadding(QMargins(markPadding, markPadding, markPadding, markPadding));
+    m_markText->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_markLine = new QCPItemLine(this);
+    m_markLine->setSelectable(false);
+    m_markLine->setClipToAxisRect(true);
+    for (QCPItemPosition* end : {m_markLine->start, m_markLine->end}) {
+        end->setType(QCPItemPosition::ptAbsolute);
+    }
     connect(feedAxis(), QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this,
             &ConstraintsPlot::contentChanged); // the legend names what is out of visible
     connect(feedAxis(), QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this,
@@ -164,30 +174,59 @@ void ConstraintsPlot::fillMark() {
     m_mark->data()->clear();
     if (cut) {
         m_mark->addData(cut->stock_mm * umPerMm, std::max(cut->depth_mm * umPerMm, lowest_um));
-        m_markText->position->setCoords(cut->stock_mm * umPerMm, cut->depth_mm * umPerMm);
     }
     m_markText->setText(m_chart.markText());
     m_markText->setVisible(cut.has_value());
 }
 
-/// The text stands on the side of the mark that has room.
+/// What is drawn of a curve, in pixels of the plot.
+template <typename Drawn>
+QPolygonF ConstraintsPlot::pixelsOf(const Drawn& drawn) const {
+    QPolygonF points;
+    if (drawn.visible()) {
+        for (auto point = drawn.data()->constBegin(); point != drawn.data()->constEnd(); ++point) {
+            points << QPointF(stockAxis()->coordToPixel(point->key),
+                              feedAxis()->coordToPixel(point->value));
+        }
+    }
+    return points;
+}
+
+/// The text stands beside the mark where it covers no curve, in two lines where one is too long.
 void ConstraintsPlot::placeMark() {
     style::fitValueAxes(*m_rect, font());
+    m_markLine->setVisible(false);
     if (!marked()) {
         return;
     }
     const QPointF at(stockAxis()->coordToPixel(marked()->stock_mm * umPerMm),
-                     feedAxis()->coordToPixel(marked()->depth_mm * umPerMm));
-    const bool right = at.x() < m_rect->rect().center().x();
-    const bool below = at.y() < m_rect->rect().center().y();
-    const QMargins around = m_markText->padding();
-    const double room = right ? m_rect->right() - at.x() : at.x() - m_rect->left();
-    const bool fits =
-        QFontMetrics(font()).horizontalAdvance(m_chart.markText()) + around.left() + around.right()
-        <= room;
-    m_markText->setText(fits ? m_chart.markText() : inTwoLines(m_chart.markText()));
-    m_markText->setPositionAlignment((right ? Qt::AlignLeft : Qt::AlignRight)
-                                     | (below ? Qt::AlignTop : Qt::AlignBottom));
+                     feedAxis()->coordToPixel(std::max(marked()->depth_mm * umPerMm, lowest_um)));
+    FreePlace places(QRectF(m_rect->rect()).adjusted(1, 1, -1, -1));
+    for (int i = 0; i < graphCount(); ++i) {
+        if (graph(i) != m_ceiling) {
+            places.addCurve(pixelsOf(*graph(i)));
+        }
+    }
+    places.addCurve(pixelsOf(*m_actual));
+    constexpr double round = markSize / 2 + 2;
+    places.addSpot({at - QPointF(round, round), QSizeF(2 * round, 2 * round)});
+    const auto placeOf = [&](const QString& text) {
+        const QSizeF size = QFontMetricsF(font()).boundingRect(QRectF(), 0, text).size();
+        return places.nearest(size + QSizeF(2 * markPadding, 2 * markPadding), at);
+    };
+    const QString line = m_chart.markText(), lines = inTwoLines(line);
+    const FreePlace::Found flat = placeOf(line), high = placeOf(lines);
+    const bool flatFits = flat.place.width() <= m_rect->width();
+    const bool isFlat =
+        flatFits && std::pair(flat.covered, flat.away) <= std::pair(high.covered, high.away);
+    const FreePlace::Found& found = isFlat ? flat : high;
+    m_markText->setText(isFlat ? line : lines);
+    m_markText->position->setPixelPosition(found.place.topLeft());
+    m_markLine->setVisible(found.away > markSize && !line.isEmpty());
+    m_markLine->start->setPixelPosition(at);
+    m_markLine->end->setPixelPosition(
+        {std::clamp(at.x(), found.place.left(), found.place.right()),
+         std::clamp(at.y(), found.place.top(), found.place.bottom())});
 }
 
 void ConstraintsPlot::setMoment(std::optional<double> stock_mm) {
@@ -365,6 +404,7 @@ void ConstraintsPlot::restyle() {
     m_markText->setBrush(paper);
     m_markText->setColor(text);
     m_markText->setFont(font());
+    m_markLine->setPen(QPen(text, 1));
 }
 
 void ConstraintsPlot::setTexts() {

@@ -62,6 +62,8 @@ private:
     void followFeeds();
     void fillMark();
     void placeMark();
+    template <typename Drawn>
+    [[nodiscard]] QPolygonF pixelsOf(const Drawn& drawn) const;
     [[nodiscard]] QPen penOf(int key) const;
     [[nodiscard]] QCPRange stocks_um() const; ///< of the cycle
     [[nodiscard]] double highestCut() const;
@@ -83,6 +85,7 @@ private:
     QCPCurve* m_exceeded = nullptr;
     QCPCurve* m_mark = nullptr;
     QCPItemText* m_markText = nullptr;
+    QCPItemLine* m_markLine = nullptr; ///< to the mark, where its text stands away from it
     HairLine* m_moment = nullptr;
     QCPRange m_fittedStock; ///< of the axis, as it was fitted last
     QCPRange m_fittedFeeds; ///< likewise

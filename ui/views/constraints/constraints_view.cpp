@@ -217,7 +217,7 @@ QString ConstraintsView::title() const {
     return tr("Constraints");
 }
 
-void ConstraintsView::forget() {
+void ConstraintsView::dropStudies() {
     m_plot->fitNext();
 }
 

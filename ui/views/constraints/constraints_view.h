@@ -34,7 +34,6 @@ public:
 
     [[nodiscard]] QString title() const override;
     [[nodiscard]] bool showsMoment() const override { return true; }
-    void forget() override;
     /// Chooses it at its place, as by a click on its row.
     void showRequirement(const ConstraintResult& requirement);
 
@@ -57,6 +56,7 @@ protected:
     [[nodiscard]] QStringList subheading() const override;
 
 private:
+    void dropStudies() override;
     using GroupKey = std::tuple<Zone, int, bool>; ///< zone, section, whether the wheel stands
     [[nodiscard]] static GroupKey keyOf(const LimitGroup& group);
 

@@ -279,6 +279,11 @@ void FeedsView::takeOutcome(const OutcomePtr& before) {
     m_overview->showRun();
 }
 
+void FeedsView::dropOutcome() {
+    m_comparer->drop();
+    m_traces->setTraces(nullptr, Project());
+}
+
 QString FeedsView::noticeText() const {
     QString text = PlotView::noticeText();
     if (isUnrecorded()) {

@@ -41,6 +41,7 @@ protected:
     [[nodiscard]] bool draws(const Outcome& outcome) const override;
     [[nodiscard]] bool drawn() const override;
     void takeOutcome(const OutcomePtr& before) override;
+    void dropOutcome() override;
     void followCycle() override;
     void showState() override;
     void showLegend() override;

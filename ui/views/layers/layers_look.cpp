@@ -80,8 +80,8 @@ QString LayersLook::values(const LayerSeries& series, const LayersDone& done, st
     const QString radius = Names::signedMicrometres(
         (of.blank_mm - series.removalSign * after - series.target_mm) * units::umPerMm);
     return tr("%1, %2: takes off %3 µm, %4 µm so far, radius %5 µm from target")
-        .arg(spanName(series, span), Names::zone(of.zone, of.section), um(after - before),
-             um(after), radius);
+        .arg(spanName(series, span), Names::within(Names::zone(of.zone, of.section)),
+             um(after - before), um(after), radius);
 }
 
 } // namespace sparkout

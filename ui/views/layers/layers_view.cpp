@@ -184,7 +184,7 @@ QString LayersView::summary() const {
     }
     const auto zone = [&](auto sum) {
         const LayerColumn& of = series.columns[static_cast<std::size_t>(sum - done.sum_mm.begin())];
-        return Names::zone(of.zone, of.section);
+        return Names::within(Names::zone(of.zone, of.section));
     };
     return tr("%1: most off %2, %3 µm; least off %4, %5 µm.")
         .arg(when, zone(most), um(*most), zone(least), um(*least));

@@ -213,7 +213,7 @@ void MeasuredView::takeOutcome(const OutcomePtr&) {
         m_refused.reset(); // what is shown is of these inputs
     }
     if (!hasStatistics()) {
-        forget();
+        dropStudies();
         return;
     }
     const Project predicting = predictingProject(project);
@@ -228,7 +228,12 @@ void MeasuredView::takeOutcome(const OutcomePtr&) {
     judge();
 }
 
-void MeasuredView::forget() {
+void MeasuredView::dropOutcome() {
+    m_hasStatistics = false;
+    judge();
+}
+
+void MeasuredView::dropStudies() {
     m_runner->drop();
     m_batch.reset();
     m_refused.reset();

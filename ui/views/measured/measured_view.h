@@ -44,7 +44,6 @@ public:
     [[nodiscard]] BatchOutcomePtr prediction() const;
 
     [[nodiscard]] QString title() const override;
-    void forget() override;
 
 signals:
     void importAsked();
@@ -56,6 +55,7 @@ protected:
     [[nodiscard]] QString hint() const override;
     void nameParts() override;
     void takeOutcome(const OutcomePtr& before) override;
+    void dropOutcome() override;
     [[nodiscard]] bool drawn() const override;
     [[nodiscard]] bool faint() const override;
     void showState() override;
@@ -65,6 +65,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    void dropStudies() override;
     QWidget* buildTools();
     QWidget* buildComparison();
     void connectParts();

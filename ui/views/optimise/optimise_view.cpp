@@ -61,8 +61,8 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings)
     m_bar->layOut({m_phases, m_refine}, {m_take});
     share(*m_splitter, {{pages(), curvesShare}, {buildTable(), foundShare}});
     QVBoxLayout* const column =
-        addColumn({m_bar, m_gridBar, notice(), m_add, pageTools<ToolRow>({m_zone}), legend(),
-                   m_splitter, values()},
+        addColumn({m_bar, m_gridBar, notice(), m_add, m_choice = pageTools<ToolRow>({m_zone}),
+                   legend(), m_splitter, values()},
                   m_splitter);
     column->setAlignment(m_add, Qt::AlignLeft);
     column->addStretch(0);
@@ -164,6 +164,13 @@ void OptimiseView::takeOutcome(const OutcomePtr& before) {
     followGrid();
 }
 
+void OptimiseView::dropOutcome() {
+    m_before.reset();
+    noteStale();
+    fillZones();
+    fillCurves();
+}
+
 bool OptimiseView::busy() const {
     return m_runner->running() || m_gridBar->busy();
 }
@@ -189,7 +196,7 @@ void OptimiseView::takeSearch(const SearchOutcomePtr& outcome) {
     emit searchShown();
 }
 
-void OptimiseView::forget() {
+void OptimiseView::dropStudies() {
     m_runner->drop();
     m_gridBar->forget();
     m_search.reset();
@@ -344,6 +351,7 @@ void OptimiseView::showState() {
     PlotView::showState();
     tools()->setEnabled(hasCurves());
     m_add->setVisible(good() && !isGiven());
+    m_choice->setVisible(isGiven() || isFound()); // else there is nothing to choose
     const bool searching = m_runner->running(), grid = showsGrid();
     m_bar->setVisible(!grid);
     m_gridBar->setVisible(grid && isGiven());

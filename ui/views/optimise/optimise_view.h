@@ -44,7 +44,6 @@ public:
     [[nodiscard]] bool stale() const { return m_stale; } ///< what is shown is of other inputs
 
     [[nodiscard]] QString title() const override;
-    void forget() override;
 
 signals:
     /// The document is to be changed so.
@@ -56,6 +55,7 @@ protected:
     [[nodiscard]] QString hint() const override;
     void nameParts() override;
     void takeOutcome(const OutcomePtr& before) override;
+    void dropOutcome() override;
     [[nodiscard]] bool drawn() const override;
     [[nodiscard]] bool faint() const override;
     [[nodiscard]] bool isFaint(const ViewPlot& plot) const override;
@@ -66,6 +66,7 @@ protected:
     [[nodiscard]] const Project* shownProject() const override;
 
 private:
+    void dropStudies() override;
     CopyTable* buildTable();
     void connectParts();
     void nameButtons();
@@ -97,6 +98,7 @@ private:
     StageCountPlot* m_times;
     StateGridPlot* m_grid;
     StateGridBar* m_gridBar;
+    QWidget* m_choice = nullptr; ///< of what is drawn, and how it leaves
     QSplitter* m_splitter;
     FoundModel* m_found;
     CopyTable* m_table = nullptr;

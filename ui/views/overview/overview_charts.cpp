@@ -186,7 +186,7 @@ BarChart OverviewCharts::stock(const Outcome& outcome) {
             const auto index = static_cast<std::size_t>(section);
             chart.categories << tr("Stage %1, %2", "number, zone")
                                     .arg(stage + 1)
-                                    .arg(nameOfSection(outcome, section));
+                                    .arg(Names::within(nameOfSection(outcome, section)));
             zoneOf.push_back(outcome.result.sections[index].zone);
             for (std::size_t i = 0; i < steps.size(); ++i) {
                 chart.series[i].values.push_back(outcome.steps.removed_mm[index][stage].of[steps[i]]
@@ -290,9 +290,9 @@ BarChart OverviewCharts::requirements(const Outcome& outcome) {
     }
     for (const ConstraintResult& of : shown) {
         const int section = of.at ? of.at->section : of.section;
-        chart.categories << QStringLiteral("%1, %2").arg(Names::constraintBrief(of.kind),
-                                                         section >= 0 ? briefPlace(outcome, section)
-                                                                      : Names::where(of));
+        chart.categories << QStringLiteral("%1, %2").arg(
+            Names::constraintBrief(of.kind),
+            Names::within(section >= 0 ? briefPlace(outcome, section) : Names::where(of)));
     }
     const auto settings = static_cast<int>(worstByKind(outcome.constraints).size() - shown.size());
     chart.remark = settings > 0

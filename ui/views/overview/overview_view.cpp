@@ -280,7 +280,7 @@ void OverviewView::showEvent(QShowEvent* event) {
     }
 }
 
-void OverviewView::forget() {
+void OverviewView::dropStudies() {
     m_batch.reset();
     m_alone.reset();
     arrange();

@@ -33,7 +33,6 @@ public:
     [[nodiscard]] int columns() const { return m_columns; }
 
     [[nodiscard]] QString title() const override;
-    void forget() override;
 
 signals:
     void stageAsked(int stage);     ///< from 1, in the view of the feeds
@@ -56,6 +55,7 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
+    void dropStudies() override;
     void build();
     [[nodiscard]] int columnsWithRoom() const;
     void arrange(); ///< the tiles in as many columns as have room

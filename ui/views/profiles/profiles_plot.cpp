@@ -432,19 +432,24 @@ QString ProfilesPlot::describeMeasured() const {
                : QString();
 }
 
-/// The longest of the names that fits.
+/// The longest of the names that fits; the zones have full ones where there is room for all.
 QString ProfilesPlot::headerOf(std::size_t cell, int room) const {
-    const Profile& p = profile(cell);
-    const QString full = isMeasured(cell) ? tr("Measured: %1").arg(m_measured->name)
-                                          : Names::zoneFull(p.zone, p.section);
     const QFontMetrics metrics(font());
-    const QString withGauge = p.gauge && !isMeasured(cell) ? tr("%1 (gauge)").arg(full) : full;
-    for (const QString& name : {withGauge, full}) {
-        if (metrics.horizontalAdvance(name) <= room) {
-            return name;
-        }
+    const auto fits = [&](const QString& name) { return metrics.horizontalAdvance(name) <= room; };
+    if (isMeasured(cell)) {
+        const QString full = tr("Measured: %1").arg(m_measured->name);
+        return fits(full) ? full : nameOf(cell);
     }
-    return nameOf(cell);
+    const auto full = [this](std::size_t at) {
+        return Names::zoneFull(profile(at).zone, profile(at).section);
+    };
+    bool allFit = true;
+    for (std::size_t i = 0; i < m_cells.size(); ++i) {
+        allFit = allFit && (isMeasured(i) || fits(full(i)));
+    }
+    const QString name = allFit ? full(cell) : nameOf(cell);
+    const QString withGauge = tr("%1 (gauge)").arg(name);
+    return profile(cell).gauge && fits(withGauge) ? withGauge : name;
 }
 
 QString ProfilesPlot::caption() const {

@@ -78,7 +78,7 @@ QString PhaseText::reason(RunStatus status, const std::optional<ConstraintResult
         return Names::status(status);
     }
     return worst ? QStringLiteral("%1, %2").arg(Names::inSentence(Names::constraint(worst->kind)),
-                                                Names::where(*worst))
+                                                Names::within(Names::where(*worst)))
                  : QString();
 }
 

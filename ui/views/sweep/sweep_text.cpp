@@ -78,7 +78,7 @@ QString SweepText::entry(const SweepResult& sweep, const SweepEntry& entry) {
     const SweepQuantity& first = sweep.quantities[entry.quantities.front()];
     return entry.key == first.name || first.section < 0
                ? name(first)
-               : QStringLiteral("%1, %2").arg(name(first), where(first));
+               : QStringLiteral("%1, %2").arg(name(first), Names::within(where(first)));
 }
 
 QString SweepText::axis(const SweepResult& sweep, const SweepEntry& entry, bool margins) {

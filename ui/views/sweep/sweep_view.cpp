@@ -235,7 +235,7 @@ void SweepView::followSweep(bool asked) {
     showPresent();
 }
 
-void SweepView::forget() {
+void SweepView::dropStudies() {
     m_phaseBar->forget();
     forgetSweep();
 }

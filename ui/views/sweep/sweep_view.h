@@ -44,7 +44,6 @@ public:
     [[nodiscard]] bool stale() const { return m_stale; } ///< what is shown is of other inputs
 
     [[nodiscard]] QString title() const override;
-    void forget() override;
 
 signals:
     /// The document is to be changed so.
@@ -66,6 +65,7 @@ protected:
     [[nodiscard]] QStringList subheading() const override;
 
 private:
+    void dropStudies() override;
     QWidget* buildTools();
     void connectParts();
     void connectEdits();

@@ -3,13 +3,13 @@
 
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
+#include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 #include "ui/views/verdict/remedy_text.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QStringList>
 #include <QVBoxLayout>
 
@@ -25,12 +25,6 @@ QLabel* wrapping(QWidget* parent, const QString& name) {
     label->setWordWrap(true);
     label->setMinimumWidth(1);
     return label;
-}
-
-/// No line ends between a number and its unit, or a sign and its number.
-QString keptTogether(QString line) {
-    static const QRegularExpression gap(QStringLiteral("(?<=[0-9]) (?=\\p{L})|(?<=[≤≥=]) "));
-    return line.replace(gap, QStringLiteral("\u00A0"));
 }
 
 /// Marked up, or a tool tip does not wrap.

@@ -11,6 +11,7 @@
 #include "ui/kit/metrics.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
+#include "ui/text/number_text.h"
 #include "ui/views/verdict/form_section.h"
 #include "ui/views/verdict/narrow_table.h"
 #include "ui/views/verdict/remedy_section.h"
@@ -205,14 +206,14 @@ void VerdictPanel::showTexts() {
     m_form->setVisible(m_good && !m_good->accuracy.zones.empty());
     m_shop->setVisible(m_good && !m_good->shop.stages.empty());
     const ConstraintResult* about = m_good ? explained() : nullptr;
-    m_why->setText(about ? verdict::why(*m_good, *about) : QString());
+    m_why->setText(about ? keptTogether(verdict::why(*m_good, *about)) : QString());
     m_why->setVisible(!m_why->text().isEmpty());
     if (!m_good) {
         return;
     }
     m_time->setText(verdict::time(m_good->result));
     m_status->setText(verdict::status(m_good->result));
-    m_overall->setText(verdict::overall(*m_good));
+    m_overall->setText(keptTogether(verdict::overall(*m_good)));
     m_light->setPixmap(
         lightPixmap(verdict::overallLight(*m_good), iconSmall + 3, devicePixelRatioF(), refused));
     m_table->setVisible(m_model->rowCount() > 0);

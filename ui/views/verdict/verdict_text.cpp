@@ -23,7 +23,7 @@ public:
 };
 
 QString VerdictText::broken(const ConstraintResult& c) {
-    const QString zone = Names::where(c);
+    const QString zone = Names::within(Names::where(c));
     const QString by = Names::amount(c.kind, std::abs(c.margin), false);
     const Requirement& row = requirementOf(c.kind);
     if (row.broken) {
@@ -83,7 +83,7 @@ QString overall(const Outcome& outcome) {
     }
     if (overallLight(outcome) == Light::close) {
         return VerdictText::tr("Holds the drawing, but close to the limit: %1 in %2")
-            .arg(Names::constraint(c->kind), Names::where(*c));
+            .arg(Names::constraint(c->kind), Names::within(Names::where(*c)));
     }
     return VerdictText::tr("Holds the drawing");
 }

@@ -127,6 +127,9 @@ void RecoveryDialog::discard() {
     if (index >= 0 && m_store.discard(m_items[std::size_t(index)].file)) {
         m_items.erase(m_items.begin() + index);
         fill();
+        if (m_items.empty()) {
+            reject(); // nothing is left to decide
+        }
     }
     m_list->setFocus();
 }

@@ -345,6 +345,46 @@ private slots:
         QVERIFY(sight().lower > 0 && reaches(sight()));
     }
 
+    /// In every group of the examples, as wide as in a small and in a large window.
+    void theCallOutStandsBesideTheCurves() {
+        int tried = 0;
+        for (const char* name :
+             {"shaft-30h6-factory", "shaft-30h6-optimal", "slender-shaft", "plunge-accuracy-limit",
+              "plunge-roughness-limit", "wheel-dull", "internal-plunge", "through-bore"}) {
+            const auto read = loadProject(QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/")
+                                          + QLatin1String(name) + QStringLiteral(".sparkout"));
+            QVERIFY(read.setup.has_value());
+            Shown shown(run(read.setup->surfaces.front().project));
+            for (const QSize size : {QSize(560, 560), QSize(1100, 800)}) {
+                shown.view.resize(size);
+                auto& zones = shown.part<QComboBox>("constraintsZone");
+                for (int g = 0; g < zones.count(); ++g) {
+                    zones.setCurrentIndex(g);
+                    ConstraintsPlot& plot = shown.plot();
+                    plot.replot(QCustomPlot::rpImmediateRefresh);
+                    QCPItemText* text = nullptr;
+                    for (int i = 0; i < plot.itemCount(); ++i) {
+                        text = text ? text : qobject_cast<QCPItemText*>(plot.item(i));
+                    }
+                    QVERIFY(text);
+                    if (!text->visible() || text->text().isEmpty()) {
+                        continue;
+                    }
+                    ++tried;
+                    const QRectF box(text->topLeft->pixelPosition(),
+                                     text->bottomRight->pixelPosition());
+                    QVERIFY2(QRectF(plot.stockAxis()->axisRect()->rect()).contains(box), name);
+                    for (const QCPCurveData& cut : *plot.actual()->data()) {
+                        const QPointF at(plot.stockAxis()->coordToPixel(cut.key),
+                                         plot.feedAxis()->coordToPixel(cut.value));
+                        QVERIFY2(!box.contains(at), name);
+                    }
+                }
+            }
+        }
+        QVERIFY(tried > 30);
+    }
+
     void everySectionCanBeChosen() {
         Project project = plungeProject(6);
         project.material->burn_rise_k = 700;

@@ -345,11 +345,14 @@ private slots:
         project.optimisation.reset();
         const Desk desk(project);
         QVERIFY(!desk.part<QPushButton>("optimiseRun").isEnabled());
+        const auto& content = desk.part<QComboBox>("optimiseContent");
+        QVERIFY(!content.isVisible()); // there is nothing to choose of
         desk.click("optimiseAdd");
         desk.bench.settle();
         QVERIFY(desk.project().optimisation.has_value());
         QTRY_VERIFY(desk.part<QPushButton>("optimiseRun").isEnabled());
         QVERIFY(!desk.part<QPushButton>("optimiseAdd").isVisible());
+        QVERIFY(content.isVisible());
     }
 
     void levelsAreTypedAsAListOrAsFromToAndStep() {

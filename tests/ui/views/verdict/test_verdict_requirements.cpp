@@ -116,7 +116,7 @@ private slots:
         const QString text = bench.label("why").text();
         QVERIFY2(text.contains(Names::signedMicrometres(worst->value)), qPrintable(text));
         // "…: gauge +a µm; zone +b µm (…); out of round +c µm."
-        static const QRegularExpression share(QStringLiteral("([+−-]?[0-9.]+) µm"));
+        static const QRegularExpression share(QStringLiteral("([+−-]?[0-9.]+)\u00a0µm"));
         QList<double> numbers;
         auto found = share.globalMatch(text);
         while (found.hasNext()) {

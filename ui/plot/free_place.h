@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPolygonF>
+#include <QRectF>
+#include <QSizeF>
+
+#include <vector>
+
+namespace sparkout {
+
+/// Where a call-out of a plot stands beside what is drawn there. All in pixels.
+class FreePlace {
+public:
+    struct Found {
+        QRectF place;
+        int covered = 0; ///< small squares of it that a curve runs through; 0: it is free
+        double away = 0; ///< from the mark to its nearest point
+    };
+
+    explicit FreePlace(const QRectF& within);
+    void addCurve(const QPolygonF& points); ///< the line through them
+    void addSpot(const QRectF& spot);       ///< as of a mark
+    /// The free place of a size that is nearest to a mark; where none is free, the one that covers
+    /// the least.
+    [[nodiscard]] Found nearest(const QSizeF& size, const QPointF& mark) const;
+
+private:
+    void cover(const QPointF& at);
+    [[nodiscard]] std::vector<int> sums() const; ///< covered squares above and left of each corner
+
+    QRectF m_within;
+    int m_columns, m_rows;
+    std::vector<char> m_covered; ///< small squares, row by row
+};
+
+} // namespace sparkout
