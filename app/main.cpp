@@ -24,6 +24,7 @@
 
 #include <QApplication>
 #include <QBuffer>
+#include <QDir>
 #include <QEventLoop>
 #include <QFile>
 #include <QFileInfo>
@@ -64,6 +65,7 @@ struct Options {
     std::optional<int> stroke;
     QSize size{1366, 768};
     bool formatGiven = false; ///< by --format
+    bool portable = false;
     bool version = false;
     bool help = false;
     QString fault; ///< what is wrong with the command line
@@ -87,6 +89,8 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
         options.version = true;
     } else if (word == u"--help" || word == u"-h") {
         options.help = true;
+    } else if (word == u"--portable") {
+        options.portable = true;
     } else if (word == u"--force") {
         options.many.force = true;
     } else if (i + 1 == words.size()) {
@@ -294,8 +298,28 @@ int makePicture(QApplication& app, MainWindow& window, const Options& options) {
     return app.exec();
 }
 
+/// Where the program keeps what it remembers with --portable: beside itself.
+QString ownFolder() {
+    return QCoreApplication::applicationDirPath() + QStringLiteral("/settings");
+}
+
+/// Says so where nothing can be kept there.
+bool makeOwnFolder() {
+    if (QDir().mkpath(ownFolder()) && QFileInfo(ownFolder()).isWritable()) {
+        return true;
+    }
+    say(stderr, QStringLiteral("sparkout: --portable: %1 cannot be written")
+                    .arg(printableText(ownFolder())));
+    return false;
+}
+
+Settings settingsFor(const Options& options) {
+    return options.portable ? Settings(ownFolder() + QStringLiteral("/settings.json")) : Settings();
+}
+
 int runWindow(QApplication& app, MainWindow& window, const Options& options) {
-    window.files().protect(userStateFolder());
+    window.files().protect(options.portable ? ownFolder() + QStringLiteral("/state")
+                                            : userStateFolder());
     window.show();
     openFirstExample(window.document());
     QTimer::singleShot(0, &window, [&] {
@@ -371,7 +395,11 @@ int main(int argc, char** argv) {
                               QSysInfo::prettyProductName()));
     QApplication::setApplicationName(QStringLiteral("sparkout"));
     QApplication::setApplicationVersion(QString::fromUtf8(version));
-    Settings settings = hidden ? Settings::transient() : Settings();
+    QGuiApplication::setDesktopFileName(QStringLiteral("org.sparkout.sparkout"));
+    if (options.portable && !makeOwnFolder()) {
+        return exitUsage;
+    }
+    Settings settings = hidden ? Settings::transient() : settingsFor(options);
     Language language;
     language.apply(options.language.isEmpty() ? settings.language() : options.language);
     applyTheme(themeFrom(options.theme.isEmpty() ? settings.theme() : options.theme));
@@ -381,7 +409,7 @@ int main(int argc, char** argv) {
         request.file = options.file;
         request.surface = options.surface;
         request.output = options.output;
-        request.company = Settings().company(); // else nothing of the user's is read
+        request.company = settingsFor(options).company(); // else nothing of the user's is read
         return options.many.folder.isEmpty() ? writeReport(request)
                                              : writeReports(request, options.many);
     }

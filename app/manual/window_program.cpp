@@ -137,6 +137,15 @@ std::vector<Option> windowOptions() {
          Kind::anything,
          "",
          {"size of the window, 1366x768 unless given", "размер окна; по умолчанию 1366x768"}},
+        {"--portable",
+         "",
+         Kind::none,
+         "",
+         {"keeps settings, own catalogues and recovery in the folder settings beside the program, "
+          "as "
+          "on a stick, and leaves those of the user alone",
+          "хранит настройки, свои каталоги и данные восстановления в папке settings рядом с "
+          "программой, например на флешке, и не трогает настройки пользователя"}},
         {"--version", "", Kind::none, "", {"prints the version", "печатает версию"}},
         {"--help", "", Kind::none, "", {"prints this text", "печатает список параметров"}},
     };
@@ -148,7 +157,7 @@ const Program& windowProgram() {
     static const Program program{
         "sparkout",
         {"workbench for cylindrical grinding cycles", "расчёт циклов круглого шлифования"},
-        {"[FILE]",
+        {"[--portable] [FILE]",
          "--picture OUT.png [--lang en|ru] [--theme THEME] [--view VIEW]\n"
          "[--font-size PERCENT] [--stroke N] [--size WxH] [--surface NAME|N] FILE",
          "--report KIND -o OUT.pdf|OUT.html|OUT.md|OUT.odt [--lang en|ru]\n"
