@@ -2,6 +2,7 @@
 #include "app/display_start.h"
 #include "app/export_command.h"
 #include "app/manual/help_text.h"
+#include "app/portable_folder.h"
 #include "app/report_command.h"
 #include "app/window_io.h"
 #include "core/printable.h"
@@ -24,7 +25,6 @@
 
 #include <QApplication>
 #include <QBuffer>
-#include <QDir>
 #include <QEventLoop>
 #include <QFile>
 #include <QFileInfo>
@@ -298,28 +298,12 @@ int makePicture(QApplication& app, MainWindow& window, const Options& options) {
     return app.exec();
 }
 
-/// Where the program keeps what it remembers with --portable: beside itself.
-QString ownFolder() {
-    return QCoreApplication::applicationDirPath() + QStringLiteral("/settings");
-}
-
-/// Says so where nothing can be kept there.
-bool makeOwnFolder() {
-    if (QDir().mkpath(ownFolder()) && QFileInfo(ownFolder()).isWritable()) {
-        return true;
-    }
-    say(stderr, QStringLiteral("sparkout: --portable: %1 cannot be written")
-                    .arg(printableText(ownFolder())));
-    return false;
-}
-
 Settings settingsFor(const Options& options) {
-    return options.portable ? Settings(ownFolder() + QStringLiteral("/settings.json")) : Settings();
+    return options.portable ? Settings(PortableFolder::settingsFile()) : Settings();
 }
 
 int runWindow(QApplication& app, MainWindow& window, const Options& options) {
-    window.files().protect(options.portable ? ownFolder() + QStringLiteral("/state")
-                                            : userStateFolder());
+    window.files().protect(options.portable ? PortableFolder::stateFolder() : userStateFolder());
     window.show();
     openFirstExample(window.document());
     QTimer::singleShot(0, &window, [&] {
@@ -383,6 +367,7 @@ int main(int argc, char** argv) {
         return exitUsage;
     }
     passOverPlatformNotices();
+    PortableFolder::useItsFonts();
     int noArguments = 1; // the options are ours, Qt reads none of them
     std::optional<DisplayStart> display(std::in_place);
     QApplication app(noArguments, argv);
@@ -396,7 +381,7 @@ int main(int argc, char** argv) {
     QApplication::setApplicationName(QStringLiteral("sparkout"));
     QApplication::setApplicationVersion(QString::fromUtf8(version));
     QGuiApplication::setDesktopFileName(QStringLiteral("org.sparkout.sparkout"));
-    if (options.portable && !makeOwnFolder()) {
+    if (options.portable && !PortableFolder::make()) {
         return exitUsage;
     }
     Settings settings = hidden ? Settings::transient() : settingsFor(options);
