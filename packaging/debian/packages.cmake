@@ -34,7 +34,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 # cards.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS
     "libqt6svg6, qt6-translations-l10n, fonts-dejavu-core, fonts-dejavu-extra, hicolor-icon-theme")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "qt6-wayland")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "qt6-wayland, shared-mime-info")
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "workbench for cylindrical grinding cycles
 Sparkout computes cylindrical grinding cycles on CNC machines pass by pass
 and holds the ground part against its drawing. The machine, the shaft and
