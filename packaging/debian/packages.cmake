@@ -33,7 +33,9 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 # Loaded at run time, so that no tool finds them: Qt's SVG plug-in and Russian, the fonts of window and
 # cards.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS
-    "libqt6svg6, qt6-translations-l10n, fonts-dejavu-core, fonts-dejavu-extra, hicolor-icon-theme")
+    "libqt6svg6, qt6-svg-plugins | libqt6svg6 (<< 6.6)" # apart since Debian 13
+    "qt6-translations-l10n, fonts-dejavu-core, fonts-dejavu-extra, hicolor-icon-theme")
+string(REPLACE ";" ", " CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS}")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "qt6-wayland, shared-mime-info")
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "workbench for cylindrical grinding cycles
 Sparkout computes cylindrical grinding cycles on CNC machines pass by pass
