@@ -10,6 +10,7 @@
 #include "app/io/cli_options.h"
 #include "app/io/cli_report.h"
 #include "app/io/cli_surfaces.h"
+#include "app/manual/help_text.h"
 #include "app/measured/cli_measured.h"
 #include "core/files/safe_file.h"
 #include "core/format/project_file.h"
@@ -31,138 +32,6 @@
 namespace sparkout::cli {
 
 namespace {
-
-constexpr const char* helpText =
-    R"(sparkout-cli: cylindrical grinding cycles, computed pass by pass
-
-  sparkout-cli simulate FILE [--surface NAME|N|all] [--json] [--check] [--trace OUT.csv]
-  sparkout-cli remedies FILE [--surface NAME|N|all] [--json]
-  sparkout-cli optimize FILE [--surface NAME|N|all] [--robust] [--refine]
-                        [--method search|full|dp|labels] [--stages N,…]
-                        [--time-limit S] [--threads N] [--json] [-o OUT.sparkout]
-  sparkout-cli validate FILE
-  sparkout-cli batch FILE [--surface NAME|N|all] [option…] [--shard I/N | --json | --csv]
-  sparkout-cli batch-merge SHARD… [--json | --csv] [--check]
-  sparkout-cli sweep FILE [--surface NAME|N|all] [--threads N] [--json | --csv] [--progress]
-  sparkout-cli phases FILE [--surface NAME|N|all] [--from MM] [--to MM] [--json] [--check]
-  sparkout-cli dressing FILE [--scenarios HOW] [--json] [--check] [--progress]
-  sparkout-cli measured FILE [--surface NAME|N|all] [--data TABLE.csv] [--fit PARAMETER,…]
-                        [--json] [--check] [--progress]
-  sparkout-cli measured FILE [--surface NAME|N|all] [--json] --roundness [--profile TABLE.csv]
-                        | --trial PARAMETER,… | --stiffness-sheet
-                        | --stiffness TABLE.csv [--indicator part|system]
-  sparkout-cli examples DIR [--force]
-  sparkout-cli --version | --help
-
-simulate   runs the cycle of a project file
-  --json     prints one JSON object
-  --check    exit status 4 when a requirement fails
-  --trace    writes a row for every visit of a radius
-remedies   finds changes of one setting after which a cycle that fails holds everything, or
-           one that is close to a limit has room: up to three, each run, the quickest
-           first; where none of the values tried helps, why, with the requirements that fail
-  --json     prints one JSON object
-optimize   finds the quickest cycle of the file's grid that holds every requirement
-  --robust   it must hold for every stock within half an infeed of the stated one, which is
-             decided under gauge control; under position control it is tried on 500 of them
-             drawn afresh, with the confidence stated; a file whose optimisation says
-             scenarios corners or batch is searched for those without it
-  --refine   from the grid's best on between its levels, in the machine's steps: a
-             quicker cycle that holds, if one is met; it is not proved
-  --method   search: proves the answer from few runs; full: runs every cycle;
-             for plunge grinding also two heuristics, which prove nothing and may
-             find no cycle where there is one: dp, the dynamic programming that
-             was published, and labels, which keeps more ways to each stock level
-  --stages   numbers of stages to try, instead of the file's
-  --time-limit  ends search and refinement after so many seconds, as Ctrl+C does: the
-             best so far stays, with the time that no cycle is quicker than
-  --threads  of the full search, instead of one a processor; the answer is the same
-  --json     prints one JSON object
-  -o         writes the project with the cycle found
-validate   checks a project file: one line a fault
-batch      runs the batch of a project file: its parts differ by the factors given there
-  --parts N            parts, instead of the file's
-  --seed S             seed, instead of the file's
-  --scenarios HOW      corners, latin_hypercube, sobol or random, instead of the file's
-  --measured BLANKS    CSV whose columns are headed by factors (stock_mm, initial_runout_mm, …):
-                       their values take the place of the file's laws
-  --until-width W      ends as soon as every 95 % interval of a mean is W µm wide at most
-  --sensitivity N      Sobol indices, from N·(factors + 2) parts more
-  --threads N          threads, instead of one a processor; the answer is the same
-  --rows OUT.csv       writes a row for every part: its factors, every quantity, every
-                       requirement held or not; the same for any number of threads, and
-                       no file at all when it is ended by Ctrl+C
-  --force              --rows may take the place of a file
-  --shard I/N          runs the I-th of N shards and prints it for batch-merge
-  --json, --csv        prints one JSON object, or a row for every characteristic
-  --check              exit status 4 when a part fails a requirement
-  --progress           tells the progress on stderr, also when that is no terminal
-           Ctrl+C ends it; what is done until then is evaluated and printed
-batch-merge
-           joins the shards of a batch: the answer is that of one run; a changed,
-           missing, doubled or foreign shard is named and refused. For a cluster with
-           Slurm see batch.sbatch among the help's files
-sweep      runs the sweep of a project file: one or two inputs varied over their ranges
-  --threads N          threads, instead of one a processor; the answer is the same
-  --json, --csv        prints one JSON object, or a row for every point
-phases     decides for which stocks of the blank the cycle holds every requirement, under gauge
-           control: where the last step of a stage falls changes with the stock, and the size
-           with it. Every stock of the range is decided, none is sampled
-  --from, --to         stocks per side in mm, instead of half the largest infeed of a stage below
-                       and above the stock in the file
-  --json               prints one JSON object
-  --check              exit status 4 when it fails for a stock
-dressing   runs part after part with the wheel as those before have left it, by the wear in the file,
-           until the first that does not hold: the parts between two dressings. With the rates of
-           optimisation/cost also after how many dressing is quickest and cheapest
-  --scenarios          each part must hold for the parts of the surface's batch too, chosen by
-                       corners, latin_hypercube, sobol or random
-  --json               prints one JSON object
-  --check              exit status 4 when no part holds
-measured   holds what was measured, in the file's section measured, against the predicted batch:
-           for each zone or section and quantity the mean with its 95 % interval, the
-           predicted range, Fisher's ratio of the variances, the share of the parts inside
-  --data     reads a table of parts or traces, too: a CSV file in either dialect whose headings
-             name quantities and units ("Diameter, mm", "Диаметр, мм", "t, s", "P [kW]"), or lines
-             time|key|value
-  --fit      finds parameters from the traces and diameters: alpha, beta, compliance (of all, or
-             compliance:N of one zone or section), flow_stress, dullness, chip_power,
-             friction_power, idle_power, size_offset, time_shift, blank_runout; names what the
-             data cannot tell and what to measure
-  --roundness  instead: the form of each zone or section after the cycle as a roundness machine
-             states it, about the four reference circles, not filtered and after the Gaussian
-             filter of ISO 16610-21 at 15, 50 and 150 undulations per revolution
-  --profile  the same of a recorded section beside it: a table of angle [°] and radius [mm], or
-             of deviations where the heading names µm
-  --trial    instead: which short trial of 24 tells these parameters best, by feed, spark-out and
-             what is recorded, with the 95 % intervals to expect
-  --stiffness-sheet  instead: the steps, places and load of a stiffness trial
-  --stiffness  instead: stiffness of headstock and tailstock from a table of place [mm], load [N]
-             and deflection [µm]
-  --indicator  part: it shows the part against the bed; system: against the wheel head, whose
-             stiffness three places give too, with two it is the file's
-  --json     prints one JSON object
-  --check    exit status 4 when the model disagrees with the parts, or the data cannot tell
-             a parameter
-examples   writes the example projects into a folder, which is made if need be;
-           where one of them was edited there, nothing is written
-  --force    replaces those that were edited
-
-A file may hold several surfaces of a part that are ground in one set-up. simulate, remedies,
-optimize, batch, sweep, phases and measured take each in its order, or the one that --surface
-names, by its name or its number from 1; the wheel comes to it as the surfaces before have
-left it. A time limit holds for each surface.
-
-Sections of a plunge and parts of a batch are counted from 0, as in the file; in the window and
-its reports from 1.
-
-Exit status: 0 done; 1 the input is refused; 2 usage; 3 the cycle cannot reach size;
-4 a requirement fails (--check); 5 no cycle of the grid is feasible; 130 or 143 a batch,
-sweep or search for remedies ended by Ctrl+C or SIGTERM, or a decision on phases
-or parts between dressings.
-
-A batch on a cluster, here with Slurm: batch.sbatch in resources/help.
-)";
 
 /// The trace of a cycle: a second run, now that its size is known.
 int writeTrace(const SimulationResult& result, const std::string& name, const Options& options) {
@@ -286,7 +155,7 @@ int runExamples(const std::string& folder, bool force) {
 
 int run(const std::vector<std::string>& arguments) {
     if (arguments.size() == 1 && arguments[0] == "--help") {
-        print(stdout, helpText);
+        print(stdout, manual::helpText(manual::commandLineProgram()));
         return done;
     }
     if (arguments.size() == 1 && arguments[0] == "--version") {
@@ -301,10 +170,7 @@ int run(const std::vector<std::string>& arguments) {
         return failed;
     }
     const std::string& command = options.command;
-    if (command != "simulate" && command != "validate" && command != "remedies"
-        && command != "batch" && command != "batch-merge" && command != "sweep"
-        && command != "measured" && command != "phases" && command != "dressing"
-        && command != "examples") {
+    if (!manual::commandNamed(manual::commandLineProgram(), command)) {
         return usageError(command.empty() ? "a command is needed" : "unknown command " + command);
     }
     if (options.operand.empty()) {

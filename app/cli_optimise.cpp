@@ -4,6 +4,7 @@
 #include "app/cli_optimise_report.h"
 #include "app/io/cli_io.h"
 #include "app/io/cli_surfaces.h"
+#include "app/manual/command_line.h"
 #include "app/search_watch.h"
 #include "core/optimisation/search_names.h"
 #include "core/printable.h"
@@ -99,8 +100,13 @@ bool readValue(const std::string& option, const std::string& value, OptimiseOpti
 }
 
 int parseOptimise(const std::vector<std::string>& arguments, OptimiseOptions& options) {
+    const auto* known = manual::commandNamed(manual::commandLineProgram(), "optimize");
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string& argument = arguments[i];
+        const bool isOption = argument.size() > 1 && argument[0] == '-';
+        if (isOption && !manual::optionNamed(known->options, argument)) {
+            return usageError("unknown option " + argument);
+        }
         if (argument == "--json") {
             options.json = true;
         } else if (argument == "--robust") {
@@ -111,7 +117,7 @@ int parseOptimise(const std::vector<std::string>& arguments, OptimiseOptions& op
             if (++i == arguments.size() || !readValue(argument, arguments[i], options)) {
                 return usageError(argument + " needs " + value);
             }
-        } else if (argument.size() > 1 && argument[0] == '-') {
+        } else if (isOption) {
             return usageError("unknown option " + argument);
         } else if (options.file.empty()) {
             options.file = argument;

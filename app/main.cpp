@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/display_start.h"
 #include "app/export_command.h"
+#include "app/manual/help_text.h"
+#include "app/portable_folder.h"
 #include "app/report_command.h"
 #include "app/window_io.h"
 #include "core/printable.h"
@@ -42,65 +44,8 @@ constexpr int pictureTimeout_ms = 60'000;
 constexpr int pictureTick_ms = 200; ///< for queued replots and layouts two of them pass
 constexpr int pictureRound_ms = 30, calmRounds = 3, mostRounds = 100;
 
-constexpr const char* usageText =
-    "Usage: sparkout [FILE]\n"
-    "       sparkout --picture OUT.png [--lang en|ru] [--theme THEME] [--view VIEW]\n"
-    "                [--font-size PERCENT] [--stroke N] [--size WxH] [--surface NAME|N] FILE\n"
-    "       sparkout --report KIND -o OUT.pdf|OUT.html|OUT.md|OUT.odt [--lang en|ru]\n"
-    "                [--at STEP] [--views VIEWS] [--answers on|off] [--surface NAME|N] FILE\n"
-    "       sparkout --report KIND -d DIR [--format pdf|html|md|odt] [--force]\n"
-    "                [--lang en|ru] FILE…\n"
-    "       sparkout --export PART -o OUT.xlsx|OUT.csv|OUT.json [--lang en|ru]\n"
-    "                [--surface NAME|N] FILE\n"
-    "\n"
-    "Opens the workbench, with FILE or with an example.\n"
-    "\n"
-    "  --picture OUT.png  write a picture of the window with FILE and its result, show nothing\n"
-    "  --report KIND      write a report of FILE into OUT, show nothing; KIND is\n"
-    "%1"
-    "  --export PART      write results of FILE as tables into OUT, show nothing: all, inputs,\n"
-    "                     cycle, stages, zones, profiles, requirements or trace; or run its\n"
-    "                     batch, sweep or search and write that\n"
-    "  -o OUT             the file of the report or the tables; its ending says as what it is\n"
-    "                     written: .pdf, .html, .md (Markdown) or .odt; .xlsx, .csv (one table; "
-    "with\n"
-    "                     --lang ru semicolons and decimal commas, as Russian Excel has them) or\n"
-    "                     .json (all: the object of sparkout-cli simulate --json)\n"
-    "  --surface NAME|N   the surface of a file of several, by its name or its number from 1; "
-    "without\n"
-    "                     it operation card and sketch have all, the other reports need it\n"
-    "  -d DIR             the folder of many reports, each with the name of its FILE; progress "
-    "goes to\n"
-    "                     stderr, a file that is refused does not stop the others\n"
-    "  --format FORMAT    theirs: pdf, html, md or odt, pdf unless given\n"
-    "  --force            they may take the place of files that are there\n"
-    "  --at STEP          the step that a hand-out works out: double stroke (plunge: revolution),\n"
-    "                     zone or section, stage, step, revolution of it and radius, as far as\n"
-    "                     wanted, as in 12,nz,z1,e1,r1,k9; of those that fit the deepest cut;\n"
-    "                     z1 unless given\n"
-    "  --views VIEWS      figures of a hand-out: feeds, cycle, profiles, limits, grid,\n"
-    "                     with commas between; feeds,cycle,profiles unless given; none of them: "
-    "\"\"\n"
-    "  --answers on|off   whether a hand-out has the answers to its questions, on unless given\n"
-    "  --lang en|ru       language of the window, the report or the tables, this time only\n"
-    "  --theme THEME      system, light, dark or contrast, this time only\n"
-    "  --font-size N      of the system's, in per cent: 90, 100, 115 or 130, this time only\n"
-    "  --view VIEW        the view in front, by name (feeds) or number\n"
-    "  --stroke N         the cycle after N double strokes or revolutions, at its end unless "
-    "given\n"
-    "  --size WxH         size of the window, 1366x768 unless given\n"
-    "  --version          print the version\n"
-    "  --help             print this text\n"
-    "\n"
-    "Exit status: 0 done, 1 the file is refused or the output cannot be written, 2 wrong usage or\n"
-    "no display, 3 the cycle cannot reach size (report or tables are written), 5 no cycle of the\n"
-    "search is feasible (nothing is written), 130 ended by Ctrl+C (nothing is written). With -d it "
-    "is\n"
-    "the first of the files that is not 0, and what is written stays.\n"
-    "sparkout-cli does without a display.\n";
-
 QString usage() {
-    return QString::fromUtf8(usageText).arg(reportUsage());
+    return QString::fromStdString(manual::helpText(manual::windowProgram()));
 }
 
 struct Options {
@@ -120,6 +65,7 @@ struct Options {
     std::optional<int> stroke;
     QSize size{1366, 768};
     bool formatGiven = false; ///< by --format
+    bool portable = false;
     bool version = false;
     bool help = false;
     QString fault; ///< what is wrong with the command line
@@ -136,14 +82,19 @@ bool readSize(const QString& text, QSize& size) {
 
 void readOption(const QStringList& words, qsizetype& i, Options& options) {
     const QString& word = words[i];
-    if (word == u"--version") {
+    if (word != u"-h"
+        && !manual::optionNamed(manual::windowProgram().options, word.toStdString())) {
+        options.fault = QStringLiteral("unknown option: %1").arg(word);
+    } else if (word == u"--version") {
         options.version = true;
     } else if (word == u"--help" || word == u"-h") {
         options.help = true;
+    } else if (word == u"--portable") {
+        options.portable = true;
     } else if (word == u"--force") {
         options.many.force = true;
     } else if (i + 1 == words.size()) {
-        options.fault = QStringLiteral("unknown option, or its value is missing: %1").arg(word);
+        options.fault = QStringLiteral("the value of %1 is missing").arg(word);
     } else if (word == u"--picture") {
         options.picture = words[++i];
     } else if (word == u"--report") {
@@ -347,8 +298,12 @@ int makePicture(QApplication& app, MainWindow& window, const Options& options) {
     return app.exec();
 }
 
+Settings settingsFor(const Options& options) {
+    return options.portable ? Settings(PortableFolder::settingsFile()) : Settings();
+}
+
 int runWindow(QApplication& app, MainWindow& window, const Options& options) {
-    window.files().protect(userStateFolder());
+    window.files().protect(options.portable ? PortableFolder::stateFolder() : userStateFolder());
     window.show();
     openFirstExample(window.document());
     QTimer::singleShot(0, &window, [&] {
@@ -412,6 +367,7 @@ int main(int argc, char** argv) {
         return exitUsage;
     }
     passOverPlatformNotices();
+    PortableFolder::useItsFonts();
     int noArguments = 1; // the options are ours, Qt reads none of them
     std::optional<DisplayStart> display(std::in_place);
     QApplication app(noArguments, argv);
@@ -424,7 +380,11 @@ int main(int argc, char** argv) {
                               QSysInfo::prettyProductName()));
     QApplication::setApplicationName(QStringLiteral("sparkout"));
     QApplication::setApplicationVersion(QString::fromUtf8(version));
-    Settings settings = hidden ? Settings::transient() : Settings();
+    QGuiApplication::setDesktopFileName(QStringLiteral("org.sparkout.sparkout"));
+    if (options.portable && !PortableFolder::make()) {
+        return exitUsage;
+    }
+    Settings settings = hidden ? Settings::transient() : settingsFor(options);
     Language language;
     language.apply(options.language.isEmpty() ? settings.language() : options.language);
     applyTheme(themeFrom(options.theme.isEmpty() ? settings.theme() : options.theme));
@@ -434,7 +394,7 @@ int main(int argc, char** argv) {
         request.file = options.file;
         request.surface = options.surface;
         request.output = options.output;
-        request.company = Settings().company(); // else nothing of the user's is read
+        request.company = settingsFor(options).company(); // else nothing of the user's is read
         return options.many.folder.isEmpty() ? writeReport(request)
                                              : writeReports(request, options.many);
     }

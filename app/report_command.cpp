@@ -229,13 +229,4 @@ QString reportKeys() {
     return keys.join(QStringLiteral(", "));
 }
 
-QString reportUsage() {
-    QString kinds;
-    for (const report::KindRow& row : report::kinds()) {
-        kinds += QStringLiteral("                     %1: %2\n")
-                     .arg(QString::fromLatin1(row.key), QString::fromUtf8(row.description));
-    }
-    return kinds;
-}
-
 } // namespace sparkout

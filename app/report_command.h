@@ -39,8 +39,7 @@ struct ManyReports {
 };
 [[nodiscard]] int writeReports(const ReportRequest& request, const ManyReports& many);
 
-/// The keys of the kinds, "card, passport", and a line a kind that says what it is.
+/// The keys of the kinds, "card, passport".
 [[nodiscard]] QString reportKeys();
-[[nodiscard]] QString reportUsage();
 
 } // namespace sparkout

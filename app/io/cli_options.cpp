@@ -2,6 +2,7 @@
 #include "app/io/cli_options.h"
 
 #include "app/io/cli_io.h"
+#include "app/manual/command_line.h"
 #include "core/field.h"
 #include "core/project/batch.h"
 
@@ -208,6 +209,12 @@ int checkTogether(const Options& options) {
     return done;
 }
 
+/// Only what the manual has is an option.
+bool isOption(const std::string& command, const std::string& name) {
+    const auto* row = manual::commandNamed(manual::commandLineProgram(), command);
+    return row && manual::optionNamed(row->options, name);
+}
+
 } // namespace
 
 int parse(const std::vector<std::string>& arguments, Options& options) {
@@ -215,6 +222,9 @@ int parse(const std::vector<std::string>& arguments, Options& options) {
         const std::string& argument = arguments[i];
         if (options.command.empty()) {
             options.command = argument;
+        } else if (argument.size() > 1 && argument[0] == '-'
+                   && !isOption(options.command, argument)) {
+            return usageError("unknown option " + argument);
         } else if (const ValueOption* option = valueOption(options.command, argument)) {
             if (++i == arguments.size() || !option->read(arguments[i], options)) {
                 return usageError(argument + " needs " + option->needs);

@@ -70,18 +70,16 @@ Report makeSketch(const Subject& subject) {
 }
 
 constexpr std::array allKinds{
-    KindRow{Kind::card, "card", "the cycle card", QT_TRANSLATE_NOOP("ReportKind", "Cycle car&d"),
-            false, false, makeCard},
-    KindRow{Kind::passport, "passport", "the accuracy passport, with the batch",
-            QT_TRANSLATE_NOOP("ReportKind", "Accuracy &passport"), true, false, makePassport},
-    KindRow{Kind::handout, "handout", "the hand-out of a course, a step of the cycle worked out",
-            QT_TRANSLATE_NOOP("ReportKind", "Course &hand-out"), false, false, makeHandout},
+    KindRow{Kind::card, "card", QT_TRANSLATE_NOOP("ReportKind", "Cycle car&d"), false, false,
+            makeCard},
+    KindRow{Kind::passport, "passport", QT_TRANSLATE_NOOP("ReportKind", "Accuracy &passport"), true,
+            false, makePassport},
+    KindRow{Kind::handout, "handout", QT_TRANSLATE_NOOP("ReportKind", "Course &hand-out"), false,
+            false, makeHandout},
     KindRow{Kind::operationCard, "operation-card",
-            "the operation card in the form of the standard and its sketch sheet, with\n"
-            "                     every surface of the set-up",
             QT_TRANSLATE_NOOP("ReportKind", "&Operation card"), false, true, makeOperationCard},
-    KindRow{Kind::sketch, "sketch-sheet", "the sketch sheet of the operation, with every surface",
-            QT_TRANSLATE_NOOP("ReportKind", "S&ketch sheet"), false, true, makeSketch},
+    KindRow{Kind::sketch, "sketch-sheet", QT_TRANSLATE_NOOP("ReportKind", "S&ketch sheet"), false,
+            true, makeSketch},
 };
 
 } // namespace

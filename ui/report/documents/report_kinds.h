@@ -15,7 +15,7 @@
 #include <optional>
 #include <span>
 
-/// The kinds of reports, each described once: command line, menus and help go by this table.
+/// The kinds of reports, each described once: command line and menus go by this table.
 namespace sparkout::report {
 
 enum class Kind { card, passport, handout, operationCard, sketch };
@@ -51,11 +51,10 @@ struct Subject {
 
 struct KindRow {
     Kind kind;
-    const char* key;         ///< on the command line
-    const char* description; ///< there, in English
-    const char* menu;        ///< its menu, to be translated in the context ReportKind
-    bool takesBatch;         ///< it is about batches and wheels, where there are such
-    bool takesSetup;         ///< it is about all surfaces of a set-up
+    const char* key;  ///< on the command line, whose manual says what it is
+    const char* menu; ///< its menu, to be translated in the context ReportKind
+    bool takesBatch;  ///< it is about batches and wheels, where there are such
+    bool takesSetup;  ///< it is about all surfaces of a set-up
     Report (*make)(const Subject& subject);
 };
 

@@ -1,0 +1,493 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/manual/command_line.h"
+
+namespace sparkout::manual {
+
+namespace {
+
+constexpr Option json{
+    "--json", "", Kind::none, "", {"prints one JSON object", "печатает один объект JSON"}};
+constexpr Option surface{
+    "--surface",
+    "NAME|N|all",
+    Kind::anything,
+    "",
+    {"the surface of a file of several, by its name or its number from 1, or all",
+     "поверхность файла нескольких поверхностей, по имени или по номеру (с 1), или "
+     "all — все"}};
+constexpr Option threads{"--threads",
+                         "N",
+                         Kind::anything,
+                         "",
+                         {"threads, instead of one a processor; the answer is the same",
+                          "число потоков вместо одного на процессор; ответ тот же"}};
+constexpr Option progress{"--progress",
+                          "",
+                          Kind::none,
+                          "",
+                          {"tells the progress on stderr, also when that is no terminal",
+                           "печатает ход расчёта в stderr, даже если это не терминал"}};
+
+Option csv(Text text) {
+    return {"--csv", "", Kind::none, "", text};
+}
+
+Option check(Text text) {
+    return {"--check", "", Kind::none, "", text};
+}
+
+Command simulateCommand() {
+    return {"simulate",
+            Kind::project,
+            {"runs the cycle of a project file", "рассчитывает цикл файла проекта"},
+            {surface,
+             json,
+             check({"exit status 4 when a requirement fails",
+                    "код завершения 4, если требование нарушено"}),
+             {"--trace",
+              "OUT.csv",
+              Kind::file,
+              "",
+              {"writes a row for every visit of a radius",
+               "пишет строку на каждое прохождение радиуса под кругом"}}}};
+}
+
+Command remediesCommand() {
+    return {
+        "remedies",
+        Kind::project,
+        {"finds changes of one setting after which a cycle that fails holds everything, or one "
+         "that is close to a limit has room: up to three, each run, the quickest first; where "
+         "none of the values tried helps, why, with the requirements that fail",
+         "находит изменения одной настройки, при которых выполнены все требования нарушавшего их "
+         "цикла либо у цикла, близкого к пределу, появляется запас: до трёх, каждое рассчитано, "
+         "сначала самое быстрое; если при проверенных значениях не помогает ни одно — почему, с "
+         "нарушенными требованиями"},
+        {surface, json}};
+}
+
+Command optimizeCommand() {
+    return {
+        "optimize",
+        Kind::project,
+        {"finds the quickest cycle of the file's grid that holds every requirement",
+         "находит самый быстрый цикл сетки файла, при котором выполнены все требования"},
+        {surface,
+         {"--robust",
+          "",
+          Kind::none,
+          "",
+          {"it must hold for every stock within half an infeed of the stated one, which is decided "
+           "under gauge control; under position control it is tried on 500 of them drawn afresh, "
+           "with "
+           "the confidence stated; a file whose optimisation says scenarios corners or batch is "
+           "searched for those without it",
+           "цикл должен годиться при всех припусках в пределах половины подачи от заданного: при "
+           "управлении от прибора это решается точно, при управлении по положению проверяется на "
+           "500 "
+           "случайных припусках с указанием доверительной вероятности; файл, в котором для поиска "
+           "заданы сценарии corners или batch, рассчитывается для них и без этого параметра"}},
+         {"--refine",
+          "",
+          Kind::none,
+          "",
+          {"from the grid's best on between its levels, in the machine's steps: a quicker cycle "
+           "that "
+           "holds, if one is met; it is not proved",
+           "ищет дальше от лучшего цикла сетки, между её уровнями, шагами станка: более быстрый "
+           "годный цикл, если встретится; он не доказан"}},
+         {"--method",
+          "search|full|dp|labels",
+          Kind::choice,
+          "search full dp labels",
+          {"search: proves the answer from few runs; full: runs every cycle; for plunge grinding "
+           "also "
+           "two heuristics, which prove nothing and may find no cycle where there is one: dp, the "
+           "dynamic programming that was published, and labels, which keeps more ways to each "
+           "stock "
+           "level",
+           "search: доказывает ответ немногими расчётами; full: рассчитывает все циклы; для "
+           "врезного "
+           "шлифования ещё две эвристики, которые ничего не доказывают и могут не найти "
+           "существующего цикла: dp — опубликованное динамическое программирование, labels — "
+           "больше "
+           "путей к каждому уровню припуска"}},
+         {"--stages",
+          "N,…",
+          Kind::anything,
+          "",
+          {"numbers of stages to try, instead of the file's",
+           "проверяемые числа ступеней вместо заданных в файле"}},
+         {"--time-limit",
+          "S",
+          Kind::anything,
+          "",
+          {"ends search and refinement after so many seconds, as Ctrl+C does: the best so far "
+           "stays, "
+           "with the time that no cycle is quicker than",
+           "прекращает поиск и уточнение через столько секунд, как Ctrl+C: остаётся лучшее из "
+           "найденного и время, быстрее которого цикла нет"}},
+         {"--threads",
+          "N",
+          Kind::anything,
+          "",
+          {"of the full search, instead of one a processor; the answer is the same",
+           "число потоков полного поиска вместо одного на процессор; ответ тот же"}},
+         json,
+         {"-o",
+          "OUT.sparkout",
+          Kind::project,
+          "",
+          {"writes the project with the cycle found", "записывает проект с найденным циклом"}}}};
+}
+
+Command validateCommand() {
+    return {
+        "validate",
+        Kind::project,
+        {"checks a project file: one line a fault", "проверяет файл проекта: по строке на ошибку"},
+        {}};
+}
+
+std::vector<Option> batchOptions() {
+    return {
+        surface,
+        {"--parts",
+         "N",
+         Kind::anything,
+         "",
+         {"parts, instead of the file's", "число деталей вместо заданного в файле"}},
+        {"--seed",
+         "S",
+         Kind::anything,
+         "",
+         {"seed, instead of the file's", "начальное число вместо заданного в файле"}},
+        {"--scenarios",
+         "HOW",
+         Kind::choice,
+         "corners latin_hypercube sobol random",
+         {"corners, latin_hypercube, sobol or random, instead of the file's",
+          "способ выборки вместо заданного в файле: corners, latin_hypercube, sobol или random"}},
+        {"--measured",
+         "BLANKS.csv",
+         Kind::file,
+         "",
+         {"CSV whose columns are headed by factors (stock_mm, initial_runout_mm, …): their values "
+          "take the place of the file's laws",
+          "CSV со столбцами факторов (stock_mm, initial_runout_mm, …): их значения вместо законов "
+          "распределения файла"}},
+        {"--until-width",
+         "W",
+         Kind::anything,
+         "",
+         {"ends as soon as every 95 % interval of a mean is W µm wide at most",
+          "заканчивает, когда каждый интервал 95 % среднего не шире W мкм"}},
+        {"--sensitivity",
+         "N",
+         Kind::anything,
+         "",
+         {"Sobol indices, from N·(factors + 2) parts more",
+          "индексы Соболя, ещё по N·(факторов + 2) деталям"}},
+        threads,
+        {"--rows",
+         "OUT.csv",
+         Kind::file,
+         "",
+         {"writes a row for every part: its factors, every quantity, every requirement held or "
+          "not; "
+          "the same for any number of threads, and no file at all when it is ended by Ctrl+C",
+          "пишет строку на деталь: её факторы, все величины, выполнено ли каждое требование; "
+          "одинаково при любом числе потоков; если прервано Ctrl+C, файла нет"}},
+        {"--force",
+         "",
+         Kind::none,
+         "",
+         {"--rows may take the place of a file", "--rows может заменить существующий файл"}},
+        {"--shard",
+         "I/N",
+         Kind::anything,
+         "",
+         {"runs the I-th of N shards and prints it for batch-merge",
+          "рассчитывает I-ю из N частей и печатает её для batch-merge"}},
+        json,
+        csv({"prints a row for every characteristic", "печатает строку на каждую характеристику"}),
+        check({"exit status 4 when a part fails a requirement",
+               "код завершения 4, если требование нарушено у какой-либо детали"}),
+        progress};
+}
+
+Command batchCommand() {
+    return {
+        "batch",
+        Kind::project,
+        {"runs the batch of a project file: its parts differ by the factors given there. Ctrl+C "
+         "ends it; what is done until then is evaluated and printed",
+         "рассчитывает партию файла проекта: детали отличаются заданными в нём факторами. Ctrl+C "
+         "прерывает расчёт, сделанное оценивается и печатается"},
+        batchOptions()};
+}
+
+Command mergeCommand() {
+    return {
+        "batch-merge",
+        Kind::file,
+        {"joins the shards of a batch: the answer is that of one run; a changed, missing, doubled "
+         "or foreign shard is named and refused. For a cluster with Slurm there is batch.sbatch",
+         "соединяет части партии: ответ тот же, что у одного расчёта; изменённая, недостающая, "
+         "повторная или чужая часть называется и отклоняется. Для кластера со Slurm есть "
+         "batch.sbatch"},
+        {json,
+         csv({"prints a row for every characteristic", "печатает строку на каждую характеристику"}),
+         check({"exit status 4 when a part fails a requirement",
+                "код завершения 4, если требование нарушено у какой-либо детали"})}};
+}
+
+Command sweepCommand() {
+    return {"sweep",
+            Kind::project,
+            {"runs the sweep of a project file: one or two inputs varied over their ranges",
+             "рассчитывает варьирование файла проекта: одна или две величины меняются в своих "
+             "диапазонах"},
+            {surface, threads, json,
+             csv({"prints a row for every point", "печатает строку на каждую точку"}), progress}};
+}
+
+Command phasesCommand() {
+    return {
+        "phases",
+        Kind::project,
+        {"decides for which stocks of the blank the cycle holds every requirement, under gauge "
+         "control: where the last step of a stage falls changes with the stock, and the size "
+         "with it. Every stock of the range is decided, none is sampled",
+         "решает, при каких припусках заготовки цикл выдерживает все требования при управлении "
+         "от прибора: от припуска зависит, куда придётся последний шаг ступени, а от него "
+         "размер. Решено о каждом припуске диапазона, выборки нет"},
+        {surface,
+         {"--from",
+          "MM",
+          Kind::anything,
+          "",
+          {"least stock per side in mm, instead of the file's less half the largest infeed of a "
+           "stage",
+           "наименьший припуск на сторону в мм вместо припуска файла за вычетом половины "
+           "наибольшей подачи за шаг"}},
+         {"--to",
+          "MM",
+          Kind::anything,
+          "",
+          {"largest stock per side in mm, instead of the file's plus half the largest infeed of "
+           "a stage",
+           "наибольший припуск на сторону в мм вместо припуска файла с прибавлением половины "
+           "наибольшей подачи за шаг"}},
+         json,
+         check({"exit status 4 when it fails for a stock",
+                "код завершения 4, если цикл не годен хотя бы при одном припуске"})}};
+}
+
+Command dressingCommand() {
+    return {"dressing",
+            Kind::project,
+            {"runs part after part with the wheel as those before have left it, by the wear in the "
+             "file, until the first that does not hold: the parts between two dressings. With the "
+             "rates of optimisation/cost also after how many dressing is quickest and cheapest",
+             "рассчитывает деталь за деталью с кругом, каким его оставили предыдущие по износу из "
+             "файла, до первой негодной: число деталей между двумя правками. Если задана "
+             "optimisation/cost, также через сколько деталей правка выгоднее всего по времени и по "
+             "стоимости"},
+            {{"--scenarios",
+              "HOW",
+              Kind::choice,
+              "corners latin_hypercube sobol random",
+              {"each part must hold for the parts of the surface's batch too, chosen by corners, "
+               "latin_hypercube, sobol or random",
+               "каждая деталь должна быть годна и для деталей партии поверхности, выбранных как "
+               "corners, latin_hypercube, sobol или random"}},
+             json,
+             check({"exit status 4 when no part holds",
+                    "код завершения 4, если не годна ни одна деталь"}),
+             progress}};
+}
+
+std::vector<Option> measuredOptions() {
+    return {
+        surface,
+        {"--data",
+         "TABLE.csv",
+         Kind::file,
+         "",
+         {"reads a table of parts or traces, too: a CSV file in either dialect whose headings name "
+          "quantities and units (\"Diameter, mm\", \"Диаметр, мм\", \"t, s\", \"P [kW]\"), or "
+          "lines "
+          "time|key|value",
+          "читает ещё и таблицу деталей или записей: CSV любого диалекта, заголовки которого "
+          "называют величины и единицы («Diameter, mm», «Диаметр, мм», «t, s», «P [kW]»), или "
+          "строки "
+          "time|key|value"}},
+        {"--fit",
+         "PARAMETER,…",
+         Kind::anything,
+         "",
+         {"finds parameters from the traces and diameters: alpha, beta, compliance (of all, or "
+          "compliance:N of one zone or section), flow_stress, dullness, chip_power, "
+          "friction_power, "
+          "idle_power, size_offset, time_shift, blank_runout; names what the data cannot tell and "
+          "what to measure",
+          "находит параметры по записям и диаметрам: alpha, beta, compliance (всех мест или "
+          "compliance:N одной зоны или сечения), flow_stress, dullness, chip_power, "
+          "friction_power, "
+          "idle_power, size_offset, time_shift, blank_runout; называет то, чего по данным "
+          "определить "
+          "нельзя, и что измерить"}},
+        {"--roundness",
+         "",
+         Kind::none,
+         "",
+         {"instead: the form of each zone or section after the cycle as a roundness machine states "
+          "it, about the four reference circles, not filtered and after the Gaussian filter of ISO "
+          "16610-21 at 15, 50 and 150 undulations per revolution",
+          "вместо этого: форма каждой зоны или сечения после цикла, как её указывает кругломер, "
+          "относительно четырёх базовых окружностей, без фильтра и после фильтра Гаусса по ISO "
+          "16610-21 с границей 15, 50 и 150 волн на оборот"}},
+        {"--profile",
+         "TABLE.csv",
+         Kind::file,
+         "",
+         {"the same of a recorded section beside it: a table of angle [°] and radius [mm], or of "
+          "deviations where the heading names µm",
+          "то же для записанного сечения: таблица угла [°] и радиуса [мм] или отклонений, если в "
+          "заголовке указаны мкм"}},
+        {"--trial",
+         "PARAMETER,…",
+         Kind::anything,
+         "",
+         {"instead: which short trial of 24 tells these parameters best, by feed, spark-out and "
+          "what "
+          "is recorded, with the 95 % intervals to expect",
+          "вместо этого: какой из 24 коротких опытов лучше определяет эти параметры, по подаче, "
+          "выхаживанию и записываемым величинам, с ожидаемыми интервалами 95 %"}},
+        {"--stiffness-sheet",
+         "",
+         Kind::none,
+         "",
+         {"instead: the steps, places and load of a stiffness trial",
+          "вместо этого: порядок, места и нагрузка опыта на жёсткость"}},
+        {"--stiffness",
+         "TABLE.csv",
+         Kind::file,
+         "",
+         {"instead: stiffness of headstock and tailstock from a table of place [mm], load [N] and "
+          "deflection [µm]",
+          "вместо этого: жёсткость передней и задней бабки по таблице мест [мм], нагрузок [Н] и "
+          "отжатий [мкм]"}},
+        {"--indicator",
+         "part|system",
+         Kind::choice,
+         "part system",
+         {"part: it shows the part against the bed; system: against the wheel head, whose "
+          "stiffness "
+          "three places give too, with two it is the file's",
+          "part: индикатор показывает деталь относительно станины; system: относительно "
+          "шлифовальной бабки, жёсткость которой дают три места, при двух она берётся из файла"}},
+        json,
+        check({"exit status 4 when the model disagrees with the parts, or the data cannot tell a "
+               "parameter",
+               "код завершения 4, если модель не согласуется с деталями или данные не определяют "
+               "параметр"}),
+        progress};
+}
+
+Command measuredCommand() {
+    return {
+        "measured",
+        Kind::project,
+        {"holds what was measured, in the file's section measured, against the predicted batch: "
+         "for each zone or section and quantity the mean with its 95 % interval, the predicted "
+         "range, Fisher's ratio of the variances, the share of the parts inside",
+         "сравнивает измеренное (раздел файла measured) с партией, которую прогнозирует модель: "
+         "для каждой зоны или сечения и каждой величины — среднее с интервалом 95 %, диапазон "
+         "прогноза, отношение дисперсий Фишера, доля деталей в этом диапазоне"},
+        measuredOptions()};
+}
+
+Command examplesCommand() {
+    return {
+        "examples",
+        Kind::folder,
+        {"writes the example projects into a folder, which is made if need be; where one of them "
+         "was edited there, nothing is written",
+         "записывает проекты-примеры в папку, создавая её при необходимости; если какой-либо из "
+         "них там изменён, ничего не записывается"},
+        {{"--force",
+          "",
+          Kind::none,
+          "",
+          {"replaces those that were edited", "заменяет изменённые"}}}};
+}
+
+} // namespace
+
+const Program& commandLineProgram() {
+    static const Program program{
+        "sparkout-cli",
+        {"cylindrical grinding cycles, computed pass by pass",
+         "расчёт циклов круглого шлифования по проходам"},
+        {"simulate FILE [--surface NAME|N|all] [--json] [--check] [--trace OUT.csv]",
+         "remedies FILE [--surface NAME|N|all] [--json]",
+         "optimize FILE [--surface NAME|N|all] [--robust] [--refine]\n"
+         "[--method search|full|dp|labels] [--stages N,…]\n"
+         "[--time-limit S] [--threads N] [--json] [-o OUT.sparkout]",
+         "validate FILE",
+         "batch FILE [--surface NAME|N|all] [option…] [--shard I/N | --json | --csv]",
+         "batch-merge SHARD… [--json | --csv] [--check]",
+         "sweep FILE [--surface NAME|N|all] [--threads N] [--json | --csv] [--progress]",
+         "phases FILE [--surface NAME|N|all] [--from MM] [--to MM] [--json] [--check]",
+         "dressing FILE [--scenarios HOW] [--json] [--check] [--progress]",
+         "measured FILE [--surface NAME|N|all] [--data TABLE.csv] [--fit PARAMETER,…]\n"
+         "[--json] [--check] [--progress]",
+         "measured FILE [--surface NAME|N|all] [--json] --roundness [--profile TABLE.csv]\n"
+         "| --trial PARAMETER,… | --stiffness-sheet\n"
+         "| --stiffness TABLE.csv [--indicator part|system]",
+         "examples DIR [--force]", "--version | --help"},
+        {"Computes without a window: for scripts, long batches and computers without a display. It "
+         "reads the project files of the window and gives the same numbers, digit for digit.",
+         "Считает без окна: для сценариев, больших партий и компьютеров без экрана. Читает файлы "
+         "проектов окна и даёт те же числа, до последнего знака."},
+        {{"--version", "", Kind::none, "", {"prints the version", "печатает версию"}},
+         {"--help", "", Kind::none, "", {"prints this text", "печатает список параметров"}}},
+        {simulateCommand(), remediesCommand(), optimizeCommand(), validateCommand(), batchCommand(),
+         mergeCommand(), sweepCommand(), phasesCommand(), dressingCommand(), measuredCommand(), examplesCommand()},
+        {{"A file may hold several surfaces of a part that are ground in one set-up. simulate, "
+          "remedies, optimize, batch, sweep, phases and measured take each in its order, or the "
+          "one "
+          "that --surface names; the wheel comes to it as the surfaces before have left it. A time "
+          "limit holds for each surface.",
+          "Файл может содержать несколько поверхностей детали, шлифуемых за один установ. "
+          "simulate, "
+          "remedies, optimize, batch, sweep, phases и measured берут их все по порядку или ту, что "
+          "названа в --surface; круг приходит к ней таким, каким его оставили предыдущие. Предел "
+          "времени действует для каждой поверхности."},
+         {"Sections of a plunge and parts of a batch are counted from 0, as in the file; in the "
+          "window "
+          "and its reports from 1.",
+          "Сечения при врезном шлифовании и детали партии считаются с 0, как в файле; в окне и его "
+          "отчётах — с 1."},
+         {"A batch on a cluster, here with Slurm: batch.sbatch, beside the examples of the "
+          "installation and in resources/help of the source.",
+          "Партия на кластере со Slurm: batch.sbatch, рядом с примерами установленной программы и "
+          "в "
+          "resources/help исходного кода."}},
+        {{"0", {"done", "выполнено"}},
+         {"1", {"the input is refused", "исходные данные не приняты"}},
+         {"2", {"wrong usage", "неверный вызов"}},
+         {"3", {"the cycle cannot reach size", "цикл не выходит на размер"}},
+         {"4", {"a requirement fails (--check)", "требование нарушено (--check)"}},
+         {"5", {"no cycle of the grid is feasible", "подходящего цикла в сетке нет"}},
+         {"130, 143",
+          {"a batch, sweep or search for remedies ended by Ctrl+C or SIGTERM, or a decision on "
+           "phases, or parts between dressings",
+           "партия, варьирование, поиск исправлений, решение о припусках или расчёт деталей между "
+           "правками прерваны Ctrl+C или SIGTERM"}}}};
+    return program;
+}
+
+} // namespace sparkout::manual

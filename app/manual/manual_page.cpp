@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/manual/manual_page.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+namespace sparkout::manual {
+
+namespace {
+
+constexpr Text nameHead{"NAME", "ИМЯ"}, synopsisHead{"SYNOPSIS", "ОБЗОР"},
+    descriptionHead{"DESCRIPTION", "ОПИСАНИЕ"}, commandsHead{"COMMANDS", "КОМАНДЫ"},
+    optionsHead{"OPTIONS", "ПАРАМЕТРЫ"}, notesHead{"NOTES", "ЗАМЕЧАНИЯ"},
+    statusHead{"EXIT STATUS", "КОД ЗАВЕРШЕНИЯ"}, seeHead{"SEE ALSO", "СМ. ТАКЖЕ"},
+    manualName{"User Commands", "Пользовательские команды"};
+
+/// As text: what roff would take for a request or an escape is none.
+std::string roff(std::string_view text) {
+    std::string all;
+    bool begins = true;
+    for (const char c : text) {
+        if (begins && (c == '.' || c == '\'')) {
+            all += "\\&";
+        }
+        all += c == '-' ? "\\-" : c == '\\' ? "\\e" : std::string(1, c);
+        begins = c == '\n';
+    }
+    return all;
+}
+
+std::string head(const Text& text, Tongue tongue) {
+    return std::string(".SH \"") + text.in(tongue) + "\"\n";
+}
+
+std::string entry(const std::string& term, const char* text) {
+    return ".TP\n" + term + '\n' + roff(text) + '\n';
+}
+
+std::string entryOf(const Option& option, Tongue tongue) {
+    std::string term = "\\fB" + roff(option.name) + "\\fR";
+    if (*option.value != '\0') {
+        term += " \\fI" + roff(option.value) + "\\fR";
+    }
+    return entry(term, option.text.in(tongue));
+}
+
+std::string commandsOf(const Program& program, Tongue tongue) {
+    std::string all;
+    for (const Command& command : program.commands) {
+        all += ".SS " + roff(command.name) + '\n' + roff(command.text.in(tongue)) + '\n';
+        for (const Option& option : command.options) {
+            all += entryOf(option, tongue);
+        }
+    }
+    return all;
+}
+
+/// The other program.
+std::string seeAlso(const Program& program) {
+    const Program& other = &program == &windowProgram() ? commandLineProgram() : windowProgram();
+    return "\\fB" + roff(other.name) + "\\fR(1)\n";
+}
+
+} // namespace
+
+std::string manualPage(const Program& program, Tongue tongue, const std::string& version) {
+    std::string title = program.name;
+    std::ranges::transform(title, title.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    std::string all = ".\\\" Written from the table of the program's options (app/manual).\n";
+    all += ".TH " + roff(title) + " 1 \"\" \"Sparkout " + version + "\" \"" + manualName.in(tongue)
+           + "\"\n";
+    all += head(nameHead, tongue) + roff(program.name) + " \\- " + roff(program.purpose.in(tongue))
+           + '\n';
+    all += head(synopsisHead, tongue) + ".nf\n";
+    for (const char* line : program.synopsis) {
+        all += "\\fB" + roff(program.name) + "\\fR " + roff(line) + '\n';
+    }
+    all += ".fi\n" + head(descriptionHead, tongue) + roff(program.description.in(tongue)) + '\n';
+    if (!program.commands.empty()) {
+        all += head(commandsHead, tongue) + commandsOf(program, tongue);
+    }
+    all += head(optionsHead, tongue);
+    for (const Option& option : program.options) {
+        all += entryOf(option, tongue);
+    }
+    all += head(notesHead, tongue);
+    for (const Text& note : program.notes) {
+        all += roff(note.in(tongue)) + "\n.PP\n";
+    }
+    all.erase(all.size() - 4); // no paragraph follows the last one
+    all += head(statusHead, tongue);
+    for (const Status& status : program.statuses) {
+        all += entry(std::string("\\fB") + status.codes + "\\fR", status.text.in(tongue));
+    }
+    return all + head(seeHead, tongue) + seeAlso(program);
+}
+
+} // namespace sparkout::manual

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/portable_folder.h"
+
+#include "app/window_io.h"
+#include "ui/text/texts.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+namespace sparkout {
+
+namespace {
+
+/// There is no application object yet that would know.
+QString programFolder() {
+    return QFileInfo(QFile::symLinkTarget(QStringLiteral("/proc/self/exe"))).absolutePath();
+}
+
+QString ownFolder() {
+    return programFolder() + QStringLiteral("/settings");
+}
+
+} // namespace
+
+void PortableFolder::useItsFonts() {
+    const QString fonts = programFolder() + QStringLiteral("/fonts/fonts.conf");
+    if (qEnvironmentVariableIsEmpty("FONTCONFIG_FILE") && QFileInfo::exists(fonts)) {
+        qputenv("FONTCONFIG_FILE", QFile::encodeName(fonts));
+    }
+}
+
+QString PortableFolder::settingsFile() {
+    return ownFolder() + QStringLiteral("/settings.json");
+}
+
+QString PortableFolder::stateFolder() {
+    return ownFolder() + QStringLiteral("/state");
+}
+
+bool PortableFolder::make() {
+    if (QDir().mkpath(ownFolder()) && QFileInfo(ownFolder()).isWritable()) {
+        return true;
+    }
+    say(stderr, QStringLiteral("sparkout: --portable: %1 cannot be written")
+                    .arg(printableText(ownFolder())));
+    return false;
+}
+
+} // namespace sparkout
