@@ -5583,6 +5583,18 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Lowest and highest factor on the compliance of each zone or section, in their order; each scatters by itself, evenly. Twice the same is a constant.</source>
             <translation>Наименьший и наибольший множитель податливости каждой зоны или сечения, по порядку; каждый рассеивается сам по себе, равномерно. Два одинаковых числа — постоянная.</translation>
         </message>
+        <message>
+            <source>Largest margin within a time</source>
+            <translation>Наибольший запас за время</translation>
+        </message>
+        <message>
+            <source>the least time is searched</source>
+            <translation>ищется наименьшее время</translation>
+        </message>
+        <message>
+            <source>The search then answers the cycle farthest from its limits whose machining time is at most that: the one with the largest least margin of all requirements, each as a share of its limit.</source>
+            <translation>Тогда поиск находит цикл с основным временем не больше заданного, который дальше всех от пределов: его наименьший запас по всем требованиям, каждый в долях своего предела, наибольший.</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>
