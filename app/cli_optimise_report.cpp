@@ -324,6 +324,18 @@ ordered_json edgesJson(const GridSearchReport& report) {
     return edges;
 }
 
+ordered_json limitBoundsJson(const SteplessLimit& limit) {
+    ordered_json bounds = ordered_json::array();
+    for (const LimitPiece& piece : limit.pieces) {
+        bounds.push_back({{"from_mm", piece.from_mm},
+                          {"to_mm", piece.to_mm},
+                          {"bound", limitBoundKey(piece.bound, piece.kind)},
+                          {"cut_mm", piece.cut_mm},
+                          {"time_min", minutes(piece.time_s)}});
+    }
+    return bounds;
+}
+
 } // namespace
 
 std::string optimiseText(const GridSearchReport& report) {
@@ -370,6 +382,8 @@ std::string optimiseJson(const GridSearchReport& report) {
     root["cost_per_part"] = nullptr;
     root["evaluations"] = report.robust ? report.robust->evaluations : search.evaluations;
     root["limit_time_min"] = minutes(report.limit_s);
+    root["limit_by"] = limitByKey(report.limit.by);
+    root["limit_bounds"] = limitBoundsJson(report.limit);
     root["gap"] = nullptr;
     root["binding"] = bindingJson(report);
     root["scenarios_added"] = report.robust ? report.robust->added.size() : 0;

@@ -4,7 +4,6 @@
 #include "core/batch/batch_check.h"
 #include "core/optimisation/binding.h"
 #include "core/optimisation/grace_stop.h"
-#include "core/optimisation/limit.h"
 #include "core/project/cycle.h"
 #include "core/project/optimisation.h"
 #include "core/project/validate.h"
@@ -26,7 +25,8 @@ const std::vector<Project>& scenariosAdded(const GridSearchReport& report) {
 /// The limit, and what binds the best of the grid.
 void aboutTheBest(GridSearchReport& report, const std::stop_token& stop) {
     const GraceStop grace(stop);
-    report.limit_s = steplessLimit_s(report.searched, grace.token());
+    report.limit = steplessLimitBounds(report.searched, grace.token());
+    report.limit_s = report.limit.time_s;
     if (report.search.status == SearchStatus::stopped || isHeuristic(report.method)
         || report.marginWithin_us) { // no cycle at all is quicker than that
         report.search.bound_s = std::max(report.search.bound_s, report.limit_s);

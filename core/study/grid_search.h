@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/issue.h"
+#include "core/optimisation/limit.h"
 #include "core/optimisation/optimise.h"
 #include "core/optimisation/refine.h"
 #include "core/optimisation/robust.h"
@@ -48,7 +49,8 @@ struct GridSearchReport {
     SearchSummary search;
     std::optional<RobustSummary> robust; ///< of which the search is the last
     std::optional<RefineSummary> refined;
-    double limit_s = 0; ///< stepless
+    double limit_s = 0;  ///< stepless
+    SteplessLimit limit; ///< the same, with what makes it
     /// What keeps the answer from being quicker, or of its margin from being greater; nothing: not
     /// known, or no cycle.
     std::optional<std::vector<ConstraintKind>> binding;

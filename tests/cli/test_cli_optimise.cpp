@@ -356,6 +356,29 @@ private slots:
         QVERIFY(optimize({following}).out.find("around the answer") != std::string::npos);
     }
 
+    /// The limit says what makes it: stretches of the stock, from the deepest on, whose shares of
+    /// the time add up to it.
+    void theLimitNamesWhatBindsWhere() {
+        for (const json& file : {shaft(), softShaft()}) {
+            const json answer =
+                json::parse(optimize({save("bounds.sparkout", file), "--json"}).out);
+            const std::string by = answer.at("limit_by");
+            QVERIFY(by == "steps" || by == "rates" || by == "passes");
+            const json& bounds = answer.at("limit_bounds");
+            QVERIFY(!bounds.empty());
+            double sum_min = 0;
+            for (std::size_t i = 0; i < bounds.size(); ++i) {
+                QVERIFY(bounds[i].at("from_mm") > bounds[i].at("to_mm"));
+                QVERIFY(i == 0 || bounds[i].at("from_mm") == bounds[i - 1].at("to_mm"));
+                QVERIFY(i == 0 || bounds[i].at("bound") != bounds[i - 1].at("bound"));
+                QVERIFY(bounds[i].at("cut_mm") > 0);
+                sum_min += bounds[i].at("time_min").get<double>();
+            }
+            const double limit_min = answer.at("limit_time_min");
+            QVERIFY(std::abs(sum_min - limit_min) < 1e-9 * limit_min);
+        }
+    }
+
     /// The largest margin within a time: no smaller than that of the quickest, and proved.
     void theLargestMarginWithinATimeIsAskedForByTheFile() {
         json file = shaft();
