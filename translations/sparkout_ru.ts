@@ -12842,10 +12842,6 @@ target, µm</source>
             <translation>Добавить типовой поиск</translation>
         </message>
         <message>
-            <source>Levels of each feed over the machine&apos;s range, which follow the answer, and steps of stock</source>
-            <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, и шаги припуска</translation>
-        </message>
-        <message>
             <source>The mass by the steps of the shaft</source>
             <translation>Масса по ступеням вала</translation>
         </message>
@@ -12860,6 +12856,10 @@ target, µm</source>
         <message>
             <source>Without chamfers, keyways and bores; the drawing&apos;s mass goes before it</source>
             <translation>Без фасок, пазов и отверстий; масса по чертежу важнее</translation>
+        </message>
+        <message>
+            <source>Levels of each feed over the machine&apos;s range, which follow the answer, steps of stock, and the usual least overlap and steps of a stage where none are given</source>
+            <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, шаги припуска и, если не заданы, обычные наименьшие перекрытие и число шагов ступени</translation>
         </message>
     </context>
     <context>
@@ -12989,10 +12989,6 @@ target, µm</source>
             <translation>Добавить типовой поиск</translation>
         </message>
         <message>
-            <source>Levels of each feed over the machine&apos;s range, which follow the answer, and steps of stock; can be undone and changed on the page Search</source>
-            <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, и шаги припуска; можно отменить и изменить на странице «Поиск»</translation>
-        </message>
-        <message>
             <source>Between levels</source>
             <translation>Между уровнями</translation>
         </message>
@@ -13011,6 +13007,10 @@ target, µm</source>
         <message>
             <source>Grid of dynamic programming</source>
             <translation>Сетка динамического программирования</translation>
+        </message>
+        <message>
+            <source>Levels of each feed over the machine&apos;s range, which follow the answer, steps of stock, and the usual least overlap and steps of a stage where none are given; can be undone and changed on the pages Search and Cycle</source>
+            <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, шаги припуска и, если не заданы, обычные наименьшие перекрытие и число шагов ступени; можно отменить и изменить на страницах «Поиск» и «Цикл»</translation>
         </message>
     </context>
     <context>

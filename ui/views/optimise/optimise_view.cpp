@@ -102,7 +102,7 @@ void OptimiseView::connectParts() {
         // The view is of the inputs that were accepted last; those of now may have a grid.
         emit editWanted(
             [](Project project) {
-                return project.optimisation ? project : withUsualSearch(std::move(project));
+                return project.optimisation ? project : withOfferedSearch(std::move(project));
             },
             {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a search")});
     });
@@ -464,8 +464,9 @@ void OptimiseView::nameButtons() {
                   "steps: every cycle is run in full, but that none is quicker is not proved"));
     tellButton(
         *m_add, tr("Add a usual search"),
-        tr("Levels of each feed over the machine's range, which follow the answer, and steps of "
-           "stock; can be undone and changed on the page Search"));
+        tr("Levels of each feed over the machine's range, which follow the answer, steps of "
+           "stock, and the usual least overlap and steps of a stage where none are given; can be "
+           "undone and changed on the pages Search and Cycle"));
 }
 
 } // namespace sparkout

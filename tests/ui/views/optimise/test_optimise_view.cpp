@@ -347,7 +347,9 @@ private slots:
         QVERIFY(!desk.part<QPushButton>("optimiseRun").isEnabled());
         desk.click("optimiseAdd");
         desk.bench.settle();
-        QVERIFY(desk.project().optimisation.has_value());
+        QVERIFY(desk.project().optimisation->non_increasing);
+        QVERIFY(desk.project().least_overlap && desk.project().least_overlap_last
+                && desk.project().least_steps);
         QTRY_VERIFY(desk.part<QPushButton>("optimiseRun").isEnabled());
         QVERIFY(!desk.part<QPushButton>("optimiseAdd").isVisible());
     }
