@@ -10914,6 +10914,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Stock left after the cut, µm</source>
             <translation>Оставшийся припуск после прохода, мкм</translation>
         </message>
+        <message>
+            <source>machine&apos;s greatest feed</source>
+            <translation>наибольшая подача станка</translation>
+        </message>
+        <message>
+            <source>band: what binds (%1)</source>
+            <translation>полоса: что ограничивает (%1)</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::ConstraintsView</name>
@@ -15505,6 +15513,18 @@ target, µm</source>
         <message>
             <source>binding</source>
             <translation>ограничивает</translation>
+        </message>
+        <message>
+            <source>machine&apos;s feed</source>
+            <translation>подача станка</translation>
+        </message>
+        <message>
+            <source>accuracy</source>
+            <translation>точность</translation>
+        </message>
+        <message>
+            <source>binds: %1</source>
+            <translation>ограничивает: %1</translation>
         </message>
     </context>
     <context>
