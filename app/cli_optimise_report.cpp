@@ -73,7 +73,12 @@ ordered_json bindingJson(const GridSearchReport& report) {
 
 std::string bindingText(const GridSearchReport& report) {
     if (!report.binding) {
-        return "not known: stopped before the quicker cycles about it were run";
+        return report.marginWithin_us
+                   ? "not known: stopped before"
+                   : "not known: stopped before the quicker cycles about it were run";
+    }
+    if (report.marginWithin_us) {
+        return joined(namesOf(*report.binding)) + ": what has the least margin";
     }
     if (!report.binding->empty()) {
         return joined(namesOf(*report.binding)) + " in quicker cycles that differ in one setting";
@@ -172,8 +177,30 @@ std::string heuristicText(SearchMethod method) {
                : "labels of time and deflection, a heuristic (nothing is proved)";
 }
 
+double within_min(const GridSearchReport& report) {
+    return *report.project.optimisation->margin_within_min;
+}
+
+/// Of a search for the greatest margin.
+std::string marginStatusText(const GridSearchReport& report) {
+    const std::string within = "within " + numberText(within_min(report)) + " min";
+    if (report.search.status == SearchStatus::stopped) {
+        return "stopped: the largest margin so far; a cycle of the grid " + within
+               + " may have a larger one";
+    }
+    std::string text = "the largest margin of the grid " + within;
+    if (report.robust) {
+        text += report.robust->decided ? ", over every stock stated below"
+                                       : ", over the part and the stocks it was run on";
+    }
+    return text + ", proved";
+}
+
 std::string statusText(const GridSearchReport& report) {
     const SearchSummary& search = report.search;
+    if (report.marginWithin_us) {
+        return marginStatusText(report);
+    }
     if (search.status == SearchStatus::proved) {
         if (report.robust && report.robust->decided) {
             return "the quickest of the grid that holds for the part, in the scenarios added and "
@@ -230,10 +257,13 @@ std::optional<PhaseCases> decidedCases(const GridSearchReport& report) {
 std::string robustText(const GridSearchReport& report, double best_s) {
     const RobustSummary& robust = *report.robust;
     const int candidate = candidateOf(report);
-    const std::string cost = "robustness           " + std::to_string(robust.added.size())
-                             + " stocks added in " + std::to_string(robust.rounds)
-                             + " rounds; costs "
-                             + fixed((best_s / robust.nominalTime_s - 1) * 100, 1) + " % of time\n";
+    const std::string cost =
+        report.marginWithin_us
+            ? "robustness           the margin is the least over all stocks it was run on; "
+                  + std::to_string(robust.candidates) + " cycles were\n"
+            : "robustness           " + std::to_string(robust.added.size()) + " stocks added in "
+                  + std::to_string(robust.rounds) + " rounds; costs "
+                  + fixed((best_s / robust.nominalTime_s - 1) * 100, 1) + " % of time\n";
     if (const auto decided = decidedCases(report)) {
         constexpr int digits = 6; // nm
         return cost + "decided              holds for every stock per side of "
@@ -294,6 +324,18 @@ ordered_json edgesJson(const GridSearchReport& report) {
     return edges;
 }
 
+ordered_json limitBoundsJson(const SteplessLimit& limit) {
+    ordered_json bounds = ordered_json::array();
+    for (const LimitPiece& piece : limit.pieces) {
+        bounds.push_back({{"from_mm", piece.from_mm},
+                          {"to_mm", piece.to_mm},
+                          {"bound", limitBoundKey(piece.bound, piece.kind)},
+                          {"cut_mm", piece.cut_mm},
+                          {"time_min", minutes(piece.time_s)}});
+    }
+    return bounds;
+}
+
 } // namespace
 
 std::string optimiseText(const GridSearchReport& report) {
@@ -332,11 +374,16 @@ std::string optimiseJson(const GridSearchReport& report) {
     root["status"] = searchStatusName(isRefined(report) ? SearchStatus::found : search.status);
     root["method"] = searchMethodName(report.method);
     root["heuristic"] = isHeuristic(report.method);
+    root["aim"] = report.marginWithin_us ? "greatest_margin" : "least_time";
+    root["margin_within_min"] =
+        report.marginWithin_us ? ordered_json(within_min(report)) : ordered_json(nullptr);
     root["cycle"] = nullptr;
     root["cycle_time_min"] = nullptr;
     root["cost_per_part"] = nullptr;
     root["evaluations"] = report.robust ? report.robust->evaluations : search.evaluations;
     root["limit_time_min"] = minutes(report.limit_s);
+    root["limit_by"] = limitByKey(report.limit.by);
+    root["limit_bounds"] = limitBoundsJson(report.limit);
     root["gap"] = nullptr;
     root["binding"] = bindingJson(report);
     root["scenarios_added"] = report.robust ? report.robust->added.size() : 0;
@@ -409,7 +456,9 @@ std::string noAnswerSentence(const GridSearchReport& report) {
     } else if (search.status == SearchStatus::notFound) {
         text = "the heuristic found no feasible cycle; there may be one, --method search tells";
     } else {
-        text = "no cycle of the grid is feasible";
+        text = report.marginWithin_us ? "no cycle of the grid that takes at most "
+                                            + numberText(within_min(report)) + " min is feasible"
+                                      : "no cycle of the grid is feasible";
     }
     std::string names;
     for (const auto& [count, name] : cutsOf(search)) {

@@ -61,6 +61,13 @@
                 <numerusform>It holds in the last sample of scenarios; %n of them had to be added.</numerusform>
             </translation>
         </message>
+        <message numerus="yes">
+            <source>All %n cycle(s) of the grid of which none is both quicker and farther from its limits.</source>
+            <translation>
+                <numerusform>The one cycle of the grid of which none is both quicker and farther from its limits.</numerusform>
+                <numerusform>All %n cycles of the grid of which none is both quicker and farther from its limits.</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>PassportPrediction</name>

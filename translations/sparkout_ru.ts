@@ -5592,6 +5592,18 @@ Reloading takes that version; your changes stay in Undo.</source>
         <translation>1 — затупление растёт равномерно. Меньше 1 — быстрее всего сразу после правки, больше 1 — к концу; коэффициент затупления отнесён тогда к мм² в этой степени.</translation>
     </message>
 </context>
+            <source>Largest margin within a time</source>
+            <translation>Наибольший запас за время</translation>
+        </message>
+        <message>
+            <source>the least time is searched</source>
+            <translation>ищется наименьшее время</translation>
+        </message>
+        <message>
+            <source>The search then answers the cycle farthest from its limits whose machining time is at most that: the one with the largest least margin of all requirements, each as a share of its limit.</source>
+            <translation>Тогда поиск находит цикл с основным временем не больше заданного, который дальше всех от пределов: его наименьший запас по всем требованиям, каждый в долях своего предела, наибольший.</translation>
+        </message>
+    </context>
     <context>
         <name>Issue</name>
         <message>
@@ -6464,6 +6476,50 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>smaller ones are allowed.</source>
             <translation>допускаются и меньшие.</translation>
+        </message>
+        <message>
+            <source>No cycle of the grid that takes at most %1 min holds every requirement.</source>
+            <translation>Ни один цикл сетки, который не длиннее %1 мин, не выдерживает всех требований.</translation>
+        </message>
+        <message>
+            <source>A margin of %1 % is the largest so far, in %2 min; a cycle within %3 min may have a larger one.</source>
+            <translation>Наибольший найденный запас %1 %, цикл за %2 мин; за %3 мин возможен и больший запас.</translation>
+        </message>
+        <message>
+            <source>A margin of %1 % over all that it must hold for, in %2 min: of %3 the largest within %4 min, proved.</source>
+            <translation>Запас %1 % по всему, для чего цикл должен быть годен, за %2 мин: наибольший за %4 мин, доказано (%3).</translation>
+        </message>
+        <message>
+            <source>A margin of %1 %, in %2 min: of %3 the largest within %4 min, proved.</source>
+            <translation>Запас %1 %, цикл за %2 мин: наибольший запас за %4 мин, доказано (%3).</translation>
+        </message>
+        <message>
+            <source>Margins by time are searched for the part as it stands; this search must hold for more.</source>
+            <translation>Запас по времени ищется только для детали, как она задана, а этот поиск должен выдержать больше.</translation>
+        </message>
+        <message>
+            <source>No margins by time: the search was stopped before, or no cycle holds.</source>
+            <translation>Запаса по времени нет: поиск остановлен раньше или ни один цикл не годен.</translation>
+        </message>
+        <message>
+            <source>Up to %1 min; cycles that take longer may have larger margins.</source>
+            <translation>Найдено до %1 мин; у более длинных циклов запас может быть больше.</translation>
+        </message>
+        <message>
+            <source>What has the least margin is not known: the search was stopped before.</source>
+            <translation>У чего запас наименьший, не известно: поиск был остановлен раньше.</translation>
+        </message>
+        <message>
+            <source>The least margin is that of: %1.</source>
+            <translation>Наименьший запас у требования: %1.</translation>
+        </message>
+        <message numerus="yes">
+            <source>All %n cycle(s) of the grid of which none is both quicker and farther from its limits.</source>
+            <translation>
+                <numerusform>Всего %n цикл сетки, для которого нет и более быстрого, и более далёкого от пределов.</numerusform>
+                <numerusform>Все %n цикла сетки, для которых нет и более быстрого, и более далёкого от пределов.</numerusform>
+                <numerusform>Все %n циклов сетки, для которых нет и более быстрого, и более далёкого от пределов.</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -8690,12 +8746,16 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Варьируемые данные и все точки; по двум данным — ещё и каждая величина на отдельном листе.</translation>
         </message>
         <message>
-            <source>The answer, the settings, the cycle found, the best cycles, the time by stages and what binds, each on a sheet of its own.</source>
-            <translation>Ответ, настройки, найденный цикл, лучшие циклы, время по числу ступеней и что ограничивает — каждое на отдельном листе.</translation>
-        </message>
-        <message>
             <source>not known, it was stopped</source>
             <translation>не известно: поиск остановлен</translation>
+        </message>
+        <message>
+            <source>Margin by time</source>
+            <translation>Запас по времени</translation>
+        </message>
+        <message>
+            <source>The answer, the settings, the cycle found, the best cycles, the time by stages, the margin by time and what binds, each on a sheet of its own.</source>
+            <translation>Ответ, настройки, найденный цикл, лучшие циклы, время по числу ступеней, запас по времени и что ограничивает — каждое на отдельном листе.</translation>
         </message>
     </context>
     <context>
@@ -10918,6 +10978,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Stock left after the cut, µm</source>
             <translation>Оставшийся припуск после прохода, мкм</translation>
         </message>
+        <message>
+            <source>machine&apos;s greatest feed</source>
+            <translation>наибольшая подача станка</translation>
+        </message>
+        <message>
+            <source>band: what binds (%1)</source>
+            <translation>полоса: что ограничивает (%1)</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::ConstraintsView</name>
@@ -11854,6 +11922,14 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Between the levels of the grid, not proved</source>
             <translation>Между уровнями сетки, не доказано</translation>
+        </message>
+        <message>
+            <source>The farthest of the grid from its limits within the time given</source>
+            <translation>Дальше всех в сетке от пределов за заданное время</translation>
+        </message>
+        <message>
+            <source>The farthest of its number of stages from its limits, within the time</source>
+            <translation>Дальше всех от пределов для своего числа ступеней, за заданное время</translation>
         </message>
     </context>
     <context>
@@ -12842,10 +12918,6 @@ target, µm</source>
             <translation>Добавить типовой поиск</translation>
         </message>
         <message>
-            <source>Levels of each feed over the machine&apos;s range, which follow the answer, and steps of stock</source>
-            <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, и шаги припуска</translation>
-        </message>
-        <message>
             <source>The mass by the steps of the shaft</source>
             <translation>Масса по ступеням вала</translation>
         </message>
@@ -12860,6 +12932,10 @@ target, µm</source>
         <message>
             <source>Without chamfers, keyways and bores; the drawing&apos;s mass goes before it</source>
             <translation>Без фасок, пазов и отверстий; масса по чертежу важнее</translation>
+        </message>
+        <message>
+            <source>Levels of each feed over the machine&apos;s range, which follow the answer, steps of stock, and the usual least overlap and steps of a stage where none are given</source>
+            <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, шаги припуска и, если не заданы, обычные наименьшие перекрытие и число шагов ступени</translation>
         </message>
     </context>
     <context>
@@ -12989,10 +13065,6 @@ target, µm</source>
             <translation>Добавить типовой поиск</translation>
         </message>
         <message>
-            <source>Levels of each feed over the machine&apos;s range, which follow the answer, and steps of stock; can be undone and changed on the page Search</source>
-            <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, и шаги припуска; можно отменить и изменить на странице «Поиск»</translation>
-        </message>
-        <message>
             <source>Between levels</source>
             <translation>Между уровнями</translation>
         </message>
@@ -13011,6 +13083,26 @@ target, µm</source>
         <message>
             <source>Grid of dynamic programming</source>
             <translation>Сетка динамического программирования</translation>
+        </message>
+        <message>
+            <source>A click chooses a cycle, “Take this cycle” or Enter takes it.</source>
+            <translation>Щелчок выбирает цикл, «Взять этот цикл» или Enter берёт его.</translation>
+        </message>
+        <message>
+            <source>Largest margin over the machining time; the table below lists its cycles</source>
+            <translation>Наибольший запас в зависимости от основного времени; циклы перечислены в таблице ниже</translation>
+        </message>
+        <message>
+            <source>Margin by time</source>
+            <translation>Запас по времени</translation>
+        </message>
+        <message>
+            <source>“Search” finds the cycle of the grid farthest from its limits within the time given. It can be stopped at any time and keeps the best so far.</source>
+            <translation>«Найти» находит цикл сетки, который за заданное время дальше всех от пределов. Поиск можно остановить в любой момент, лучшее найденное остаётся.</translation>
+        </message>
+        <message>
+            <source>Levels of each feed over the machine&apos;s range, which follow the answer, steps of stock, and the usual least overlap and steps of a stage where none are given; can be undone and changed on the pages Search and Cycle</source>
+            <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, шаги припуска и, если не заданы, обычные наименьшие перекрытие и число шагов ступени; можно отменить и изменить на страницах «Поиск» и «Цикл»</translation>
         </message>
     </context>
     <context>
@@ -14380,6 +14472,10 @@ target, µm</source>
             <source>Machining time</source>
             <translation>Время обработки</translation>
         </message>
+        <message>
+            <source>cycle with the largest margin</source>
+            <translation>цикл с наибольшим запасом</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::StageModel</name>
@@ -15505,6 +15601,18 @@ target, µm</source>
         <message>
             <source>binding</source>
             <translation>ограничивает</translation>
+        </message>
+        <message>
+            <source>machine&apos;s feed</source>
+            <translation>подача станка</translation>
+        </message>
+        <message>
+            <source>accuracy</source>
+            <translation>точность</translation>
+        </message>
+        <message>
+            <source>binds: %1</source>
+            <translation>ограничивает: %1</translation>
         </message>
     </context>
     <context>
@@ -18574,4 +18682,51 @@ s</source>
         <translation>Остановлено: ничего не известно.</translation>
     </message>
 </context>
+    <context>
+        <name>sparkout::MarginFrontPlot</name>
+        <message>
+            <source>%1 min, margin %2 %: %3</source>
+            <translation>%1 мин, запас %2 %: %3</translation>
+        </message>
+        <message>
+            <source>Time, min</source>
+            <translation>Время, мин</translation>
+        </message>
+        <message>
+            <source>Margin, %</source>
+            <translation>Запас, %</translation>
+        </message>
+        <message>
+            <source>Stages</source>
+            <translation>Ступеней</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Цикл</translation>
+        </message>
+        <message>
+            <source>largest margin by time</source>
+            <translation>наибольший запас по времени</translation>
+        </message>
+        <message>
+            <source>your cycle</source>
+            <translation>исходный цикл</translation>
+        </message>
+        <message>
+            <source>cycle chosen</source>
+            <translation>выбранный цикл</translation>
+        </message>
+        <message>
+            <source>time given</source>
+            <translation>заданное время</translation>
+        </message>
+        <message>
+            <source>Machining time, min</source>
+            <translation>Время основное, мин</translation>
+        </message>
+        <message>
+            <source>Least margin, %</source>
+            <translation>Наименьший запас, %</translation>
+        </message>
+    </context>
 </TS>

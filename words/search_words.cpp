@@ -37,6 +37,13 @@ std::string searchRefusal(const GridSearchReport& report) {
         return std::string("/operation: --method ") + searchMethodName(report.method)
                + " is for plunge grinding; --method search takes traverse cycles";
     }
+    if (report.isOtherAim) {
+        return std::string("/optimisation/margin_within_min: ")
+               + (isHeuristic(report.method)
+                      ? std::string("--method ") + searchMethodName(report.method)
+                      : "--refine")
+               + " looks for the least time alone";
+    }
     switch (report.fault) {
     case GridFault::none: break;
     case GridFault::notGiven: return "/optimisation: what to search is not given";

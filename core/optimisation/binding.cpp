@@ -2,12 +2,15 @@
 #include "core/optimisation/binding.h"
 
 #include "core/optimisation/cycle_runner.h"
+#include "core/optimisation/phase_cases.h"
 #include "core/optimisation/refine_space.h"
+#include "core/optimisation/robust.h"
 #include "core/project/cycle.h"
 #include "core/simulation/simulate.h"
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 namespace sparkout {
@@ -136,6 +139,32 @@ Project withoutLists(Project project) {
     return project;
 }
 
+/// The kinds of the least relative margin of what is added.
+class LeastMargins {
+public:
+    void add(const ConstraintResult& each) {
+        if (each.relativeMargin < m_least) {
+            m_least = each.relativeMargin;
+            m_least_of.fill(false);
+        }
+        m_least_of[static_cast<std::size_t>(each.kind)] |= each.relativeMargin == m_least;
+    }
+
+    [[nodiscard]] std::vector<ConstraintKind> kinds() const {
+        std::vector<ConstraintKind> kinds;
+        for (const Requirement& row : requirementRows) {
+            if (m_least_of[static_cast<std::size_t>(row.kind)]) {
+                kinds.push_back(row.kind);
+            }
+        }
+        return kinds;
+    }
+
+private:
+    double m_least = std::numeric_limits<double>::infinity();
+    std::array<bool, constraintKinds> m_least_of{};
+};
+
 /// What breaks in those that are quicker than so long; nothing: stopped before all were run.
 std::optional<std::vector<ConstraintKind>> brokenIn(const std::vector<Neighbour>& others,
                                                     std::int64_t time_us, const Project& project,
@@ -195,6 +224,37 @@ bindingRequirements(const Project& project, const Cycle& cycle, std::int64_t tim
                     const std::vector<Project>& scenarios, const std::stop_token& stop) {
     const Project plain = withoutLists(project);
     return brokenIn(OffGrid(plain, cycle).neighbours(), time_us, plain, scenarios, stop);
+}
+
+std::optional<std::vector<ConstraintKind>>
+leastMarginRequirements(const Project& best, bool isRobust, const std::stop_token& stop) {
+    std::vector<Project> parts{best};
+    if (isRobust) {
+        for (Project& drawn : scenariosAskedFor(best, stop)(best, 0)) {
+            parts.push_back(std::move(drawn));
+        }
+    }
+    LeastMargins margins;
+    for (Project& part : parts) {
+        part.runs.clear();
+        *part.cycle = *best.cycle;
+        const SimulationResult result = simulateUnchecked(part, nullptr, stop);
+        if (result.status == RunStatus::stopped || stop.stop_requested()) {
+            return std::nullopt;
+        }
+        for (const ConstraintResult& each : evaluateConstraints(result)) {
+            margins.add(each);
+        }
+    }
+    if (isRobust && canDecidePhases(best)) {
+        constexpr double any = -std::numeric_limits<double>::infinity();
+        const std::optional<ConstraintResult> worst = worstOfCases(best, any, stop);
+        if (!worst) {
+            return std::nullopt;
+        }
+        margins.add(*worst);
+    }
+    return margins.kinds();
 }
 
 } // namespace sparkout

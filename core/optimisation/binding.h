@@ -24,4 +24,10 @@ bindingRequirements(const Project& project, const FeasibleCycle& best,
 bindingRequirements(const Project& project, const Cycle& cycle, std::int64_t time_us,
                     const std::vector<Project>& scenarios = {}, const std::stop_token& stop = {});
 
+/// What keeps the margin of a project's cycle, the answer of a search for the greatest one, from
+/// being greater: the requirements with the least relative margin on the part, and in a robust
+/// search on all that the answer must hold for. Nothing: not known, as it was stopped before.
+[[nodiscard]] std::optional<std::vector<ConstraintKind>>
+leastMarginRequirements(const Project& best, bool isRobust, const std::stop_token& stop = {});
+
 } // namespace sparkout

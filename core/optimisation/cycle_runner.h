@@ -53,6 +53,8 @@ public:
     [[nodiscard]] SimulationResult finish(const GridCycle& cycle, CycleSteps& steps,
                                           const std::vector<int>& stepsByStage);
     [[nodiscard]] const PassCuts& cuts() const { return m_cuts; }
+    /// Cycles with less of a relative margin may be cut from now on.
+    void demandMargin(double least) { m_cuts.demandMargin(least); }
     [[nodiscard]] bool isGauged() const { return m_gauged; }
 
 private:

@@ -6,7 +6,10 @@
 
 namespace sparkout {
 
-bool isBetter(const FeasibleCycle& a, const FeasibleCycle& b, const Grid& grid) {
+bool isBetter(const FeasibleCycle& a, const FeasibleCycle& b, const Grid& grid, SearchAim aim) {
+    if (aim == SearchAim::greatestMargin && a.leastRelativeMargin != b.leastRelativeMargin) {
+        return a.leastRelativeMargin > b.leastRelativeMargin;
+    }
     if (a.time_us != b.time_us) {
         return a.time_us < b.time_us;
     }
@@ -25,6 +28,23 @@ Judge::Judge(const Grid& grid, const SearchOptions& options)
             break; // nor will a cycle be run to its end
         }
         m_scenarios.push_back(runner(scenario, scenarios.size()));
+    }
+    demandMargin();
+}
+
+double Judge::demandedMargin() const {
+    constexpr double none = -std::numeric_limits<double>::infinity();
+    const double best =
+        m_options.marginWithin_us && m_best ? m_best->leastRelativeMargin : none; // ties may win
+    return std::max(best, m_options.beyondMargin.value_or(none));
+}
+
+/// The full search cuts nothing early by its margin: it is the reference.
+void Judge::demandMargin() {
+    if (m_options.method != SearchMethod::full) {
+        for (const auto& scenario : m_scenarios) {
+            scenario->demandMargin(demandedMargin());
+        }
     }
 }
 
@@ -67,18 +87,18 @@ std::optional<double> Judge::leastMargin(const GridCycle& cycle, double margin) 
 bool Judge::judge(const GridCycle& cycle, const SimulationResult& result, int merged) {
     ++counts.evaluations;
     FeasibleCycle found{cycle, comparedTime_us(result.time_s), 0, m_options.variant, result.time_s};
-    if (found.time_us > bestTime_us() || (m_options.everyStageSteps && hasIdleStage(result))) {
+    if (found.time_us > mostTime_us() || (m_options.everyStageSteps && hasIdleStage(result))) {
         return false;
     }
     const std::optional<double> margin = leastMargin(result);
-    const int all = m_scenarios.empty() && !m_options.challenge
+    const int all = m_scenarios.empty() && !m_options.challenge && !m_options.wholeMargin
                         ? 0
                         : merged; // the first comes first in grid order
     const bool waits = m_options.challenge && m_options.method == SearchMethod::pruned;
     bool best = false;
     for (int more = 0; margin && more <= all; ++more) {
         found.leastRelativeMargin = *margin;
-        if (holdsOnScenarios(found)) {
+        if (*margin >= demandedMargin() && holdsOnScenarios(found) && holdsOnAll(found)) {
             if (waits) {
                 m_waiting.push_back(found);
             }
@@ -95,6 +115,21 @@ bool Judge::holdsOnScenarios(FeasibleCycle& found) {
     const auto least = leastMargin(found.cycle, found.leastRelativeMargin);
     found.leastRelativeMargin = least.value_or(0);
     return least && (!m_options.beyondMargin || *least > *m_options.beyondMargin);
+}
+
+bool Judge::holdsOnAll(FeasibleCycle& found) {
+    if (!m_options.wholeMargin) {
+        return true;
+    }
+    if (m_best && !isBetter(found, *m_best, m_grid, m_options.aim())) {
+        return false; // its margin is no greater on all
+    }
+    const WholeMargin whole = m_options.wholeMargin(found, demandedMargin());
+    if (!whole.margin || m_options.stop.stop_requested()) {
+        return false; // a test that is stopped shows nothing
+    }
+    found.leastRelativeMargin = std::min(found.leastRelativeMargin, *whole.margin);
+    return true;
 }
 
 void Judge::settle(double time_s) {
@@ -163,7 +198,7 @@ bool Judge::isHopeless(GridCycle cycle, int merged) {
 
 bool Judge::decide(const GridCycle& cycle, CycleRunner& runner) {
     const SearchCounts before = counts;
-    const auto result = runner.run(cycle, bestTime_us(), counts);
+    const auto result = runner.run(cycle, mostTime_us(), counts);
     const bool best = result && judge(cycle, *result);
     if (!result) {
         ++counts.evaluations;
@@ -177,7 +212,7 @@ bool Judge::decide(const GridCycle& cycle, CycleRunner& runner) {
 void Judge::decideDone(const CyclePrefix& whole, CycleSteps& steps, CycleRunner& runner,
                        int merged) {
     const std::int64_t time_us = comparedTime_us(steps.run().time_s());
-    if (time_us > bestTime_us()) {
+    if (time_us > mostTime_us()) {
         return;
     }
     if (m_options.method == SearchMethod::pruned && time_us < m_options.quickest_us) {
@@ -221,10 +256,13 @@ bool Judge::isChallenged(const FeasibleCycle& found) {
 }
 
 bool Judge::offer(const FeasibleCycle& found) {
-    if (m_best && !isBetter(found, *m_best, m_grid)) {
+    if (m_best && !isBetter(found, *m_best, m_grid, m_options.aim())) {
         return false;
     }
     m_best = found;
+    if (m_options.marginWithin_us) {
+        demandMargin();
+    }
     return true;
 }
 

@@ -7,7 +7,8 @@ namespace sparkout {
 
 /// Whether a is the better of two feasible cycles of a project, the grid that of their variant
 /// where they have one.
-[[nodiscard]] bool isBetter(const FeasibleCycle& a, const FeasibleCycle& b, const Grid& grid);
+[[nodiscard]] bool isBetter(const FeasibleCycle& a, const FeasibleCycle& b, const Grid& grid,
+                            SearchAim aim = SearchAim::leastTime);
 
 /// Decides on cycles by their simulation, and keeps the best.
 class Judge {
@@ -44,6 +45,12 @@ public:
 
     [[nodiscard]] const std::optional<FeasibleCycle>& best() const { return m_best; }
     [[nodiscard]] std::int64_t bestTime_us() const { return m_best ? m_best->time_us : noTime_us; }
+    /// No cycle that takes longer can be better.
+    [[nodiscard]] std::int64_t mostTime_us() const {
+        return m_options.marginWithin_us.value_or(bestTime_us());
+    }
+    /// No cycle with a smaller relative margin can be better; −∞: any that holds may be.
+    [[nodiscard]] double demandedMargin() const;
     /// Scenarios of challenges, and whether the best failed in one of them.
     [[nodiscard]] const std::vector<Project>& added() const { return m_added; }
     [[nodiscard]] bool isStale() const { return m_stale; }
@@ -54,6 +61,9 @@ private:
                                                          std::size_t among) const;
     /// Whether it holds on the scenarios, its margin then the least.
     bool holdsOnScenarios(FeasibleCycle& found);
+    /// The same on the further parts, as far as it is then the best.
+    bool holdsOnAll(FeasibleCycle& found);
+    void demandMargin();
     bool isChallenged(const FeasibleCycle& found);
     void put(const FeasibleCycle& found);
     /// The least relative margin; nothing when a requirement fails.

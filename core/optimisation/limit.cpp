@@ -15,7 +15,6 @@
 #include "core/project/wheel.h"
 #include "core/quality/accuracy_limit.h"
 #include "core/quality/constraints.h"
-#include "core/quality/depth_limits.h"
 #include "core/simulation/cycle_steps.h"
 #include "core/simulation/stage_control.h"
 #include "core/simulation/traverse.h"
@@ -54,16 +53,44 @@ double greatest(const Project& project, const StageFeed& feed) {
     return most;
 }
 
+/// The greatest cut, and what keeps it from being greater.
+struct BoundCut {
+    double depth_mm = 0;
+    LimitBound bound = LimitBound::stock;
+    ConstraintKind kind = ConstraintKind::burn;
+    [[nodiscard]] bool isSame(const LimitPiece& piece) const {
+        return bound == piece.bound && (bound != LimitBound::requirement || kind == piece.kind);
+    }
+};
+
 /// Least of the depths allowed at every pass [mm], and no more than what counts: the stock.
-double leastLimit(const Project& project, double b, double stock_mm) {
-    double least = project.part->stock_mm;
+BoundCut leastLimit(const Project& project, double b, double stock_mm) {
+    BoundCut least{project.part->stock_mm};
     for (const DepthLimit& limit : depthLimits(project, b, stock_mm)) {
-        if (requirementOf(limit.kind).bindsEveryPass()) {
-            least = std::min(least, limit.depth_mm);
+        if (requirementOf(limit.kind).bindsEveryPass() && limit.depth_mm < least.depth_mm) {
+            least = {limit.depth_mm, LimitBound::requirement, limit.kind};
         }
     }
     return least;
 }
+
+/// The pieces as they are met, from the deepest stock on.
+class Pieces {
+public:
+    void add(double from_mm, double to_mm, const BoundCut& cut, double time_s) {
+        if (m_pieces.empty() || !cut.isSame(m_pieces.back())) {
+            m_pieces.push_back({from_mm, to_mm, cut.bound, cut.kind});
+        }
+        LimitPiece& piece = m_pieces.back();
+        piece.to_mm = to_mm;
+        piece.cut_mm = std::max(piece.cut_mm, cut.depth_mm);
+        piece.time_s += time_s;
+    }
+    [[nodiscard]] const std::vector<LimitPiece>& all() const { return m_pieces; }
+
+private:
+    std::vector<LimitPiece> m_pieces;
+};
 
 /// The steps of a cycle as far as their time goes.
 class StepTimes {
@@ -89,14 +116,15 @@ public:
     /// Least time of a step [s].
     [[nodiscard]] double least_s() const { return travels() ? step_s(m_fastest) : m_revolution_s; }
 
-    /// ρ(s), or more [mm/s].
-    [[nodiscard]] double rate(double stock_mm) const {
+    /// ρ(s), or more [mm/s], with the cut that it is by.
+    [[nodiscard]] std::pair<double, BoundCut> rate(double stock_mm) const {
         if (!travels()) {
             const double slices = isCoupled(m_project) ? m_project.sections : 1;
-            return leastLimit(m_project, m_project.part->length_mm / slices, stock_mm)
-                   / m_revolution_s;
+            const BoundCut cut =
+                leastLimit(m_project, m_project.part->length_mm / slices, stock_mm);
+            return {cut.depth_mm / m_revolution_s, cut};
         }
-        double most = 0;
+        std::pair<double, BoundCut> most{-1, {}};
         double low = 0; // the first cell goes on down to a standstill, where no drive is needed
         for (int i = 0; i <= feedCells; ++i) {
             const double high =
@@ -104,7 +132,10 @@ public:
             const double width =
                 std::min(std::max(low, m_fastest * 1e-9) / m_project.machine->work_speed_rpm,
                          m_project.wheel->width_mm);
-            most = std::max(most, leastLimit(m_project, width, stock_mm) / (step_s(high) / 2));
+            const BoundCut cut = leastLimit(m_project, width, stock_mm);
+            if (const double rate = cut.depth_mm / (step_s(high) / 2); rate > most.first) {
+                most = {rate, cut};
+            }
             low = high;
         }
         return most;
@@ -140,6 +171,7 @@ public:
         , m_gamma(
               compliantPoints(project)[static_cast<std::size_t>(gaugeSection(project))].gamma_mm_n)
         , m_infeed_mm(infeed_mm)
+        , m_left_mm(left_mm)
         , m_cell_mm(stock_mm / cells) {
         const double lastCut_mm = provedLastCut_mm(project, m_b, m_gamma);
         LimitPoints release;
@@ -153,14 +185,17 @@ public:
                 ++next;
             }
             const bool known = next != release.end(); // it rises: its value further on is no less
-            m_most_mm.push_back(
-                std::min(leastLimit(project, m_b, left_mm + upper_mm),
-                         known ? next->depth_mm : std::numeric_limits<double>::infinity()));
+            BoundCut most = leastLimit(project, m_b, left_mm + upper_mm);
+            if (known && next->depth_mm < most.depth_mm) {
+                most = {next->depth_mm, LimitBound::accuracy};
+            }
+            m_most.push_back(most);
         }
     }
 
-    /// None where it cannot be lost in so many.
-    [[nodiscard]] std::optional<int> count(const std::stop_token& stop) const {
+    /// None where it cannot be lost in so many. Adds what bounds each pass, of so much time.
+    [[nodiscard]] std::optional<int> count(const std::stop_token& stop, double pass_s,
+                                           Pieces& pieces) const {
         constexpr int most = 1'000'000;
         constexpr double lastBits = 1e-9;
         double left_mm = cells * m_cell_mm * (1 - lastBits), reached_mm = 0;
@@ -168,12 +203,18 @@ public:
         for (int n = 1; n <= most && !stop.stop_requested(); ++n) {
             reached_mm = depthAfter(m_law, m_b, m_gamma, reached_mm, m_infeed_mm);
             const auto lowest = [&](std::size_t i) { // that is left after a pass that ends in i
-                return left_mm - std::min(reached_mm, m_most_mm[i]) * (1 + lastBits);
+                return left_mm - std::min(reached_mm, m_most[i].depth_mm) * (1 + lastBits);
             };
             while (cell > 0 && lowest(cell - 1) <= static_cast<double>(cell) * m_cell_mm) {
                 --cell;
             }
             const double after_mm = std::max(lowest(cell), static_cast<double>(cell) * m_cell_mm);
+            // at the lower end of its cell it is what allows no cut into the next
+            const bool isEnd = cell > 0 && after_mm > lowest(cell);
+            const BoundCut& allowed = m_most[isEnd ? cell - 1 : cell];
+            const BoundCut feed{reached_mm, LimitBound::feed};
+            pieces.add(m_left_mm + left_mm, m_left_mm + std::max(after_mm, 0.0),
+                       reached_mm <= allowed.depth_mm ? feed : allowed, pass_s);
             if (after_mm <= 0) {
                 return n;
             }
@@ -188,8 +229,8 @@ public:
 private:
     static constexpr int cells = 200;
     ForceLaw m_law;
-    double m_b, m_gamma, m_infeed_mm, m_cell_mm;
-    std::vector<double> m_most_mm; ///< of a pass that leaves up to the upper end of a cell
+    double m_b, m_gamma, m_infeed_mm, m_left_mm, m_cell_mm;
+    std::vector<BoundCut> m_most; ///< of a pass that leaves up to the upper end of a cell
 };
 
 /// Whether passes of a radius follow one another as the release and the build-up suppose.
@@ -197,20 +238,32 @@ bool countsPasses(const Project& project) {
     return !project.operation->travels && !isCoupled(project) && !wheelContact(project);
 }
 
+/// Puts a bound in the place of a smaller one.
+void takeGreater(SteplessLimit& limit, double time_s, LimitBy by, const Pieces& pieces) {
+    if (time_s > limit.time_s) {
+        limit = {time_s, by, pieces.all()};
+    }
+}
+
 /// Of one variant.
-double limitOf(const Project& project, bool sparksOut, const std::stop_token& stop) {
+SteplessLimit limitOf(const Project& project, bool sparksOut, const std::stop_token& stop) {
     const Blank blank = makeBlank(*project.part);
     const StepTimes times(project);
+    SteplessLimit limit;
     if (times.infeed_mm <= 0 && !feedsContinuously(project)) {
-        return 0;
+        return limit;
     }
     const double left = sparksOut ? leftByField_mm(*project.part) : 0;
     const double all = blank.totalInfeed_mm - left - 2 * stageSlack_mm;
+    const double end = left + 2 * stageSlack_mm; ///< stock left there
     const double steps = feedsContinuously(project)
                              ? 1 // what a step feeds grows with the time it takes
                              : std::max(std::ceil(all / times.infeed_mm - 1e-9), 1.0);
     // a last step cut short still takes its dwells and strokes
-    double limit_s = (steps + (sparksOut ? 1 : 0)) * times.least_s();
+    const double steps_s = (steps + (sparksOut ? 1 : 0)) * times.least_s();
+    Pieces bySteps;
+    bySteps.add(end + all, end, {times.infeed_mm, LimitBound::feed}, steps_s);
+    takeGreater(limit, steps_s, LimitBy::steps, bySteps);
     if (project.gauge->control == Control::gauge && !project.gauge->position_mm) {
         double deepest = 0;
         const std::vector<double>& gauged =
@@ -220,44 +273,77 @@ double limitOf(const Project& project, bool sparksOut, const std::stop_token& st
         }
         const double cell = (all - deepest) / stockCells;
         double sum_s = 0;
+        std::vector<std::pair<double, BoundCut>> rates; ///< from the size on
         for (int i = 1; i <= stockCells && cell > 0 && !stop.stop_requested(); ++i) {
-            sum_s += cell / times.rate(left + 2 * stageSlack_mm + i * cell); // each cell adds to it
+            rates.push_back(times.rate(end + i * cell));
+            sum_s += cell / rates.back().first; // each cell adds to it
         }
-        limit_s = std::max(limit_s, sum_s);
+        Pieces byRates;
+        for (std::size_t i = rates.size(); i > 0; --i) {
+            const auto& [rate, cut] = rates[i - 1];
+            const auto above = static_cast<double>(i);
+            byRates.add(end + above * cell, end + (above - 1) * cell, cut, cell / rate);
+        }
+        takeGreater(limit, sum_s, LimitBy::rates, byRates);
         if (all > deepest && countsPasses(project)) {
-            const LeastPasses passes(project, times.infeed_mm, all - deepest,
-                                     left + 2 * stageSlack_mm, stop);
-            limit_s = std::max(limit_s, passes.count(stop).value_or(0) * times.least_s());
+            Pieces byPasses;
+            const LeastPasses passes(project, times.infeed_mm, all - deepest, end, stop);
+            const int count = passes.count(stop, times.least_s(), byPasses).value_or(0);
+            takeGreater(limit, count * times.least_s(), LimitBy::passes, byPasses);
         }
     }
-    return limit_s * (1 - 1e-9);
+    constexpr double lastBits = 1e-9;
+    limit.time_s *= 1 - lastBits;
+    for (LimitPiece& piece : limit.pieces) {
+        piece.time_s *= 1 - lastBits;
+    }
+    if (stop.stop_requested()) {
+        limit.pieces.clear();
+    }
+    return limit;
 }
 
 } // namespace
 
-double steplessLimit_s(const Project& project, const std::stop_token& stop) {
+SteplessLimit steplessLimitBounds(const Project& project, const std::stop_token& stop) {
     Project plain = project;
     plain.runs.clear();
     plain.batch.reset();
     const Variants variants(plain, stop);
     if (variants.isCutShort()) {
-        return 0;
+        return {};
     }
     if (variants.count() == 0) {
         return limitOf(plain, false, stop);
     }
     std::vector<std::pair<MachineSettings, bool>> met; // the counts of spark-outs do not matter
-    double least_s = std::numeric_limits<double>::infinity();
+    SteplessLimit least{std::numeric_limits<double>::infinity(), LimitBy::steps, {}};
     for (std::size_t v = 0; v < variants.count(); ++v) {
         const Project& variant = variants.project(v);
         const std::pair each(machineSettings(variant), variants.grid(v).sparkOut() > 0);
         if (variants.grid(v).fault() == GridFault::none
             && std::find(met.begin(), met.end(), each) == met.end()) {
             met.push_back(each);
-            least_s = std::min(least_s, limitOf(variant, each.second, stop));
+            SteplessLimit limit = limitOf(variant, each.second, stop);
+            if (limit.time_s < least.time_s || met.size() == 1) {
+                least = std::move(limit);
+            }
         }
     }
-    return least_s;
+    return least;
+}
+
+double steplessLimit_s(const Project& project, const std::stop_token& stop) {
+    return steplessLimitBounds(project, stop).time_s;
+}
+
+const char* limitByKey(LimitBy by) {
+    switch (by) {
+    case LimitBy::rates: return "rates";
+    case LimitBy::passes: return "passes";
+    case LimitBy::steps: break;
+    }
+    return "steps";
 }
 
 } // namespace sparkout

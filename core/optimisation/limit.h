@@ -2,10 +2,47 @@
 #pragma once
 
 #include "core/project/project.h"
+#include "core/quality/depth_limits.h"
 
 #include <stop_token>
+#include <vector>
 
 namespace sparkout {
+
+/// A stretch of the stock left in which one bound makes the limit.
+struct LimitPiece {
+    double from_mm = 0, to_mm = 0;              ///< stock left per side, falling
+    LimitBound bound = LimitBound::stock;       ///< feed: with the build-up from no deflection on
+    ConstraintKind kind = ConstraintKind::burn; ///< of a requirement
+    double cut_mm = 0;                          ///< the greatest there
+    double time_s = 0;                          ///< its share of the limit
+};
+
+/// Which of the bounds below is the greatest.
+enum class LimitBy {
+    steps,  ///< |R_first − R_t| by the greatest infeed
+    rates,  ///< the integral of ds/ρ
+    passes, ///< whole passes counted
+};
+
+struct SteplessLimit {
+    double time_s = 0; ///< steplessLimit_s()
+    LimitBy by = LimitBy::steps;
+    /// By falling stock, next to each other, none of the bound of its neighbour; their times add up
+    /// to the limit. None where it is 0 or a stop cut it short.
+    std::vector<LimitPiece> pieces;
+};
+
+/// The stepless limit with what makes it, piece by piece: the bound of a piece is the least at each
+/// of its stocks of those that count where the limit is found.
+///
+/// * rates: of the requirements on a pass, at the axial feed of ρ(s), by cells of the stock;
+/// * passes: of A_i and M(S') for each pass, over the stock that it takes;
+/// * steps: the greatest infeed alone.
+[[nodiscard]] SteplessLimit steplessLimitBounds(const Project& project,
+                                                const std::stop_token& stop = {});
+
+[[nodiscard]] const char* limitByKey(LimitBy by); ///< steps, rates or passes
 
 /// The stepless limit: no cycle that ends by the gauge, never draws the wheel head back and holds
 /// the requirements on burn, power, self-sharpening and, in a plunge, accuracy is quicker, however

@@ -8,6 +8,8 @@
 #include "core/optimisation/pruned_search.h"
 #include "core/optimisation/time_bound.h"
 #include "core/process/profile.h"
+#include "core/project/optimisation.h"
+#include "core/units.h"
 
 #include <algorithm>
 #include <limits>
@@ -124,7 +126,9 @@ private:
     }
 
     void finish() {
-        if (m_sum.status == SearchStatus::stopped) {
+        if (m_options.marginWithin_us) {
+            m_sum.bound_s = 0;
+        } else if (m_sum.status == SearchStatus::stopped) {
             m_sum.bound_s = std::min(m_sum.bound_s, restBound_s());
         } else if (m_sum.best && !isHeuristic(m_options.method)) {
             m_sum.bound_s = m_sum.best->time_s;
@@ -149,6 +153,13 @@ private:
 };
 
 } // namespace
+
+std::optional<std::int64_t> marginWithinOf(const Project& project) {
+    const auto within_min =
+        project.optimisation ? project.optimisation->margin_within_min : std::nullopt;
+    return within_min ? std::optional(comparedTime_us(*within_min * units::secondsPerMinute))
+                      : std::nullopt;
+}
 
 SearchSummary optimise(const Project& project, const SearchOptions& options) {
     return VariantSearch(project, options).run();

@@ -26,6 +26,11 @@
 /// Variants are searched one by one, those first whose least time, by TimeBound, is the least, each
 /// with the best of those before to beat: as exact as the method is, since none that could beat it
 /// is left out.
+///
+/// Or, where a most time is given (`marginWithin_us`), the cycle of the greatest least relative
+/// margin among those that hold and take no longer; among equal margins the quickest, then as
+/// above. So a longer time never has a smaller margin, and with the least time of the grid the
+/// answer is that of the search for it.
 namespace sparkout {
 
 enum class SearchMethod {
@@ -49,6 +54,17 @@ struct FeasibleCycle {
     double time_s = 0;       ///< to the last bit, as simulate() has it: what is stated
 };
 
+/// What makes one feasible cycle better than another.
+enum class SearchAim {
+    leastTime,     ///< then the greater margin
+    greatestMargin ///< within a time; then the quicker
+};
+
+/// The margin of a cycle on further parts.
+struct WholeMargin {
+    std::optional<double> margin; ///< least relative; nothing: it fails on one, or has less there
+};
+
 /// Where a full search was stopped, to go on from.
 struct SearchCheckpoint {
     GridCycle last; ///< the last cycle that was judged, all before it too; empty: none
@@ -60,7 +76,7 @@ struct SearchProgress {
     std::optional<FeasibleCycle> best; ///< so far
     double bound_s = 0;                ///< no feasible cycle is quicker than this and the best
     long long evaluations = 0;         ///< cycles decided on one by one
-    double share = 0;                  ///< of the grid done; full search
+    double share = 0; ///< of the grid done, full search; for the greatest margin of the time given
 };
 
 struct SearchOptions {
@@ -85,6 +101,16 @@ struct SearchOptions {
     /// A cycle of which a stage makes no step on the part, as the size is reached before, does not
     /// count: it is one with fewer stages.
     bool everyStageSteps = false;
+    /// The greatest margin of the cycles that take no longer is looked for. Of methods that prove,
+    /// without a challenge.
+    std::optional<std::int64_t> marginWithin_us;
+    /// For the greatest margin: of a cycle that would be the best its margin on further parts, to
+    /// be no less than the one given. What it says of a cycle must not depend on the others.
+    std::function<WholeMargin(const FeasibleCycle&, double least)> wholeMargin;
+
+    [[nodiscard]] SearchAim aim() const {
+        return marginWithin_us ? SearchAim::greatestMargin : SearchAim::leastTime;
+    }
 };
 
 enum class SearchStatus {
@@ -98,9 +124,11 @@ enum class SearchStatus {
 struct SearchSummary {
     SearchStatus status = SearchStatus::infeasible;
     std::optional<FeasibleCycle> best;
-    Cycle cycle;               ///< the best one, as a project states it
-    MachineSettings machine;   ///< that it is run with
-    double bound_s = 0;        ///< no cycle of the grid that holds is quicker; heuristics: 0
+    Cycle cycle;             ///< the best one, as a project states it
+    MachineSettings machine; ///< that it is run with
+    /// No cycle of the grid that holds is quicker; 0: not known, as of heuristics and where the
+    /// greatest margin is looked for.
+    double bound_s = 0;
     std::int64_t gridSize = 0; ///< cycles in the grid
     long long evaluations = 0; ///< cycles decided on one by one
     long long visits = 0;      ///< radii under the wheel, of all runs
@@ -114,7 +142,12 @@ struct SearchSummary {
     bool isStale = false;
 };
 
-/// Searches the grid of a valid project. An empty grid is infeasible.
+/// The most time that the project's search for the greatest margin leaves a cycle, in whole
+/// microseconds; nothing: the least time is looked for.
+[[nodiscard]] std::optional<std::int64_t> marginWithinOf(const Project& project);
+
+/// Searches the grid of a valid project. An empty grid is infeasible. What the project's search
+/// aims at does not count here, but what the options do.
 [[nodiscard]] SearchSummary optimise(const Project& project, const SearchOptions& options = {});
 
 /// The project with the best cycle and its machine in place; a summary with a best.

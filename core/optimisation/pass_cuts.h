@@ -13,10 +13,14 @@ namespace sparkout {
 /// Tells in the middle of a cycle that it cannot hold a requirement on its passes. The nearness to
 /// burning, the largest power and the largest depth only grow, so what is broken stays broken. Cut
 /// is only what is broken by more than the means of judging are off; the rest is left to the
-/// evaluation of the whole cycle.
+/// evaluation of the whole cycle. Where more than to hold is demanded, a power is broken beyond so
+/// much less than its limit, a diameter within so much of the field's width of its ends: both only
+/// come nearer to them.
 class PassCuts {
 public:
     explicit PassCuts(const Project& project);
+    /// From now on a cycle must have so much of a relative margin, or may be cut.
+    void demandMargin(double least);
     /// After a step of a stage, from 0.
     [[nodiscard]] std::optional<ConstraintKind> broken(const Run& run, std::size_t stage) const;
 
@@ -33,9 +37,11 @@ public:
 
 private:
     std::size_t m_points;         ///< whose diameters count
+    double m_low_mm, m_high_mm;   ///< ends of the field
     double m_least_mm, m_most_mm; ///< of deviations
     bool m_isBore;
     std::vector<std::pair<ConstraintKind, PassBound>> m_bounds;
+    std::vector<double> m_most; ///< of the bounds, for the margin demanded
 };
 
 } // namespace sparkout

@@ -57,6 +57,26 @@ std::optional<Project> failing(Project project, const StockRange& stocks,
     return project;
 }
 
+/// Puts the worst of the stocks of the range in the place of one that is better; false: the cycle
+/// fails for one of them, or has less there.
+bool takeWorst(const Project& project, const StockRange& stocks, double least,
+               const std::stop_token& stop, std::optional<ConstraintResult>& worst) {
+    const bool all = visitPhasePieces(
+        project, stocks.from_mm, stocks.to_mm,
+        [&](const PhasePiece& piece, const SimulationResult&) {
+            const DecidedPiece decided = decidePiece(project, piece, stop);
+            if (!decided.holdsWhole() || !decided.worst || stop.stop_requested()) {
+                return false;
+            }
+            if (!worst || decided.worst->relativeMargin < worst->relativeMargin) {
+                worst = decided.worst;
+            }
+            return worst->relativeMargin >= least;
+        },
+        stop);
+    return all && !stop.stop_requested();
+}
+
 } // namespace
 
 PhaseCases phaseCases(const Project& project) {
@@ -100,6 +120,27 @@ std::optional<Project> failingCase(const Project& best, const std::stop_token& s
         }
     }
     return std::nullopt;
+}
+
+std::optional<ConstraintResult> worstOfCases(const Project& best, double least,
+                                             const std::stop_token& stop) {
+    const PhaseCases cases = phaseCases(best);
+    Project part = best;
+    part.runs.clear();
+    std::optional<ConstraintResult> worst;
+    if (!takeWorst(part, cases.stocks, least, stop, worst)) {
+        return std::nullopt;
+    }
+    if (cases.corners > 0) {
+        part.batch->scenarios = Scenarios::corners;
+        const ScenarioSource source(std::move(part));
+        for (const std::int64_t corner : cornersOf(source.factors())) {
+            if (!takeWorst(source.project(corner), cases.stocks, least, stop, worst)) {
+                return std::nullopt;
+            }
+        }
+    }
+    return worst;
 }
 
 } // namespace sparkout

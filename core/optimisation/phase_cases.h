@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/phases/phase_decision.h"
+#include "core/quality/constraints.h"
 
 #include <cstdint>
 #include <optional>
@@ -27,5 +28,10 @@ struct PhaseCases {
 /// nothing.
 [[nodiscard]] std::optional<Project> failingCase(const Project& best,
                                                  const std::stop_token& stop = {});
+
+/// The requirement with the least relative margin over all of these cases; nothing: the project's
+/// cycle fails for one of them, or has less than `least` there, or it was stopped.
+[[nodiscard]] std::optional<ConstraintResult> worstOfCases(const Project& best, double least,
+                                                           const std::stop_token& stop = {});
 
 } // namespace sparkout

@@ -3,6 +3,7 @@
 
 #include "core/optimisation/judge.h"
 #include "core/optimisation/stage_runs.h"
+#include "core/project/machine.h"
 #include "core/project/optimisation.h"
 #include "core/quality/ranges.h"
 
@@ -41,6 +42,22 @@ struct TooWide {
     std::optional<ConstraintKind> before, last;
 };
 
+/// The least relative margin that any cycle has to its machine's ranges with this setting.
+double rangeMargin(const Project& project, const StageSetting& setting) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const StageFeed& feed : project.operation->feeds) {
+        const auto& range = project.machine->limits.*feed.range;
+        const bool axial = &feed == project.operation->axial();
+        if (range && range->size() == 3 && (*range)[1] > (*range)[0]
+            && (axial || setting.sparkOut == 0)) {
+            const double value = axial ? setting.axialFeed_mm_min : setting.radial;
+            least = std::min(least, std::min(value - (*range)[0], (*range)[1] - value)
+                                        / ((*range)[1] - (*range)[0]));
+        }
+    }
+    return least;
+}
+
 std::optional<ConstraintKind> tooWide(const Project& project, const StageSetting& setting,
                                       bool last) {
     if (!project.operation->axial()) {
@@ -59,7 +76,7 @@ public:
         , m_runner(project, grid, options.stop)
         , m_runs(project, grid, m_runner, StageRuns::Bounds::yes)
         , m_freeLast(!project.optimisation || !project.optimisation->last_stock_mm)
-        , m_mayMerge(options.scenarios.empty() && !options.challenge
+        , m_mayMerge(options.scenarios.empty() && !options.challenge && !options.wholeMargin
                      && !(project.optimisation && project.optimisation->stage_stock_mm))
         , m_leastSteps(project.least_steps.value_or(0))
         , m_most(options.memory_bytes
@@ -68,7 +85,9 @@ public:
         for (const StageSetting& setting : grid.settings()) {
             m_tooWide.push_back(
                 {tooWide(project, setting, false), tooWide(project, setting, true)});
+            m_rangeMargins.push_back(rangeMargin(project, setting));
         }
+        demandMargin();
     }
 
     SearchSummary run() {
@@ -84,8 +103,9 @@ public:
             }
             push(branch->prefix, branch->index + 1);
             explore(*branch->prefix, branch->prefix->next[branch->index].second, branch->bound_s);
+            demandMargin();
             if (m_options.onProgress) {
-                m_options.onProgress({m_judge.best(), m_least_s, m_judge.counts.evaluations, 0});
+                m_options.onProgress(progress());
             }
         }
         m_judge.settle(std::numeric_limits<double>::infinity());
@@ -98,6 +118,9 @@ public:
             summary.status = SearchStatus::proved;
             summary.bound_s = summary.best->time_s;
         }
+        if (m_options.marginWithin_us) {
+            summary.bound_s = 0; // quicker ones may hold, with less of a margin
+        }
         summary.evaluations = m_judge.counts.evaluations;
         summary.visits = m_judge.counts.visits;
         summary.cuts = m_judge.counts.cuts;
@@ -109,7 +132,32 @@ public:
 private:
     [[nodiscard]] bool isSlower(double least_s) const {
         return std::floor(least_s * (1 - 1e-12) * 1e6 - 1)
-               > static_cast<double>(m_judge.bestTime_us());
+               > static_cast<double>(m_judge.mostTime_us());
+    }
+
+    /// For a margin the times up to the most are gone through.
+    [[nodiscard]] SearchProgress progress() const {
+        SearchProgress now{m_judge.best(), m_least_s, m_judge.counts.evaluations, 0};
+        if (m_options.marginWithin_us) {
+            const double most_s = seconds(*m_options.marginWithin_us);
+            now.bound_s = 0;
+            now.share = most_s > 0 ? std::clamp(m_least_s / most_s, 0.0, 1.0) : 0;
+        }
+        return now;
+    }
+
+    /// Only cycles that may still be better are run to their end.
+    void demandMargin() {
+        if (const double demanded = m_judge.demandedMargin(); demanded > m_demanded) {
+            m_demanded = demanded;
+            m_runner.demandMargin(demanded);
+        }
+    }
+
+    /// Whether no cycle with the setting has the margin that is demanded.
+    [[nodiscard]] bool isTooNear(std::size_t setting) const {
+        constexpr double lastBits = 1e-9;
+        return m_demanded > 0 && m_rangeMargins[setting] < m_demanded - lastBits;
     }
 
     /// A challenge is expensive, so cycles wait for theirs until no branch can be quicker, or some
@@ -148,7 +196,7 @@ private:
     void seed(std::size_t stages) {
         std::vector<std::pair<double, std::size_t>> order;
         for (std::size_t s = 0; s < m_grid.settings().size(); ++s) {
-            if (m_grid.settings()[s].sparkOut == 0 && !m_tooWide[s].before
+            if (m_grid.settings()[s].sparkOut == 0 && !m_tooWide[s].before && !isTooNear(s)
                 && (m_grid.sparkOut() > 0 || !m_tooWide[s].last)) {
                 order.emplace_back(
                     m_runs.bound().rest_s(s, 0, m_grid.mostLast_mm(), m_grid.sparkOut() == 0), s);
@@ -161,6 +209,7 @@ private:
             }
             const GridCycle cycle = m_grid.uniform(stages, setting);
             if (!cycle.empty() && m_judge.decide(cycle, m_runner)) {
+                demandMargin();
                 return;
             }
         }
@@ -184,7 +233,7 @@ private:
         const std::optional<std::size_t> shorter = toldShorter(done);
         prefix.next.reserve(m_grid.settings().size());
         for (std::size_t s = 0; s < m_grid.settings().size(); ++s) {
-            if (s == shorter || !m_grid.mayGoOn(done.cycle, done.stages, s)) {
+            if (s == shorter || isTooNear(s) || !m_grid.mayGoOn(done.cycle, done.stages, s)) {
                 continue;
             }
             if (const auto& broken =
@@ -263,6 +312,9 @@ private:
 
     void explore(const Prefix& from, std::size_t setting, double least_s) {
         const CyclePrefix& done = from.done;
+        if (isTooNear(setting)) {
+            return; // since a better one was found
+        }
         if (done.isBeforeLast() && isHopeless(done, setting, from.merged)) {
             return;
         }
@@ -301,8 +353,8 @@ private:
         const double step_s = m_runs.bound().step_s(setting);
         const double begin_s = done.time_s;
         int mostSteps = std::numeric_limits<int>::max();
-        if (m_judge.best()) {
-            const double left_s = seconds(m_judge.bestTime_us()) - begin_s;
+        if (m_judge.mostTime_us() != noTime_us) {
+            const double left_s = seconds(m_judge.mostTime_us()) - begin_s;
             mostSteps = static_cast<int>(std::min(left_s / step_s, 1e9)) + 2;
         }
         const LastStageOutlook outlook = m_runs.outlook(done, setting, mostSteps);
@@ -323,13 +375,15 @@ private:
     Judge m_judge;
     CycleRunner m_runner;
     StageRuns m_runs;
-    std::vector<TooWide> m_tooWide; ///< of the settings, whatever the cycle
-    bool m_freeLast;                ///< no bounds of the last stage's stock
-    bool m_mayMerge;                ///< ends of stages before the one before the last
-    int m_leastSteps;               ///< of a stage; all before the last have stock and feed
-    std::vector<Branch> m_branches; ///< a heap
-    bool m_isFirstTaken = false;    ///< the first of the heap is to be replaced
-    std::vector<Branch> m_newest;   ///< beyond the most branches in order
+    std::vector<TooWide> m_tooWide;     ///< of the settings, whatever the cycle
+    std::vector<double> m_rangeMargins; ///< likewise
+    double m_demanded = 0;              ///< margin
+    bool m_freeLast;                    ///< no bounds of the last stage's stock
+    bool m_mayMerge;                    ///< ends of stages before the one before the last
+    int m_leastSteps;                   ///< of a stage; all before the last have stock and feed
+    std::vector<Branch> m_branches;     ///< a heap
+    bool m_isFirstTaken = false;        ///< the first of the heap is to be replaced
+    std::vector<Branch> m_newest;       ///< beyond the most branches in order
     std::size_t m_most;
     long long m_order = 0, m_taken = 0;
     bool m_seeded = false;

@@ -32,6 +32,11 @@
 ///    before, and no bound of a stage forbids the sum, it is the better one, and the longer
 ///    is not run.
 ///
+/// For the greatest margin within a time the bound of point 3 is that time instead of the best
+/// one's. A branch is also dropped, and a cycle cut (PassCuts), where its margin is proved to be
+/// less than that of the best so far; equal margins are not. The cycles of points 2 and 5 that one
+/// stands for have its margin, or less.
+///
 /// Whatever remains is judged as the full search does, from the same result of the same passes.
 namespace sparkout {
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -75,6 +76,92 @@ int placeOf(const FeasibleCycle& cycle, const std::vector<FeasibleCycle>& candid
     return std::max(static_cast<int>(place), 1);
 }
 
+/// The margins of cycles on all that a robust answer must hold for.
+class WholeMargins {
+public:
+    WholeMargins(const Project& project, const Variants& variants, const FreshScenarios& source,
+                 const std::stop_token& stop)
+        : m_project(project), m_variants(variants), m_source(source), m_stop(stop) {}
+
+    WholeMargin of(const FeasibleCycle& found, double least) {
+        const std::scoped_lock lock(m_mutex); // of the threads of a full search
+        Project best = m_variants.project(found.variant);
+        best.optimisation = m_project.optimisation;
+        *best.cycle = m_variants.grid(found.variant).cycle(found.cycle);
+        const std::optional<double> drawn = onScenarios(best, least);
+        if (!drawn) {
+            return {};
+        }
+        ++summary.candidates;
+        if (canDecidePhases(best)) {
+            const std::optional<ConstraintResult> worst = worstOfCases(best, least, m_stop);
+            return {worst ? std::optional(std::min(*drawn, worst->relativeMargin)) : std::nullopt};
+        }
+        candidates.push_back(found);
+        if (failingPhase(best, static_cast<std::uint32_t>(candidates.size()), m_stop)) {
+            ++summary.freshFailures;
+            return {};
+        }
+        return {drawn};
+    }
+
+    RobustSummary summary;
+    std::vector<FeasibleCycle> candidates; ///< in the order of their tests on fresh phases
+
+private:
+    /// The one first in which the last cycle failed or had too little.
+    std::optional<double> onScenarios(const Project& best, double least) {
+        const std::vector<Project> scenarios = m_source(best, 0);
+        double margin = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < scenarios.size(); ++i) {
+            const std::size_t at = (m_worst + i) % scenarios.size();
+            Project scenario = scenarios[at];
+            scenario.cycle = best.cycle;
+            const std::optional<CycleTrial> trial = tried(scenario, m_stop);
+            if (!trial || !trial->holds || trial->leastMargin < least) {
+                m_worst = at;
+                return std::nullopt;
+            }
+            margin = std::min(margin, trial->leastMargin);
+        }
+        return margin;
+    }
+
+    const Project& m_project;
+    const Variants& m_variants;
+    const FreshScenarios& m_source;
+    std::stop_token m_stop;
+    std::size_t m_worst = 0;
+    std::mutex m_mutex;
+};
+
+RobustSummary greatestMargin(const Project& project, const FreshScenarios& source,
+                             SearchOptions search) {
+    const Variants variants(project, search.stop);
+    WholeMargins margins(project, variants, source, search.stop);
+    search.wholeMargin = [&margins](const FeasibleCycle& found, double least) {
+        return margins.of(found, least);
+    };
+    RobustSummary summary;
+    SearchSummary found = optimise(project, search);
+    summary = margins.summary;
+    summary.search = std::move(found);
+    summary.rounds = 1;
+    summary.evaluations = summary.search.evaluations;
+    summary.visits = summary.search.visits;
+    if (!summary.search.best) {
+        return summary;
+    }
+    summary.holdsInSample = true;
+    summary.candidate = placeOf(*summary.search.best, margins.candidates);
+    if (canDecidePhases(project)) {
+        summary.decided = phaseCases(withBest(project, summary.search));
+    } else {
+        summary.freshPhases = freshPhaseCount;
+    }
+    return summary;
+}
+
 } // namespace
 
 RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& source,
@@ -82,6 +169,11 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
     Project project = asked; // of which each scenario is a copy
     project.runs.clear();
     project.notes.clear();
+    if (options.search.marginWithin_us) {
+        SearchOptions search = options.search;
+        search.everyStageSteps = true;
+        return greatestMargin(project, source, std::move(search));
+    }
     RobustSummary summary;
     SearchOptions search = options.search;
     search.everyStageSteps = true;

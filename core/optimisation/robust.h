@@ -60,6 +60,11 @@ struct RobustSummary {
 /// joined later, nothing is lost: cycles of its time are not dropped, they wait, as its margin may
 /// fall. Where it does not hold, the search is made again with the set as it is. Cycles quicker
 /// than the best without further scenarios were judged before: none of them holds.
+///
+/// For the greatest margin within a time no scenario is added: the margin of each cycle that would
+/// be the best is taken on all that it must hold for, which is the same whatever else is searched:
+/// the part, the scenarios given, those of the source's round 0, and under gauge control every
+/// stock of its phaseCases(). Under position control it is then tried on fresh phases as above.
 [[nodiscard]] RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& source,
                                              const RobustOptions& options = {});
 

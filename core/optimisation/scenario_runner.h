@@ -21,6 +21,9 @@ public:
     ScenarioRunner(const ScenarioRunner&) = delete; // the runs refer to the runner's cuts
     ScenarioRunner& operator=(const ScenarioRunner&) = delete;
 
+    /// Cycles with less of a relative margin may be cut from now on; it must not fall.
+    void demandMargin(double least) { m_runner.demandMargin(least); }
+
     /// Whether a cycle is known to break a requirement before its last stage is run.
     [[nodiscard]] bool isHopeless(const GridCycle& cycle, SearchCounts& counts);
     /// A cycle as simulate() has it; nothing when its passes or diameters break a requirement,

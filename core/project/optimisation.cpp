@@ -94,6 +94,19 @@ Field adaptiveLevels() {
         .source = "MODEL-8");
 }
 
+Field marginWithin() {
+    return SPARKOUT_FIELD(
+        Optimisation, margin_within_min,
+        .label = SPARKOUT_NOOP("Input", "Largest margin within a time"), .unit = "min",
+        .hard = {0, 600, true}, .nullMeaning = SPARKOUT_NOOP("Input", "the least time is searched"),
+        .page = Page::search,
+        .hint = SPARKOUT_NOOP("Input",
+                              "The search then answers the cycle farthest from its limits whose "
+                              "machining time is at most that: the one with the largest least "
+                              "margin of all requirements, each as a share of its limit."),
+        .source = "MODEL-8");
+}
+
 } // namespace
 
 template <>
@@ -120,6 +133,7 @@ const StructInfo& tableOf<Optimisation>() {
                        .hint = SPARKOUT_NOOP("Input", "Neither feed rises from stage to stage."),
                        .source = "MODEL-8"),
         adaptiveLevels(),
+        marginWithin(),
         SPARKOUT_FIELD(Optimisation, scenarios, .label = SPARKOUT_NOOP("Input", "Must hold for"),
                        .page = Page::search,
                        .hint =

@@ -29,6 +29,8 @@ struct Optimisation {
         last_stock_mm; ///< least and most of the last of several [mm]
     bool non_increasing = false;
     bool adaptive = false; ///< levels are added around and beyond the answer
+    /// The greatest margin within this time is searched; not given: the least time [min].
+    std::optional<double> margin_within_min;
     OptimisationScenarios scenarios = OptimisationScenarios::nominal;
     Levels radial_feed_mm;     ///< traverse, per double stroke [mm]
     Levels axial_feed_mm_min;  ///< traverse [mm/min]

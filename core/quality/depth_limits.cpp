@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/depth_limits.h"
 
+#include "core/process/contact_compliance.h"
+#include "core/process/coupled_sections.h"
 #include "core/process/system_compliance.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
@@ -68,6 +70,25 @@ const DepthLimit* bindingOf(const std::vector<DepthLimit>& limits) {
         }
     }
     return least;
+}
+
+const char* limitBoundKey(LimitBound bound, ConstraintKind kind) {
+    switch (bound) {
+    case LimitBound::feed: return "machine_feed";
+    case LimitBound::accuracy: return "accuracy";
+    case LimitBound::requirement: return requirementOf(kind).key;
+    case LimitBound::stock: break;
+    }
+    return "stock";
+}
+
+std::optional<double> greatestInfeed_mm(const Project& project) {
+    const auto& range = project.machine->limits.*project.operation->radial().range;
+    if (!range || range->size() != 3 || isCoupled(project) || wheelContact(project)
+        || feedsContinuously(project)) {
+        return std::nullopt;
+    }
+    return project.operation.infeed_mm((*range)[1], project.machine->work_speed_rpm);
 }
 
 } // namespace sparkout

@@ -3,6 +3,7 @@
 
 #include "core/quality/requirement.h"
 
+#include <optional>
 #include <vector>
 
 namespace sparkout {
@@ -12,6 +13,21 @@ struct DepthLimit {
     ConstraintKind kind;
     double depth_mm = 0; ///< 0: not met at any depth
 };
+
+/// What keeps a cut from being greater.
+enum class LimitBound {
+    feed,        ///< the machine's greatest infeed, which no cut of uncoupled lanes exceeds
+    accuracy,    ///< the last cut that the drawing allows: release
+    requirement, ///< one on every pass: burn, self-sharpening, power
+    stock,       ///< nothing: all that is left at once
+};
+/// Its name in files: machine_feed, accuracy, the requirement's or stock.
+[[nodiscard]] const char* limitBoundKey(LimitBound bound, ConstraintKind kind);
+
+/// The greatest infeed of a step [mm] that the machine's range allows, where no cut is greater: of
+/// uncoupled places without wheel contact and continuous infeed, a cut keeps a + γ·P(a) = γ·P(a of
+/// the pass before) + Δt, and so a ≤ f from rest on. Nothing: no range, or not known.
+[[nodiscard]] std::optional<double> greatestInfeed_mm(const Project& project);
 
 /// For a pass of the effective width b [mm] with this stock left [mm], the greatest depth of cut
 /// [mm] of every requirement that is on and limits it, in the order of the kinds; as a feed it is

@@ -300,6 +300,103 @@ LimitPoints steplessLimit(const LimitSeries& series, const LimitGroup& group) {
         });
 }
 
+namespace {
+
+/// A curve between two stocks next to each other of all curves' points.
+struct BoundLine {
+    const BoundCurve* curve = nullptr;
+    double from_mm = 0, to_mm = 0; ///< depths
+    [[nodiscard]] double at(double share) const { return from_mm + share * (to_mm - from_mm); }
+};
+
+/// Nothing where the curve has no depth there.
+std::optional<BoundLine> lineBetween(const BoundCurve& curve, double from, double to) {
+    const LimitPoints& points = curve.points;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const LimitPoint &a = points[i - 1], &b = points[i];
+        if (a.stock_mm <= from && b.stock_mm >= to && a.stock_mm < b.stock_mm) {
+            const double slope = (b.depth_mm - a.depth_mm) / (b.stock_mm - a.stock_mm);
+            return BoundLine{&curve, a.depth_mm + slope * (from - a.stock_mm),
+                             a.depth_mm + slope * (to - a.stock_mm)};
+        }
+    }
+    return std::nullopt;
+}
+
+class Envelope {
+public:
+    void addBetween(const std::vector<BoundLine>& lines, double from, double to) {
+        double share = 0, begin = from;
+        const BoundLine* least = nullptr;
+        for (const BoundLine& line : lines) {
+            if (!least || line.from_mm < least->from_mm
+                || (line.from_mm == least->from_mm && line.to_mm < least->to_mm)) {
+                least = &line;
+            }
+        }
+        while (least) {
+            double until = 1, most = 0;
+            const BoundLine* next = nullptr;
+            for (const BoundLine& line : lines) { // those that fall below it
+                const double gain = (least->to_mm - least->from_mm) - (line.to_mm - line.from_mm);
+                const double crosses = gain > 0 ? (line.from_mm - least->from_mm) / gain : 1;
+                if (crosses > share
+                    && (crosses < until || (next && crosses == until && gain > most))) {
+                    until = crosses;
+                    most = gain;
+                    next = &line;
+                }
+            }
+            const double end = until < 1 ? from + until * (to - from) : to; // to the last bit
+            add(*least->curve, {begin, least->at(share)}, {end, least->at(until)});
+            begin = end;
+            share = until;
+            least = next;
+        }
+    }
+
+    std::vector<BoundCurve> take() { return std::move(m_pieces); }
+
+private:
+    void add(const BoundCurve& curve, LimitPoint a, LimitPoint b) {
+        const bool goesOn = !m_pieces.empty() && m_pieces.back().bound == curve.bound
+                            && m_pieces.back().kind == curve.kind
+                            && m_pieces.back().points.back().stock_mm == a.stock_mm;
+        if (!goesOn) {
+            m_pieces.push_back({curve.bound, curve.kind, {a}});
+        } else if (m_pieces.back().points.back().depth_mm != a.depth_mm) {
+            m_pieces.back().points.push_back(a);
+        }
+        m_pieces.back().points.push_back(b);
+    }
+
+    std::vector<BoundCurve> m_pieces;
+};
+
+} // namespace
+
+std::vector<BoundCurve> envelopeOf(const std::vector<BoundCurve>& curves) {
+    std::vector<double> stocks;
+    for (const BoundCurve& curve : curves) {
+        for (const LimitPoint& point : curve.points) {
+            stocks.push_back(point.stock_mm);
+        }
+    }
+    std::ranges::sort(stocks);
+    stocks.erase(std::unique(stocks.begin(), stocks.end()), stocks.end());
+    Envelope envelope;
+    for (std::size_t i = 1; i < stocks.size(); ++i) {
+        std::vector<BoundLine> lines;
+        for (const BoundCurve& curve : curves) {
+            if (const auto line = lineBetween(curve, stocks[i - 1], stocks[i])) {
+                lines.push_back(*line);
+            }
+        }
+        envelope.addBetween(lines, stocks[i - 1], stocks[i]);
+    }
+    return envelope.take();
+}
+
 bool limitsFeed(const LimitSeries& series) {
     return std::ranges::any_of(
         series.on, [](ConstraintKind kind) { return requirementOf(kind).bindsEveryPass(); });

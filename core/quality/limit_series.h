@@ -80,6 +80,18 @@ inline constexpr std::size_t mostLimitedCuts = 600;
 /// roughness, which binds the last cut alone [MODEL-8]. Empty when no other limit is on.
 [[nodiscard]] LimitPoints steplessLimit(const LimitSeries& series, const LimitGroup& group);
 
+/// A limit of the depth of cut over the stock, by rising stock, linear between its points.
+struct BoundCurve {
+    LimitBound bound = LimitBound::requirement;
+    ConstraintKind kind = ConstraintKind::burn; ///< of a requirement
+    LimitPoints points;
+};
+
+/// Which of several limits binds where: stretches of the stock, rising, in each of which one of
+/// them is the least, with its own points; the first of equal ones. A stock that none of them has
+/// is in no stretch.
+[[nodiscard]] std::vector<BoundCurve> envelopeOf(const std::vector<BoundCurve>& curves);
+
 /// Whether a limit that binds every cut is on.
 [[nodiscard]] bool limitsFeed(const LimitSeries& series);
 /// The same of the cuts of one zone or section: coupled sections share the power.

@@ -4,7 +4,6 @@
 #include "core/batch/batch_check.h"
 #include "core/optimisation/binding.h"
 #include "core/optimisation/grace_stop.h"
-#include "core/optimisation/limit.h"
 #include "core/project/cycle.h"
 #include "core/project/optimisation.h"
 #include "core/project/validate.h"
@@ -26,12 +25,16 @@ const std::vector<Project>& scenariosAdded(const GridSearchReport& report) {
 /// The limit, and what binds the best of the grid.
 void aboutTheBest(GridSearchReport& report, const std::stop_token& stop) {
     const GraceStop grace(stop);
-    report.limit_s = steplessLimit_s(report.searched, grace.token());
-    if (report.search.status == SearchStatus::stopped
-        || isHeuristic(report.method)) { // no cycle at all is quicker than that
+    report.limit = steplessLimitBounds(report.searched, grace.token());
+    report.limit_s = report.limit.time_s;
+    if (report.search.status == SearchStatus::stopped || isHeuristic(report.method)
+        || report.marginWithin_us) { // no cycle at all is quicker than that
         report.search.bound_s = std::max(report.search.bound_s, report.limit_s);
     }
-    if (report.search.best) {
+    if (report.search.best && report.marginWithin_us) {
+        report.binding = leastMarginRequirements(withBest(report.searched, report.search),
+                                                 report.robust.has_value(), grace.token());
+    } else if (report.search.best) {
         report.binding = bindingRequirements(report.searched, *report.search.best,
                                              scenariosAdded(report), grace.token());
     }
@@ -78,6 +81,9 @@ GridSearchReport checked(const Project& project, const GridSearchOptions& option
     if (!hasErrors(report.issues)) {
         report.issues.clear();
         report.isOtherOperation = isHeuristic(options.method) && project.operation->axial();
+        report.marginWithin_us = marginWithinOf(project);
+        report.isOtherAim =
+            report.marginWithin_us && (isHeuristic(options.method) || options.refine);
         report.fault = Variants(project, options.stop).fault();
         if (report.ran() && asksForABatch(project)) {
             report.issues = checkBatch(project);
@@ -115,9 +121,10 @@ GridSearchReport searchGrid(const Project& project, const GridSearchOptions& opt
     search.threads = options.threads;
     search.onProgress = options.onProgress;
     search.stop = options.stop;
+    search.marginWithin_us = report.marginWithin_us;
     SearchLevels levels(project);
     searchOnce(report, levels.searched(), options, search);
-    while (isDone(report) && levels.goOn(report.search.cycle, report.search.best->time_s)) {
+    while (isDone(report) && levels.goOn(report.search.cycle, *report.search.best)) {
         GridSearchReport finer = report;
         searchOnce(finer, levels.searched(), options, search);
         if (finer.search.status == SearchStatus::stopped) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/issue.h"
+#include "core/optimisation/limit.h"
 #include "core/optimisation/optimise.h"
 #include "core/optimisation/refine.h"
 #include "core/optimisation/robust.h"
@@ -40,20 +41,25 @@ struct GridSearchReport {
     Issues issues;                     ///< errors of the project, or why its batch cannot be run
     GridFault fault = GridFault::none; ///< why its grid cannot be searched
     bool isOtherOperation = false;     ///< the method is for plunge grinding alone
-    Project searched;                  ///< the project with the levels of the last round
-    int rounds = 1;                    ///< of SearchLevels
-    bool areLevelsCutShort = false;    ///< a further round was stopped
-    std::vector<LevelEdge> edges;      ///< of its grid that the answer of the grid reaches
+    bool isOtherAim = false; ///< the method, or the refinement, looks for the least time alone
+    Project searched;        ///< the project with the levels of the last round
+    int rounds = 1;          ///< of SearchLevels
+    bool areLevelsCutShort = false; ///< a further round was stopped
+    std::vector<LevelEdge> edges;   ///< of its grid that the answer of the grid reaches
     SearchSummary search;
     std::optional<RobustSummary> robust; ///< of which the search is the last
     std::optional<RefineSummary> refined;
-    double limit_s = 0;                                 ///< stepless
-    std::optional<std::vector<ConstraintKind>> binding; ///< nothing: not known, or no cycle
+    double limit_s = 0;  ///< stepless
+    SteplessLimit limit; ///< the same, with what makes it
+    /// What keeps the answer from being quicker, or of its margin from being greater; nothing: not
+    /// known, or no cycle.
+    std::optional<std::vector<ConstraintKind>> binding;
+    std::optional<std::int64_t> marginWithin_us; ///< what it is the greatest margin within
     GivenCycle given;
 
     /// Else nothing was searched.
     [[nodiscard]] bool ran() const {
-        return issues.empty() && fault == GridFault::none && !isOtherOperation;
+        return issues.empty() && fault == GridFault::none && !isOtherOperation && !isOtherAim;
     }
 };
 

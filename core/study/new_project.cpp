@@ -5,14 +5,11 @@
 #include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/study/operation.h"
+#include "core/study/search_edits.h"
 
 #include <utility>
 
 namespace sparkout {
-
-namespace {
-constexpr double usualLeastOverlap = 1.05, usualLeastOverlapLast = 2;
-} // namespace
 
 Project newProject(Operation operation) {
     Project project;
@@ -29,9 +26,7 @@ Project newProject(Operation operation) {
     finish.axial_feed_mm_min = 1000;
     finish.stock_mm = 0.04;
     project.cycle->stages = {rough, finish};
-    project.least_overlap = usualLeastOverlap;
-    project.least_overlap_last = usualLeastOverlapLast;
-    project.least_steps = project.operation->usualLeastSteps;
+    project = withPracticalLimits(std::move(project));
     if (operation == Operation::plunge) {
         project.part->length_mm = 40;
     }

@@ -107,6 +107,18 @@ Project withUsualSearch(Project project) {
     return project;
 }
 
+Project withPracticalLimits(Project project) {
+    constexpr double usualLeastOverlap = 1.05, usualLeastOverlapLast = 2;
+    project.least_overlap = project.least_overlap.value_or(usualLeastOverlap);
+    project.least_overlap_last = project.least_overlap_last.value_or(usualLeastOverlapLast);
+    project.least_steps = project.least_steps.value_or(project.operation->usualLeastSteps);
+    return project;
+}
+
+Project withOfferedSearch(Project project) {
+    return withPracticalLimits(withUsualSearch(std::move(project)));
+}
+
 Project withSearchFor(Project project) {
     if (!project.optimisation) {
         return project;

@@ -11,6 +11,14 @@ namespace sparkout {
 /// where the cycle has them, feeds that never rise.
 [[nodiscard]] Project withUsualSearch(Project project);
 
+/// The project with the usual practical limits of a stage where it states none: least overlap of
+/// every stage and of the last, least steps. What a shop would not run then breaks a requirement,
+/// of the present cycle too.
+[[nodiscard]] Project withPracticalLimits(Project project);
+
+/// The usual search as one is offered: with practical limits, so that its answer can be run.
+[[nodiscard]] Project withOfferedSearch(Project project);
+
 /// The project with levels in its search for the feeds of its operation where there are none: usual
 /// ones. What else is asked stays, and what is asked under the other operation too.
 [[nodiscard]] Project withSearchFor(Project project);

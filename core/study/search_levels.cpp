@@ -137,13 +137,17 @@ std::vector<LevelEdge> edgesReached(const Project& searched, const Cycle& cycle)
 
 SearchLevels::SearchLevels(Project project) : m_searched(std::move(project)) {}
 
-bool SearchLevels::goOn(const Cycle& best, double time_s) {
+bool SearchLevels::goOn(const Cycle& best, const FeasibleCycle& found) {
     if (!m_searched.optimisation->adaptive || m_round == mostRounds) {
         return false;
     }
     constexpr double leastSaving = 0.005;
-    const bool saves = !m_time_s || time_s < *m_time_s * (1 - leastSaving);
-    m_time_s = time_s;
+    const bool saves =
+        !m_time_s
+        || (marginWithinOf(m_searched) ? found.leastRelativeMargin > *m_margin + leastSaving
+                                       : found.time_s < *m_time_s * (1 - leastSaving));
+    m_time_s = found.time_s;
+    m_margin = found.leastRelativeMargin;
     const std::vector<LevelEdge> edges = edgesReached(m_searched, best);
     Project next = m_searched;
     bool more = false;

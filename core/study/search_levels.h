@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/optimisation/optimise.h"
 #include "core/project/cycle.h"
 #include "core/project/operation.h"
 #include "core/project/project.h"
@@ -30,7 +31,8 @@ struct LevelEdge {
 /// * beyond it, where it stands at the edge of the grid and the machine lets it pass: three, each
 ///   by the ratio of the last two greater or smaller, within the machine's range;
 /// * on either side of each feed of it, halfway to the next level (geometric mean), as long as they
-///   are more than 5 % apart and the last levels between saved more than 0.5 % of the time.
+///   are more than 5 % apart and the last levels between saved more than 0.5 % of the time, or
+///   added more than 0.005 to the margin that is searched.
 ///
 /// All are steps of the machine. No level is taken away, so each grid holds those before it, and
 /// what is proved of the last holds for all.
@@ -42,13 +44,14 @@ public:
     /// What is to be searched in this round.
     [[nodiscard]] const Project& searched() const { return m_searched; }
     [[nodiscard]] int round() const { return m_round; } ///< from 1
-    /// Takes the quickest cycle of this round, its time [s]; whether there is another round.
-    bool goOn(const Cycle& best, double time_s);
+    /// Takes the best cycle of this round and what it is compared by; whether there is another
+    /// round.
+    bool goOn(const Cycle& best, const FeasibleCycle& found);
 
 private:
     Project m_searched;
     int m_round = 1;
-    std::optional<double> m_time_s; ///< of the round before
+    std::optional<double> m_time_s, m_margin; ///< of the round before
 };
 
 } // namespace sparkout

@@ -36,10 +36,12 @@ public:
         : m_outcome(std::make_shared<SearchOutcome>())
         , m_levels(project)
         , m_now(project, stop)
-        , m_refine(wish.refine)
+        , m_within_us(marginWithinOf(project))
+        , m_refine(wish.refine && !m_within_us)
         , m_stop(std::move(stop))
         , m_note(std::move(note)) {
         m_outcome->project = project;
+        m_outcome->marginWithin_us = m_within_us;
         m_outcome->fault = m_now.variants->fault();
         if (m_outcome->fault == GridFault::none) {
             const bool asked = project.optimisation->scenarios != OptimisationScenarios::nominal;
@@ -100,12 +102,12 @@ private:
 
     /// Whether a grid with further levels was searched to its end.
     bool goOn() {
-        const Noted* const best = quickest();
+        const Noted* const best = first();
         if (m_outcome->stopped || !best) {
             return false;
         }
         const Cycle cycle = gridOf(*best).cycle(best->cycle.cycle);
-        if (!m_levels.goOn(cycle, best->cycle.time_s)) {
+        if (!m_levels.goOn(cycle, best->cycle)) {
             return false;
         }
         Round before = std::exchange(m_now, Round(m_levels.searched(), m_stop));
@@ -124,7 +126,7 @@ private:
     void takeRound() {
         m_outcome->searched = m_now.searched;
         m_outcome->numbers = m_now.numbers;
-        if (const Noted* const best = quickest()) {
+        if (const Noted* const best = first()) {
             m_outcome->edges = edgesReached(m_now.searched, gridOf(*best).cycle(best->cycle.cycle));
         }
     }
@@ -134,12 +136,17 @@ private:
     }
 
     /// Null: nothing was found.
-    [[nodiscard]] const Noted* quickest() const {
+    [[nodiscard]] const Noted* first() const {
         const auto best =
             std::ranges::min_element(m_now.found, [this](const Noted& a, const Noted& b) {
-                return isBetter(a.cycle, b.cycle, gridOf(a));
+                return isBetter(a.cycle, b.cycle, gridOf(a), m_outcome->aim());
             });
         return best == m_now.found.end() ? nullptr : &*best;
+    }
+
+    /// Whether it takes no longer than the answer may; others are of the front alone.
+    [[nodiscard]] bool mayAnswer(const FeasibleCycle& each) const {
+        return !m_within_us || each.time_us <= *m_within_us;
     }
 
     [[nodiscard]] static std::optional<double> best_s(const std::vector<Noted>& found) {
@@ -158,11 +165,12 @@ private:
         }
         SearchOptions options;
         options.stop = m_stop;
+        options.marginWithin_us = m_within_us;
         options.onProgress = [this, stages](const SearchProgress& progress) {
             if (progress.best && !m_outcome->robust) {
                 addFound(*progress.best);
             }
-            report(stages, progress.bound_s, progress.evaluations);
+            report(stages, progress.bound_s, progress.evaluations, FoundBy::search, progress.share);
         };
         SearchedNumber number{.stages = stages};
         int candidate = 0;
@@ -201,11 +209,12 @@ private:
     }
 
     void report(int stages, double bound_s, long long evaluations,
-                FoundBy looksFor = FoundBy::search) const {
+                FoundBy looksFor = FoundBy::search, double share = 0) const {
         SearchState state{.looksFor = looksFor,
                           .stages = stages,
                           .round = m_levels.round(),
                           .best_s = best_s(m_now.found),
+                          .share = share,
                           .bound_s = bound_s,
                           .evaluations = evaluations};
         if (m_best_s && (!state.best_s || *m_best_s < *state.best_s)) {
@@ -214,11 +223,8 @@ private:
         m_note(state);
     }
 
-    /// Time against margin, about as long as the search took.
-    void lookForMargins() {
-        constexpr std::size_t most = 12;
-        constexpr std::chrono::seconds grace(2);
-        const Clock::time_point end = Clock::now() + (Clock::now() - m_began) + grace;
+    /// Of the searches for the least time; nothing: none has a best.
+    [[nodiscard]] std::optional<SearchSummary> quickest() const {
         const SearchSummary* quickest = nullptr;
         for (const SearchedNumber& number : m_now.numbers) {
             if (number.search.best
@@ -228,6 +234,14 @@ private:
                 quickest = &number.search;
             }
         }
+        return quickest ? std::optional(*quickest) : std::nullopt;
+    }
+
+    /// Time against margin, about as long as the search took.
+    void lookForMargins() {
+        constexpr std::size_t most = 40;
+        constexpr std::chrono::seconds grace(2);
+        const Clock::time_point end = Clock::now() + (Clock::now() - m_began) + grace;
         std::stop_source ends;
         const std::stop_callback stopped(m_stop, [&ends] { ends.request_stop(); });
         SearchOptions options;
@@ -238,10 +252,16 @@ private:
             }
             report(0, 0, progress.evaluations, FoundBy::margin);
         };
-        for (const SearchSummary& each :
-             tradeOff(m_now.searched, *quickest, options, most).cycles) {
+        const std::optional<SearchSummary> from =
+            m_within_us ? optimise(m_now.searched, options) : quickest();
+        if (!from || !from->best || from->status != SearchStatus::proved) {
+            return;
+        }
+        const TradeOff front = tradeOff(m_now.searched, *from, options, most);
+        for (const SearchSummary& each : front.cycles) {
             addFound(*each.best, FoundBy::margin);
         }
+        m_outcome->isFrontWhole = front.isWhole;
     }
 
     /// From the best of the grid, as it stands in the outcome.
@@ -274,18 +294,23 @@ private:
 
     void finish() {
         std::ranges::sort(m_now.found, [this](const Noted& a, const Noted& b) {
-            return isBetter(a.cycle, b.cycle, m_now.variants->grid(a.cycle.variant));
+            if (mayAnswer(a.cycle) != mayAnswer(b.cycle)) {
+                return mayAnswer(a.cycle);
+            }
+            return isBetter(a.cycle, b.cycle, gridOf(a),
+                            mayAnswer(a.cycle) ? m_outcome->aim() : SearchAim::leastTime);
         });
         std::vector<std::size_t> numbers; // of stages, met already
         for (const auto& [each, by, candidate] : m_now.found) {
-            const bool first = std::ranges::find(numbers, each.cycle.size()) == numbers.end();
+            const bool first =
+                mayAnswer(each) && std::ranges::find(numbers, each.cycle.size()) == numbers.end();
             m_outcome->found.push_back(
                 {.by = by,
                  .cycle = m_now.variants->grid(each.variant).cycle(each.cycle),
                  .machine = machineSettings(m_now.variants->project(each.variant)),
                  .time_s = each.time_s,
                  .leastRelativeMargin = each.leastRelativeMargin,
-                 .isBest = numbers.empty(),
+                 .isBest = first && numbers.empty(),
                  .isBestOfItsNumber = first,
                  .candidate = candidate});
             if (first) {
@@ -300,7 +325,11 @@ private:
         const GraceStop grace(m_stop); // for both
         m_outcome->limit_s = steplessLimit_s(m_now.searched, grace.token());
         m_outcome->bound_s = bound();
-        if (!m_now.found.empty()) {
+        if (!m_now.found.empty() && m_within_us) {
+            m_outcome->binding =
+                leastMarginRequirements(withFound(m_now.searched, m_outcome->found.front()),
+                                        m_outcome->robust, grace.token());
+        } else if (!m_now.found.empty()) {
             m_outcome->binding = bindingRequirements(m_now.searched, m_now.found.front().cycle,
                                                      m_now.scenarios, grace.token());
         }
@@ -324,6 +353,7 @@ private:
     SearchLevels m_levels;
     Round m_now;
     std::optional<double> m_best_s; ///< of the rounds before
+    std::optional<std::int64_t> m_within_us;
     bool m_refine;
     Clock::time_point m_began;
     std::stop_token m_stop;
@@ -331,6 +361,17 @@ private:
 };
 
 } // namespace
+
+std::vector<const FoundCycle*> SearchOutcome::front() const {
+    std::vector<const FoundCycle*> points;
+    for (const FoundCycle& each : found) {
+        if (each.by == FoundBy::margin) {
+            points.push_back(&each);
+        }
+    }
+    std::ranges::sort(points, {}, &FoundCycle::time_s);
+    return points;
+}
 
 const FoundCycle* SearchOutcome::best() const {
     const auto ofTheGrid = [](const FoundCycle& each) { return each.by != FoundBy::refinement; };

@@ -9,6 +9,7 @@
 #include "core/study/search_levels.h"
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -59,22 +60,32 @@ struct SearchOutcome {
     Issues issues;      ///< errors of the project, with which it is not searched
     Issues batchIssues; ///< why the batch that the cycle must hold for cannot be run
     bool robust = false;
-    bool refines = false;                ///< looked between the levels too
+    bool refines = false; ///< looked between the levels too
+    /// The greatest margin within this time was searched; nothing: the least time.
+    std::optional<std::int64_t> marginWithin_us;
+    bool isFrontWhole = false;           ///< those found by `margin` are all of the front
     Project searched;                    ///< the project with the levels of the last round
     int rounds = 1;                      ///< of SearchLevels
     bool areLevelsCutShort = false;      ///< a further round was stopped
     std::vector<LevelEdge> edges;        ///< of its grid that the best of the grid reaches
     std::vector<SearchedNumber> numbers; ///< of stages, as listed; fewer when it was stopped
-    std::vector<FoundCycle> found;       ///< the quickest first
-    double limit_s = 0;                  ///< of the stepless cycle
+    /// The best first; for the greatest margin those of the front that take longer come last.
+    std::vector<FoundCycle> found;
+    double limit_s = 0; ///< of the stepless cycle
     double bound_s = 0; ///< no cycle of the grid that holds is quicker; 0: not known
-    /// What binds the quickest of `found`; nothing: not known, as it was stopped before.
+    /// What binds the first of `found`, its time or its margin, whichever is searched; nothing: not
+    /// known, as it was stopped before.
     std::optional<std::vector<ConstraintKind>> binding;
     bool stopped = false;
 
     [[nodiscard]] bool ran() const {
         return fault == GridFault::none && issues.empty() && batchIssues.empty();
     }
+    [[nodiscard]] SearchAim aim() const {
+        return marginWithin_us ? SearchAim::greatestMargin : SearchAim::leastTime;
+    }
+    /// Time against margin, the quickest first: those found by `margin`.
+    [[nodiscard]] std::vector<const FoundCycle*> front() const;
     [[nodiscard]] const FoundCycle* best() const;    ///< of the grid
     [[nodiscard]] const FoundCycle* refined() const; ///< quicker than the grid's best, if any
     /// The rounds ran out for a number of stages that might have had a quicker cycle.
@@ -100,6 +111,7 @@ struct SearchState {
     int stages = 0;                    ///< the number that is searched now
     int round = 1;                     ///< of SearchLevels
     std::optional<double> best_s = {}; ///< quickest so far
+    double share = 0;                  ///< of the time given, gone through for the greatest margin
     double bound_s = 0;                ///< no cycle with so many stages is quicker
     long long evaluations = 0;         ///< of these
     double took_s = 0;

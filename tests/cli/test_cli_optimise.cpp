@@ -356,6 +356,65 @@ private slots:
         QVERIFY(optimize({following}).out.find("around the answer") != std::string::npos);
     }
 
+    /// The limit says what makes it: stretches of the stock, from the deepest on, whose shares of
+    /// the time add up to it.
+    void theLimitNamesWhatBindsWhere() {
+        for (const json& file : {shaft(), softShaft()}) {
+            const json answer =
+                json::parse(optimize({save("bounds.sparkout", file), "--json"}).out);
+            const std::string by = answer.at("limit_by");
+            QVERIFY(by == "steps" || by == "rates" || by == "passes");
+            const json& bounds = answer.at("limit_bounds");
+            QVERIFY(!bounds.empty());
+            double sum_min = 0;
+            for (std::size_t i = 0; i < bounds.size(); ++i) {
+                QVERIFY(bounds[i].at("from_mm") > bounds[i].at("to_mm"));
+                QVERIFY(i == 0 || bounds[i].at("from_mm") == bounds[i - 1].at("to_mm"));
+                QVERIFY(i == 0 || bounds[i].at("bound") != bounds[i - 1].at("bound"));
+                QVERIFY(bounds[i].at("cut_mm") > 0);
+                sum_min += bounds[i].at("time_min").get<double>();
+            }
+            const double limit_min = answer.at("limit_time_min");
+            QVERIFY(std::abs(sum_min - limit_min) < 1e-9 * limit_min);
+        }
+    }
+
+    /// The largest margin within a time: no smaller than that of the quickest, and proved.
+    void theLargestMarginWithinATimeIsAskedForByTheFile() {
+        json file = shaft();
+        file["optimisation"]["radial_feed_mm"] = {0.001, 0.002, 0.004};
+        const json quickest = json::parse(optimize({save("least.sparkout", file), "--json"}).out);
+        QVERIFY(quickest.at("aim") == "least_time" && quickest.at("margin_within_min").is_null());
+        const double least_min = quickest.at("cycle_time_min");
+        file["optimisation"]["margin_within_min"] = 1.5 * least_min;
+        const QString saved = save("within.sparkout", file);
+        const json answer = json::parse(optimize({saved, "--json"}).out);
+        QVERIFY(answer.at("aim") == "greatest_margin" && answer.at("status") == "proved");
+        QVERIFY(answer.at("margin_within_min") == 1.5 * least_min);
+        QVERIFY(answer.at("cycle_time_min") <= 1.5 * least_min);
+        QVERIFY(answer.at("least_relative_margin") > quickest.at("least_relative_margin"));
+        QVERIFY(answer.at("bound_time_min") == answer.at("limit_time_min"));
+        QVERIFY(!answer.at("binding").empty());
+        const std::string text = optimize({saved}).out;
+        QVERIFY2(text.find("the largest margin of the grid within") != std::string::npos,
+                 text.c_str());
+        QVERIFY2(text.find("what has the least margin") != std::string::npos, text.c_str());
+        const json robust = json::parse(optimize({saved, "--robust", "--json"}).out);
+        QVERIFY(robust.at("status") == "proved" && robust.at("holds_in_sample") == true);
+        QVERIFY(robust.at("least_relative_margin") < answer.at("least_relative_margin"));
+        const std::string robustText = optimize({saved, "--robust"}).out;
+        QVERIFY2(robustText.find("over every stock stated below, proved") != std::string::npos,
+                 robustText.c_str());
+        const Outcome refined = optimize({saved, "--refine"});
+        QVERIFY(refined.status != 0);
+        QVERIFY2(refined.err.find("/optimisation/margin_within_min") != std::string::npos,
+                 refined.err.c_str());
+        file["optimisation"]["margin_within_min"] = 0.99 * least_min;
+        const Outcome none = optimize({save("short.sparkout", file)});
+        QVERIFY(none.status != 0);
+        QVERIFY2(none.err.find("that takes at most") != std::string::npos, none.err.c_str());
+    }
+
     void robustHoldsInThePhasesOfTheStock() {
         json file = shaft();
         file["optimisation"]["radial_feed_mm"] = {0.001, 0.002, 0.004, 0.006};

@@ -19,6 +19,7 @@
 #include "ui/views/batch/pareto_plot.h"
 #include "ui/views/batch/sensitivity_plot.h"
 #include "ui/views/optimise/found_model.h"
+#include "ui/views/optimise/margin_front_plot.h"
 #include "ui/views/optimise/optimise_text.h"
 #include "ui/views/optimise/stage_count_plot.h"
 #include "ui/views/sweep/sweep_plot.h"
@@ -325,6 +326,9 @@ std::vector<NamedSheet> searchSheets(const Study& study) {
     }
     sheets.push_back({StudyBook::tr("Best cycles"), foundTable(study)});
     sheets.push_back({StudyBook::tr("Time by stages"), StageCountPlot::tableOf(outcome)});
+    if (!outcome.front().empty()) {
+        sheets.push_back({StudyBook::tr("Margin by time"), MarginFrontPlot::tableOf(outcome)});
+    }
     sheets.push_back({StudyBook::tr("What binds"), bindingTable(outcome)});
     return sheets;
 }
@@ -364,7 +368,8 @@ QString studyNote(StudyKind kind) {
                              "on a sheet of its own, too.");
     case StudyKind::search:
         return StudyBook::tr("The answer, the settings, the cycle found, the best cycles, the time "
-                             "by stages and what binds, each on a sheet of its own.");
+                             "by stages, the margin by time and what binds, each on a sheet of its "
+                             "own.");
     }
     return {};
 }

@@ -2,6 +2,8 @@
 // The stepless limit against its closed forms, and against the integral on a grid so fine that a
 // cell taken from its wrong end would show: it is a bound only while it is not beyond that.
 #include "core/optimisation/limit.h"
+
+#include "core/optimisation/levels.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
@@ -10,10 +12,14 @@
 #include "core/project/wheel.h"
 
 #include "core/limits/burn.h"
+#include "core/process/coupled_sections.h"
 #include "core/process/force.h"
+#include "core/process/system_compliance.h"
 #include "core/project/gauge.h"
 #include "core/quality/accuracy_limit.h"
 #include "core/quality/power.h"
+#include "core/simulation/stage_control.h"
+#include "tests/core/optimisation/search_cases.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
@@ -21,7 +27,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
+#include <set>
+#include <string>
+#include <vector>
 
 namespace test_stepless_limit {
 
@@ -83,6 +93,158 @@ double integral_s(const Project& p, double from_mm, const Depth& depth) {
         sum += cell / depth(from_mm + (i + 0.5) * cell) * revolution_s;
     }
     return sum;
+}
+
+/// A random project with enough stock for several bounds to take turns.
+Project variedCase(unsigned seed) {
+    Project p = search_cases::smallCase(seed);
+    search_cases::Dice dice(seed + 500);
+    p.gauge->control = Control::gauge;
+    p.gauge->datum_mm.reset();
+    p.gauge->position_mm.reset();
+    p.gauge->compliance_mm_per_n.reset();
+    p.part->stock_mm = dice.uniform(0.05, 0.3);
+    p.material->burn_rise_k = dice.uniform(150, 900);
+    if (dice.chance(0.6)) {
+        p.part->tolerance.total_runout_um = dice.uniform(1, 6);
+    }
+    if (dice.chance(0.5)) {
+        p.machine->limits.plunge_feed_mm_min =
+            std::vector<double>{0.01, dice.uniform(0.5, 20), 0.01};
+    }
+    return p;
+}
+
+struct NamedCut {
+    double depth_mm = 0;
+    std::string name = "stock";
+};
+
+/// The least of the depths that the requirements allow every pass, and whose it is.
+NamedCut leastOf(const Project& p, double b, double stock_mm) {
+    NamedCut least{p.part->stock_mm};
+    for (const DepthLimit& each : depthLimits(p, b, stock_mm)) {
+        if (requirementOf(each.kind).bindsEveryPass() && each.depth_mm < least.depth_mm) {
+            least = {each.depth_mm, requirementOf(each.kind).key};
+        }
+    }
+    return least;
+}
+
+double greatestFeed(const Project& p, const StageFeed& feed) {
+    if (const auto& range = p.machine->limits.*feed.range; range && range->size() == 3) {
+        return (*range)[1];
+    }
+    double most = 0;
+    for (const double level : levelValues((*p.optimisation).*feed.levels)) {
+        most = std::max(most, level);
+    }
+    for (const Stage& stage : p.cycle->stages) {
+        most = std::max(most, (stage.*feed.value).value_or(0));
+    }
+    return most;
+}
+
+struct NamedPiece {
+    double from_mm = 0, to_mm = 0;
+    std::string name;
+};
+
+void append(std::vector<NamedPiece>& pieces, double from_mm, double to_mm,
+            const std::string& name) {
+    if (pieces.empty() || pieces.back().name != name) {
+        pieces.push_back({from_mm, to_mm, name});
+    }
+    pieces.back().to_mm = to_mm;
+}
+
+std::string nameOf(const LimitPiece& piece) {
+    return limitBoundKey(piece.bound, piece.kind);
+}
+
+/// Pass by pass over 200 cells of the stock: of all that a pass may leave the least, looked for
+/// from the size on, and what keeps it from leaving less.
+std::vector<NamedPiece> piecesOfPasses(const Project& p, double stock_mm, double end_mm) {
+    constexpr int cells = 200;
+    const ForceLaw law = forceLaw(p);
+    const double b = p.part->length_mm, cell = stock_mm / cells;
+    const double gamma = compliantPoints(p)[static_cast<std::size_t>(gaugeSection(p))].gamma_mm_n;
+    const double last_mm = provedLastCut_mm(p, b, gamma);
+    LimitPoints release;
+    if (std::isfinite(last_mm)) {
+        release = releaseCurve(law, b, gamma, last_mm, stock_mm);
+    }
+    std::vector<NamedCut> most;
+    for (int i = 1; i <= cells; ++i) {
+        NamedCut cut = leastOf(p, b, end_mm + i * cell);
+        for (const LimitPoint& point : release) {
+            if (point.stock_mm >= i * cell) {
+                cut = point.depth_mm < cut.depth_mm ? NamedCut{point.depth_mm, "accuracy"} : cut;
+                break;
+            }
+        }
+        most.push_back(cut);
+    }
+    const double infeed_mm =
+        p.operation.infeed_mm(greatestFeed(p, p.operation->radial()), p.machine->work_speed_rpm);
+    std::vector<NamedPiece> pieces;
+    double left = stock_mm * (1 - 1e-9), reached = 0;
+    while (left > 0) {
+        reached = depthAfter(law, b, gamma, reached, infeed_mm);
+        std::size_t i = 0;
+        double after = 0;
+        NamedCut bound;
+        for (; i < most.size(); ++i) {
+            const double lower = static_cast<double>(i) * cell;
+            const double lowest = left - std::min(reached, most[i].depth_mm) * (1 + 1e-9);
+            after = std::max(lowest, lower);
+            bound = i > 0 && lower > lowest ? most[i - 1] : most[i];
+            if (after <= lower + cell) {
+                break;
+            }
+        }
+        append(pieces, end_mm + left, end_mm + std::max(after, 0.0),
+               reached <= bound.depth_mm ? "machine_feed" : bound.name);
+        left = after;
+    }
+    return pieces;
+}
+
+/// By a hundred cells of the stock: the requirement at the width that takes the stock fastest.
+std::vector<NamedPiece> piecesOfRates(const Project& p, double stock_mm, double end_mm) {
+    constexpr int cells = 100, feeds = 120;
+    const double cell = stock_mm / cells;
+    std::vector<NamedPiece> pieces;
+    for (int i = cells; i > 0; --i) {
+        const double stock = end_mm + i * cell;
+        NamedCut bound;
+        if (const StageFeed* const axial = p.operation->axial()) {
+            const double turn_s = 60 / p.machine->work_speed_rpm;
+            const double dwells_s = turn_s
+                                    * (2 * std::round(p.machine->dwell_entry_s / turn_s)
+                                       + std::round(p.machine->dwell_exit_s / turn_s));
+            const double travel = p.part->length_mm - p.wheel->width_mm
+                                  + p.machine->overrun_entry_mm + p.machine->overrun_exit_mm;
+            const double fastest = greatestFeed(p, *axial);
+            double most = -1, low = 0;
+            for (int j = 0; j <= feeds; ++j) {
+                const double high = fastest * std::pow(1e-3, 1 - static_cast<double>(j) / feeds);
+                const double b = std::min(std::max(low, fastest * 1e-9) / p.machine->work_speed_rpm,
+                                          p.wheel->width_mm);
+                const NamedCut cut = leastOf(p, b, stock);
+                const double rate = cut.depth_mm / (dwells_s + 2 * travel / high * 60);
+                if (rate > most) {
+                    most = rate;
+                    bound = cut;
+                }
+                low = high;
+            }
+        } else {
+            bound = leastOf(p, p.part->length_mm / (isCoupled(p) ? p.sections : 1), stock);
+        }
+        append(pieces, stock, stock - cell, bound.name);
+    }
+    return pieces;
 }
 
 } // namespace
@@ -234,6 +396,58 @@ private slots:
             QVERIFY2(passes >= limit * (1 - 1e-6), QByteArray::number(trial));
         }
         QVERIFY2(least < 1.25 * limit, QByteArray::number(least / limit));
+    }
+
+    void theBoundOfEachPieceIsTheLeast() {
+        std::set<std::string> names, ways;
+        int several = 0;
+        for (unsigned seed = 0; seed < 150; ++seed) {
+            const Project p = variedCase(seed);
+            const SteplessLimit limit = steplessLimitBounds(p);
+            if (!(limit.time_s > 0) || !std::isfinite(limit.time_s)) {
+                continue;
+            }
+            QCOMPARE(limit.time_s, steplessLimit_s(p));
+            QVERIFY(!limit.pieces.empty());
+            double sum_s = 0;
+            for (std::size_t i = 0; i < limit.pieces.size(); ++i) {
+                const LimitPiece& piece = limit.pieces[i];
+                QVERIFY(piece.from_mm > piece.to_mm && piece.time_s > 0 && piece.cut_mm > 0);
+                QVERIFY(i == 0 || limit.pieces[i - 1].to_mm == piece.from_mm);
+                QVERIFY(i == 0 || nameOf(limit.pieces[i - 1]) != nameOf(piece));
+                names.insert(nameOf(piece));
+                sum_s += piece.time_s;
+            }
+            QVERIFY(close(sum_s, limit.time_s, 1e-9));
+            ways.insert(limitByKey(limit.by));
+            const double end_mm = limit.pieces.back().to_mm,
+                         stock_mm = limit.pieces.front().from_mm - end_mm;
+            std::vector<NamedPiece> plain{{end_mm + stock_mm, end_mm, "machine_feed"}};
+            if (limit.by == LimitBy::passes) {
+                plain = piecesOfPasses(p, stock_mm / (1 - 1e-9), std::max(end_mm, 0.0));
+            } else if (limit.by == LimitBy::rates) {
+                plain = piecesOfRates(p, stock_mm, end_mm);
+            }
+            const QByteArray what = QByteArray::number(seed);
+            QVERIFY2(plain.size() == limit.pieces.size(), what);
+            for (std::size_t i = 0; i < plain.size(); ++i) {
+                QVERIFY2(plain[i].name == nameOf(limit.pieces[i]), what);
+                QVERIFY2(std::abs(plain[i].from_mm - limit.pieces[i].from_mm) < 1e-6, what);
+                QVERIFY2(std::abs(plain[i].to_mm - limit.pieces[i].to_mm) < 1e-6, what);
+            }
+            several += plain.size() > 1 ? 1 : 0;
+        }
+        QCOMPARE(ways.size(), std::size_t{3});
+        for (const char* name : {"machine_feed", "accuracy", "burn", "wheel_power"}) {
+            QVERIFY2(names.contains(name), name);
+        }
+        QVERIFY(several > 30);
+    }
+
+    void aStopLeavesNoPieces() {
+        std::stop_source source;
+        source.request_stop();
+        QVERIFY(steplessLimitBounds(freePlunge(), source.get_token()).pieces.empty());
     }
 
     // A dull wheel's power is the better spent the narrower the cut, down to where the stock bounds

@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <random>
 
 namespace test_limit_series {
 
@@ -50,6 +52,18 @@ Project plungeOfThree() {
     p.cycle->stages = {fixtures::plungeStage(1.2, 0.15), fixtures::plungeStage(0.3, 0.05),
                        fixtures::sparkStage(fixtures::count(7))};
     return p;
+}
+
+/// Of a curve with steps; infinite beyond its ends.
+double depthAt(const LimitPoints& points, double stock) {
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const LimitPoint &a = points[i - 1], &b = points[i];
+        if (a.stock_mm < stock && stock <= b.stock_mm) {
+            return a.depth_mm
+                   + (b.depth_mm - a.depth_mm) * (stock - a.stock_mm) / (b.stock_mm - a.stock_mm);
+        }
+    }
+    return std::numeric_limits<double>::infinity();
 }
 
 /// The least limit of a cut as the engine gives it.
@@ -198,6 +212,72 @@ private slots:
                 }
             }
         }
+    }
+
+    // At each stock the curve that is named has the least depth of all, and no other is named.
+    void theEnvelopeNamesTheLeastCurveAtEachStock() {
+        std::mt19937_64 random(11);
+        std::uniform_real_distribution<double> share(0, 1);
+        int changes = 0;
+        for (int trial = 0; trial < 200; ++trial) {
+            std::vector<BoundCurve> curves;
+            for (int c = 0; c < 5; ++c) {
+                BoundCurve curve{LimitBound::requirement, static_cast<ConstraintKind>(c), {}};
+                double stock = 0.3 * share(random);
+                while (stock < 1) {
+                    curve.points.push_back({stock, share(random)});
+                    if (share(random) < 0.2) { // a step
+                        curve.points.push_back({stock, share(random)});
+                    }
+                    stock += 0.3 * share(random) + 1e-3;
+                }
+                curves.push_back(std::move(curve));
+            }
+            const std::vector<BoundCurve> envelope = envelopeOf(curves);
+            for (std::size_t i = 1; i < envelope.size(); ++i) {
+                QVERIFY(envelope[i - 1].points.back().stock_mm
+                        <= envelope[i].points.front().stock_mm);
+                changes += envelope[i - 1].kind != envelope[i].kind ? 1 : 0;
+            }
+            for (int i = 0; i < 300; ++i) {
+                const double stock = share(random);
+                double least = std::numeric_limits<double>::infinity();
+                for (const BoundCurve& curve : curves) {
+                    least = std::min(least, depthAt(curve.points, stock));
+                }
+                const auto piece = std::ranges::find_if(envelope, [stock](const BoundCurve& each) {
+                    return each.points.front().stock_mm <= stock
+                           && stock <= each.points.back().stock_mm;
+                });
+                QCOMPARE(piece == envelope.end(), !std::isfinite(least));
+                if (piece != envelope.end()) {
+                    const auto own = static_cast<std::size_t>(piece->kind);
+                    QVERIFY(std::abs(depthAt(piece->points, stock) - least) < 1e-9);
+                    QVERIFY(std::abs(depthAt(curves[own].points, stock) - least) < 1e-9);
+                }
+            }
+        }
+        QVERIFY(changes > 200);
+    }
+
+    // The deepest cuts of a plunge that feeds as fast as the machine may come near to the bound and
+    // never beyond it.
+    void noCutIsDeeperThanTheMachinesGreatestInfeed() {
+        Project p = plungeOfThree();
+        p.machine->limits.plunge_feed_mm_min = std::vector<double>{0.01, 1.2, 0.01};
+        const double infeed_mm = greatestInfeed_mm(p).value();
+        QVERIFY(close(infeed_mm, 1.2 / p.machine->work_speed_rpm, 1e-12));
+        const Drawn drawn(p);
+        double deepest = 0;
+        for (const LimitGroup& group : drawn.series.groups) {
+            deepest = std::max(deepest, group.worst.depth_mm);
+            for (const LimitedCut& cut : group.cuts) {
+                deepest = std::max(deepest, cut.depth_mm);
+            }
+        }
+        QVERIFY(deepest <= infeed_mm * (1 + 1e-9) && deepest > 0.9 * infeed_mm);
+        p.machine->limits.plunge_feed_mm_min.reset();
+        QVERIFY(!greatestInfeed_mm(p));
     }
 
     void aWiderCutInAStageLowersThePowerThere() {

@@ -2,9 +2,11 @@
 // A search whose levels follow its answer, and where an answer stands at the edge of its grid.
 #include "core/study/search_levels.h"
 
+#include "core/format/project_file.h"
 #include "core/optimisation/levels.h"
 #include "core/project/optimisation.h"
 #include "core/study/grid_search.h"
+#include "core/study/new_project.h"
 #include "core/study/search_edits.h"
 #include "tests/core/optimisation/search_cases.h"
 #include "tests/core/support/project_samples.h"
@@ -15,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <vector>
 
 namespace test_search_levels {
@@ -199,6 +202,51 @@ private slots:
                 }
             }
         }
+    }
+
+    /// The search that is offered asks for what a shop would run, where the project does not say.
+    void theOfferedSearchHasPracticalLimits() {
+        Project p = samples::project("complete");
+        p.optimisation.reset();
+        p.least_overlap.reset();
+        p.least_overlap_last = 3;
+        p.least_steps.reset();
+        const Project offered = withOfferedSearch(p);
+        QCOMPARE(offered.least_overlap, 1.05);
+        QCOMPARE(offered.least_overlap_last, 3.0); // as it was given
+        QCOMPARE(offered.least_steps, p.operation->usualLeastSteps);
+        QVERIFY(offered.optimisation->non_increasing && offered.optimisation->adaptive);
+        Project plain = offered;
+        plain.optimisation = withUsualSearch(p).optimisation;
+        QVERIFY(sameProject(plain, offered));
+        const Project fresh = newProject(Operation::traverse);
+        QVERIFY(sameProject(withPracticalLimits(fresh), fresh));
+    }
+
+    /// An answer that a practical limit keeps from being quicker says which.
+    void whatBindsNamesAPracticalLimit() {
+        std::set<ConstraintKind> named;
+        for (unsigned seed = 0; seed < 60; ++seed) {
+            Project p = smallCase(seed);
+            const GridSearchReport free = searchGrid(p, {});
+            p.least_steps = 4;
+            if (p.operation->axial()) {
+                p.least_overlap_last = // only the slower of its feeds has
+                    p.wheel->width_mm * p.machine->work_speed_rpm / 1000;
+            }
+            const GridSearchReport report = searchGrid(p, {});
+            if (!hasAnswer(free) || !hasAnswer(report)
+                || report.search.best->time_us == free.search.best->time_us) {
+                continue;
+            }
+            const SimulationResult result = simulateUnchecked(withAnswer(report));
+            for (const ConstraintResult& each : evaluateConstraints(result)) {
+                QVERIFY(each.holds);
+            }
+            named.insert(report.binding->begin(), report.binding->end());
+        }
+        QVERIFY(named.contains(ConstraintKind::leastSteps));
+        QVERIFY(named.contains(ConstraintKind::leastOverlapLast));
     }
 };
 

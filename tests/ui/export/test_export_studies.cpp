@@ -229,7 +229,8 @@ private slots:
         QCOMPARE(book.names(),
                  (QStringList{QStringLiteral("Search"), QStringLiteral("Settings"),
                               QStringLiteral("Cycle found"), QStringLiteral("Best cycles"),
-                              QStringLiteral("Time by stages"), QStringLiteral("What binds")}));
+                              QStringLiteral("Time by stages"), QStringLiteral("Margin by time"),
+                              QStringLiteral("What binds")}));
         QCOMPARE(book.text(0, rowOf(book, 0, QStringLiteral("What came out")), 1),
                  OptimiseText::answer(outcome, study.before_s));
         QVERIFY(
@@ -252,6 +253,14 @@ private slots:
         for (int row = 0; row < rows; ++row) {
             QVERIFY(sameBits(book.number(3, heads + row, 1),
                              outcome.found[static_cast<std::size_t>(row)].time_s / 60));
+        }
+        const std::vector<const FoundCycle*> front = outcome.front();
+        QVERIFY(front.size() > 1);
+        const int frontHeads = book.rows(5) - static_cast<int>(front.size());
+        for (std::size_t i = 0; i < front.size(); ++i) {
+            const int row = frontHeads + static_cast<int>(i);
+            QVERIFY(sameBits(book.number(5, row, 0), front[i]->time_s / 60));
+            QVERIFY(sameBits(book.number(5, row, 1), 100 * front[i]->leastRelativeMargin));
         }
         for (int row = 1; row < book.rows(1); ++row) {
             QVERIFY(book.text(1, row, 4).startsWith(QStringLiteral("/optimisation/")));

@@ -239,7 +239,7 @@ void FormPage::toggleOptional(const Box& box, bool given) {
     if (given && box.path == batchPath) {
         project = withUsualBatch(std::move(project));
     } else if (given && box.path == searchPath) {
-        project = withUsualSearch(std::move(project));
+        project = withOfferedSearch(std::move(project));
     } else if (given) {
         box.field->object(member.owner, true);
     } else {

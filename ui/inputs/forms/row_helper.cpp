@@ -61,7 +61,7 @@ const Offer usualSearch{
     "noSearch",
     "addSearch",
     [](const Project& project) { return project.optimisation.has_value(); },
-    withUsualSearch,
+    withOfferedSearch,
     {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a search")},
     QT_TRANSLATE_NOOP("sparkout::OfferHelper", "What a search is for"),
     QT_TRANSLATE_NOOP("sparkout::OfferHelper",
@@ -69,8 +69,9 @@ const Offer usualSearch{
                       "feeds and stocks listed here. The view Optimise runs it."),
     QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Add a usual search"),
     QT_TRANSLATE_NOOP("sparkout::OfferHelper",
-                      "Levels of each feed over the machine's range, which follow the answer, and "
-                      "steps of stock")};
+                      "Levels of each feed over the machine's range, which follow the answer, "
+                      "steps of stock, and the usual least overlap and steps of a stage where "
+                      "none are given")};
 
 std::optional<double> estimatedMass_kg(const Project& project) {
     return conditions::external(project, &*project.part) ? steelMass_kg(project.part->shaft)

@@ -27,6 +27,8 @@ constexpr double decades = 1e-4;      ///< of the deepest cut, in visible at mos
 constexpr double forbidden_um = 1e6;  ///< far above all plots
 constexpr int forbiddenAlpha = 34;
 constexpr int markPadding = 4; ///< about its text
+constexpr double pieceWidth = 9; ///< of the band along what binds [px]
+constexpr int pieceAlpha = 120;
 constexpr double markSize = 13, cutSize = 3.5, exceededSize = 6;
 
 void setPoints(QCPGraph& graph, const LimitPoints& points) {
@@ -68,7 +70,8 @@ void ConstraintsPlot::build() {
     }
     for (const auto& [key, line] :
          {std::pair(accuracyKey, &m_accuracy), std::pair(estimateKey, &m_estimate),
-          std::pair(publishedKey, &m_published), std::pair(programmedKey, &m_programmed)}) {
+          std::pair(publishedKey, &m_published), std::pair(programmedKey, &m_programmed),
+          std::pair(machineKey, &m_machine)}) {
         *line = addLine(*m_rect);
         setKeyed(key, {*line});
     }
@@ -143,6 +146,8 @@ void ConstraintsPlot::fill() {
     setPoints(*m_estimate, m_chart.accuracy(AccuracyProof::estimate));
     setPoints(*m_published, m_chart.published());
     setPoints(*m_programmed, m_chart.programmed());
+    setPoints(*m_machine, m_chart.machineFeed());
+    fillEnvelope();
     followFeeds();
     fillCuts(m_chart.cuts() ? *m_chart.cuts() : LimitGroup());
     fillMark();
@@ -162,6 +167,65 @@ void ConstraintsPlot::fillCuts(const LimitGroup& group) {
     }
     m_actual->setData(x, y);
     m_exceeded->setData(aboveX, aboveY);
+}
+
+/// Bands behind all lines.
+void ConstraintsPlot::fillEnvelope() {
+    for (QCPCurve* curve : m_pieces) {
+        removePlottable(curve);
+    }
+    for (QCPItemText* name : m_names) {
+        removeItem(name);
+    }
+    m_pieces.clear();
+    m_names.clear();
+    for (const BoundCurve& piece : m_chart.envelope()) {
+        QVector<double> x, y;
+        for (const LimitPoint& point : piece.points) {
+            x << point.stock_mm * umPerMm;
+            y << std::max(point.depth_mm * umPerMm, lowest_um);
+        }
+        QCPCurve* const curve = addCurve(*m_rect);
+        curve->setLayer(QStringLiteral("bands"));
+        curve->setData(x, y);
+        auto* const name = new QCPItemText(this);
+        name->setSelectable(false);
+        name->setClipToAxisRect(true);
+        anchor({name->position}, *m_rect);
+        name->setText(LimitChart::boundName(piece));
+        name->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
+        name->setPadding(QMargins(2, 0, 2, 4));
+        setKeyed(envelopeKey, {curve});
+        m_pieces.push_back(curve);
+        m_names.push_back(name);
+    }
+    restyleEnvelope();
+}
+
+/// In the middle of a piece as far as it is in sight, where it is wider than its name.
+void ConstraintsPlot::placeNames() {
+    const QCPRange stocks = stockAxis()->range();
+    for (std::size_t i = 0; i < m_pieces.size(); ++i) {
+        const BoundCurve& piece = m_chart.envelope()[i];
+        const double from = std::max(piece.points.front().stock_mm * umPerMm, stocks.lower),
+                     to = std::min(piece.points.back().stock_mm * umPerMm, stocks.upper);
+        const double middle = (from + to) / 2;
+        const double width =
+            std::abs(stockAxis()->coordToPixel(from) - stockAxis()->coordToPixel(to));
+        double depth = piece.points.front().depth_mm;
+        for (const LimitPoint& point : piece.points) {
+            depth = point.stock_mm * umPerMm <= middle ? point.depth_mm : depth;
+        }
+        const double high = std::max(depth * umPerMm, lowest_um);
+        const bool fits = from < to && shows(envelopeKey) && high < feedAxis()->range().upper
+                          && QFontMetrics(font()).horizontalAdvance(m_names[i]->text()) < width;
+        m_names[i]->position->setCoords(middle, high);
+        const bool below =
+            feedAxis()->coordToPixel(high) - m_rect->top() < 2 * QFontMetrics(font()).height();
+        m_names[i]->setPositionAlignment(Qt::AlignHCenter
+                                         | (below ? Qt::AlignTop : Qt::AlignBottom));
+        m_names[i]->setVisible(fits);
+    }
 }
 
 void ConstraintsPlot::setMarked(const std::optional<ConstraintResult>& requirement) {
@@ -196,6 +260,7 @@ QPolygonF ConstraintsPlot::pixelsOf(const Drawn& drawn) const {
 void ConstraintsPlot::placeMark() {
     style::fitValueAxes(*m_rect, font());
     m_markLine->setVisible(false);
+    placeNames();
     if (!marked()) {
         return;
     }
@@ -333,6 +398,9 @@ QPen ConstraintsPlot::penOf(int key) const {
     if (key == publishedKey) {
         return {toned(Tone::orange), 2.6, Qt::DashDotDotLine};
     }
+    if (key == machineKey) {
+        return {toned(Tone::blue), 2, Qt::DashLine};
+    }
     if (key == programmedKey) {
         return {toned(Drawn::programmedFeed), 3, Qt::DotLine};
     }
@@ -373,7 +441,40 @@ LegendEntries ConstraintsPlot::legendEntries() const {
     addLimit(estimateKey, *m_estimate, tr("accuracy at steady feed, estimate"));
     addLimit(publishedKey, *m_published, tr("runout in every pass, as published (22)"));
     addLimit(programmedKey, *m_programmed, tr("programmed feed"));
+    addLimit(machineKey, *m_machine, tr("machine's greatest feed"));
+    if (!m_chart.envelope().empty()) {
+        QStringList names;
+        for (const BoundCurve& piece : m_chart.envelope()) {
+            if (const QString name = LimitChart::boundName(piece); !names.contains(name)) {
+                names << name;
+            }
+        }
+        entries.push_back(
+            areaEntry(envelopeKey, colourOf(m_chart.envelope().front()),
+                      tr("band: what binds (%1)").arg(names.join(QStringLiteral(", ")))));
+    }
     return entries;
+}
+
+/// That of the line it lies on.
+QColor ConstraintsPlot::colourOf(const BoundCurve& piece) const {
+    const int key = piece.bound == LimitBound::feed       ? machineKey
+                    : piece.bound == LimitBound::accuracy ? accuracyKey
+                                                          : static_cast<int>(piece.kind);
+    return style::thinned(penOf(key).color(), isDimmed() ? pieceAlpha / 3 : pieceAlpha);
+}
+
+void ConstraintsPlot::restyleEnvelope() {
+    const QColor paper = style::thinned(palette().color(QPalette::Base), 200);
+    for (std::size_t i = 0; i < m_pieces.size(); ++i) {
+        QPen band(colourOf(m_chart.envelope()[i]), pieceWidth);
+        band.setCapStyle(Qt::FlatCap);
+        band.setJoinStyle(Qt::RoundJoin);
+        m_pieces[i]->setPen(band);
+        m_names[i]->setBrush(paper);
+        m_names[i]->setColor(ink());
+        m_names[i]->setFont(font());
+    }
 }
 
 void ConstraintsPlot::restyle() {
@@ -390,6 +491,8 @@ void ConstraintsPlot::restyle() {
     m_estimate->setPen(penOf(estimateKey));
     m_published->setPen(penOf(publishedKey));
     m_programmed->setPen(penOf(programmedKey));
+    m_machine->setPen(penOf(machineKey));
+    restyleEnvelope();
     const QPen actual = penOf(actualKey);
     m_actual->setPen(actual);
     m_actual->setScatterStyle(
@@ -411,6 +514,9 @@ void ConstraintsPlot::setTexts() {
     stockAxis()->setLabel(tr("Stock left after the cut, µm"));
     feedAxis()->setLabel(axisLabel(m_chart.feedLabel()));
     m_markText->setText(m_chart.markText());
+    for (std::size_t i = 0; i < m_names.size(); ++i) {
+        m_names[i]->setText(LimitChart::boundName(m_chart.envelope()[i]));
+    }
     followFeeds();
 }
 
@@ -447,6 +553,7 @@ ReadCurves ConstraintsPlot::readCurves() const {
     add(m_estimate, tr("limit: %1, µm").arg(tr("accuracy at steady feed, estimate")));
     add(m_published, tr("limit: %1, µm").arg(tr("runout in every pass, as published (22)")));
     add(m_programmed, tr("programmed feed, µm"));
+    add(m_machine, tr("limit: %1, µm").arg(tr("machine's greatest feed")));
     return curves;
 }
 

@@ -19,7 +19,7 @@ class ConstraintsPlot : public ViewPlot {
 public:
     static constexpr int actualKey = 100, steplessKey = 101; ///< else the kind of the limit
     static constexpr int accuracyKey = 102, estimateKey = 103, publishedKey = 104,
-                         programmedKey = 105;
+                         programmedKey = 105, envelopeKey = 106, machineKey = 107;
 
     explicit ConstraintsPlot(QWidget* parent = nullptr);
 
@@ -44,6 +44,11 @@ public:
     [[nodiscard]] QCPGraph* estimate() const { return m_estimate; } ///< of accuracy, at steady feed
     [[nodiscard]] QCPGraph* published() const { return m_published; }   ///< eq. 22 of the source
     [[nodiscard]] QCPGraph* programmed() const { return m_programmed; } ///< S_p1, S_p2, …
+    [[nodiscard]] QCPGraph* machineFeed() const { return m_machine; }
+    /// The least of the proved limits, a piece for what binds it, by rising stock; and its name.
+    [[nodiscard]] const std::vector<QCPCurve*>& pieces() const { return m_pieces; }
+    [[nodiscard]] QString pieceName(std::size_t piece) const { return m_names[piece]->text(); }
+    [[nodiscard]] const LimitChart& chart() const { return m_chart; }
     /// In mm/min, beside the feed a revolution.
     [[nodiscard]] QCPAxis* minuteAxis() const { return m_rect->axis(QCPAxis::atRight); }
     [[nodiscard]] const std::optional<LimitedCut>& marked() const { return m_chart.marked(); }
@@ -59,6 +64,10 @@ private:
     void build();
     void fill();
     void fillCuts(const LimitGroup& group);
+    void fillEnvelope();
+    void placeNames(); ///< of the pieces that are wide enough
+    [[nodiscard]] QColor colourOf(const BoundCurve& piece) const;
+    void restyleEnvelope();
     void followFeeds();
     void fillMark();
     void placeMark();
@@ -80,6 +89,9 @@ private:
     QCPGraph* m_estimate = nullptr;
     QCPGraph* m_published = nullptr;
     QCPGraph* m_programmed = nullptr;
+    QCPGraph* m_machine = nullptr;
+    std::vector<QCPCurve*> m_pieces;   ///< of the envelope
+    std::vector<QCPItemText*> m_names; ///< likewise
     std::map<ConstraintKind, QCPGraph*> m_limits;
     QCPCurve* m_actual = nullptr;
     QCPCurve* m_exceeded = nullptr;

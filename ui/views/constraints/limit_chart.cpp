@@ -39,8 +39,43 @@ LimitChart::LimitChart(OutcomePtr outcome, int group, std::optional<ConstraintRe
         m_published =
             publishedAccuracy(m_outcome->result, m_outcome->trajectory, m_outcome->limits, *of);
         m_programmed = programmedSteps(m_outcome->result, m_outcome->limits, *of);
+        findEnvelope();
     }
     setMarked(std::move(requirement));
+}
+
+void LimitChart::findEnvelope() {
+    if (const auto infeed_mm = greatestInfeed_mm(m_outcome->result.project)) {
+        const auto [least_mm, deepest_mm] = stocks_mm();
+        m_machineFeed = {{least_mm, *infeed_mm}, {deepest_mm, *infeed_mm}};
+    }
+    std::vector<BoundCurve> curves;
+    for (const auto& [kind, points] : m_limits) {
+        if (requirementOf(kind).bindsEveryPass()) {
+            curves.push_back({LimitBound::requirement, kind, points});
+        }
+    }
+    curves.push_back({LimitBound::accuracy, {}, accuracy(AccuracyProof::proved)});
+    curves.push_back({LimitBound::feed, {}, m_machineFeed});
+    m_envelope = envelopeOf(curves);
+}
+
+QString LimitChart::boundName(const BoundCurve& piece) {
+    switch (piece.bound) {
+    case LimitBound::feed: return tr("machine's feed");
+    case LimitBound::accuracy: return tr("accuracy");
+    case LimitBound::requirement: return LimitNames::limit(piece.kind);
+    case LimitBound::stock: break;
+    }
+    return {};
+}
+
+QString LimitChart::boundAt(double stock_mm) const {
+    const auto at = std::ranges::find_if(m_envelope, [stock_mm](const BoundCurve& piece) {
+        return piece.points.front().stock_mm <= stock_mm
+               && stock_mm <= piece.points.back().stock_mm;
+    });
+    return at == m_envelope.end() ? QString() : boundName(*at);
 }
 
 const LimitGroup* LimitChart::cuts() const {
@@ -115,6 +150,11 @@ QString LimitChart::valuesAt(const LimitedCut& cut) const {
                             Names::significant(cut.width_mm));
     if (!parts.isEmpty()) {
         text += u'\n' + tr("Allowed feed, µm: %1").arg(parts.join(QStringLiteral("; ")));
+    }
+    const QString bound = boundAt(cut.stock_mm); // the requirement is marked above
+    if (!bound.isEmpty() && !(binding && bound == LimitNames::limit(binding->kind))) {
+        text += (parts.isEmpty() ? QStringLiteral("\n") : QStringLiteral("; "))
+                + tr("binds: %1").arg(bound);
     }
     return text;
 }

@@ -34,6 +34,13 @@ public:
     [[nodiscard]] const LimitPoints& stepless() const { return m_stepless; }
     /// The limit by accuracy; empty: none follows from drawing and compliance.
     [[nodiscard]] const LimitPoints& accuracy(AccuracyProof proof) const;
+    /// The machine's greatest infeed; empty: it bounds no cut, or is not known.
+    [[nodiscard]] const LimitPoints& machineFeed() const { return m_machineFeed; }
+    /// Which of the limits that are proved for every cut binds where, by rising stock.
+    [[nodiscard]] const std::vector<BoundCurve>& envelope() const { return m_envelope; }
+    [[nodiscard]] static QString boundName(const BoundCurve& piece); ///< "burn", "machine's feed"
+    /// What binds a cut that leaves so much; empty: nothing.
+    [[nodiscard]] QString boundAt(double stock_mm) const;
     /// As the source has it, pass by pass.
     [[nodiscard]] const LimitPoints& published() const { return m_published; }
     /// What the programme feeds in a step of each stage.
@@ -54,13 +61,15 @@ public:
                                  const std::function<bool(ConstraintKind)>& wanted) const;
 
 private:
+    void findEnvelope();
     /// Limits of a cut as the engine gives them, not read off the curves.
     [[nodiscard]] std::vector<DepthLimit> limitsOf(const LimitedCut& cut) const;
 
     OutcomePtr m_outcome;
     int m_group = -1;
     std::map<ConstraintKind, LimitPoints> m_limits;
-    LimitPoints m_stepless, m_published, m_programmed;
+    LimitPoints m_stepless, m_published, m_programmed, m_machineFeed;
+    std::vector<BoundCurve> m_envelope;
     std::map<AccuracyProof, LimitPoints> m_accuracy;
     std::optional<ConstraintResult> m_requirement;
     std::optional<LimitedCut> m_marked;

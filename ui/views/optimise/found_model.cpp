@@ -42,7 +42,12 @@ QString FoundModel::text(const FoundCycle& found, int column) const {
     }
 }
 
-QString FoundModel::kindOf(const FoundCycle& found) {
+QString FoundModel::kindOf(const FoundCycle& found) const {
+    if (m_outcome->marginWithin_us && (found.isBest || found.isBestOfItsNumber)) {
+        return found.isBest
+                   ? tr("The farthest of the grid from its limits within the time given")
+                   : tr("The farthest of its number of stages from its limits, within the time");
+    }
     if (found.isBest) {
         return tr("The quickest of the grid");
     }

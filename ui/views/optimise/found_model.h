@@ -31,7 +31,7 @@ private:
     [[nodiscard]] QVariant head(int column, int role) const override;
     [[nodiscard]] QVariant side(int row, int role) const override;
     [[nodiscard]] QString text(const FoundCycle& found, int column) const;
-    [[nodiscard]] static QString kindOf(const FoundCycle& found);
+    [[nodiscard]] QString kindOf(const FoundCycle& found) const;
 
     SearchOutcomePtr m_outcome;
     std::optional<double> m_before_s;

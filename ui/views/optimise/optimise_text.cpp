@@ -5,6 +5,7 @@
 #include "core/optimisation/robust.h"
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
+#include "core/project/optimisation.h"
 #include "core/units.h"
 #include "ui/text/joined.h"
 #include "ui/text/names.h"
@@ -157,28 +158,79 @@ QString OptimiseText::cutsOf(const SearchOutcome& outcome) {
                            : tr("What cut most: %1.").arg(names.join(QStringLiteral(", ")));
 }
 
+QString OptimiseText::within(const SearchOutcome& outcome) {
+    return printedNumber(outcome.project.optimisation->margin_within_min.value_or(0));
+}
+
+QString OptimiseText::noAnswer(const SearchOutcome& outcome) {
+    if (outcome.stopped) {
+        return tr("Stopped before a cycle was found that holds every requirement.");
+    }
+    if (outcome.marginWithin_us) {
+        return tr("No cycle of the grid that takes at most %1 min holds every requirement.")
+            .arg(within(outcome));
+    }
+    return outcome.unresolved()
+               ? tr("No cycle was found that holds in every scenario, and none is quicker "
+                    "than %1 min; each one tried failed in a further scenario.")
+                     .arg(minutes(outcome.bound_s))
+               : tr("No cycle of the grid holds every requirement.");
+}
+
+QString OptimiseText::marginAnswer(const SearchOutcome& outcome, const FoundCycle& best) {
+    const QString margin = percent(best.leastRelativeMargin), taken = minutes(best.time_s);
+    if (!outcome.proved()) {
+        return tr("A margin of %1 % is the largest so far, in %2 min; a cycle within %3 min may "
+                  "have a larger one.")
+            .arg(margin, taken, within(outcome));
+    }
+    const QString size = gridSize(sparkout::gridSize(outcome.searched));
+    return outcome.robust
+               ? tr("A margin of %1 % over all that it must hold for, in %2 min: of %3 the largest "
+                    "within %4 min, proved.")
+                     .arg(margin, taken, size, within(outcome))
+               : tr("A margin of %1 %, in %2 min: of %3 the largest within %4 min, proved.")
+                     .arg(margin, taken, size, within(outcome));
+}
+
+QString OptimiseText::front(const SearchOutcome& outcome) {
+    if (outcome.robust) {
+        return tr("Margins by time are searched for the part as it stands; this search must hold "
+                  "for more.");
+    }
+    const std::vector<const FoundCycle*> points = outcome.front();
+    if (points.empty()) {
+        return tr("No margins by time: the search was stopped before, or no cycle holds.");
+    }
+    return outcome.isFrontWhole
+               ? tr("All %n cycle(s) of the grid of which none is both quicker and farther from "
+                    "its limits.",
+                    nullptr, static_cast<int>(points.size()))
+               : tr("Up to %1 min; cycles that take longer may have larger margins.")
+                     .arg(minutes(points.back()->time_s));
+}
+
 QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double> before_s) {
     QStringList lines;
     const FoundCycle* best = outcome.best();
     if (!best) {
-        lines << (outcome.stopped ? tr("Stopped before a cycle was found that holds every "
-                                       "requirement.")
-                  : outcome.unresolved()
-                      ? tr("No cycle was found that holds in every scenario, and none is quicker "
-                           "than %1 min; each one tried failed in a further scenario.")
-                            .arg(minutes(outcome.bound_s))
-                      : tr("No cycle of the grid holds every requirement."))
-              << cutsOf(outcome);
+        lines << noAnswer(outcome) << cutsOf(outcome);
         return joined(lines, QStringLiteral(" "));
     }
-    lines << (outcome.proved()
-                  ? (outcome.robust ? tr(
-                         "%1 min: of %2 the quickest that holds for the part and the scenarios "
-                         "added; proved for these.")
-                                    : tr("%1 min: the quickest of %2, proved."))
-                        .arg(minutes(best->time_s), gridSize(sparkout::gridSize(outcome.searched)))
-                  : tr("%1 min is the best so far; no cycle of the grid is quicker than %2 min.")
-                        .arg(minutes(best->time_s), minutes(outcome.bound_s)));
+    if (outcome.marginWithin_us) {
+        lines << marginAnswer(outcome, *best);
+    } else {
+        lines
+            << (outcome.proved()
+                    ? (outcome.robust
+                           ? tr("%1 min: of %2 the quickest that holds for the part and the "
+                                "scenarios added; proved for these.")
+                           : tr("%1 min: the quickest of %2, proved."))
+                          .arg(minutes(best->time_s),
+                               gridSize(sparkout::gridSize(outcome.searched)))
+                    : tr("%1 min is the best so far; no cycle of the grid is quicker than %2 min.")
+                          .arg(minutes(best->time_s), minutes(outcome.bound_s)));
+    }
     if (const FoundCycle* refined = outcome.refined()) {
         lines
             << tr("Between the levels a cycle of %1 min holds; that none is quicker is not proved.")
@@ -203,20 +255,28 @@ QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double>
         lines << levels;
     }
     if (outcome.robust) {
+        lines << robustness(outcome, *best);
+    }
+    return joined(lines, QStringLiteral(" "));
+}
+
+QString OptimiseText::robustness(const SearchOutcome& outcome, const FoundCycle& best) {
+    QStringList lines;
+    if (!outcome.marginWithin_us) {
         int added = 0;
         for (const SearchedNumber& number : outcome.numbers) {
             added += number.scenariosAdded;
         }
         lines << tr("It holds in the last sample of scenarios; %n of them had to be added.",
                     nullptr, added);
-        const FoundCycle& answer = outcome.refined() ? *outcome.refined() : *best;
-        lines << (answer.decided ? decided(*answer.decided) : sampled(answer.candidate));
-        if (const double nominal_s = outcome.nominal_s(); nominal_s > 0) {
-            lines << tr("The nominal part alone would take %1 min: robustness costs %2 % of time.")
-                         .arg(minutes(nominal_s), percent(best->time_s / nominal_s - 1));
-        }
     }
-    return joined(lines, QStringLiteral(" "));
+    const FoundCycle& answer = outcome.refined() ? *outcome.refined() : best;
+    lines << (answer.decided ? decided(*answer.decided) : sampled(answer.candidate));
+    if (const double nominal_s = outcome.nominal_s(); nominal_s > 0) {
+        lines << tr("The nominal part alone would take %1 min: robustness costs %2 % of time.")
+                     .arg(minutes(nominal_s), percent(best.time_s / nominal_s - 1));
+    }
+    return lines.join(u' ');
 }
 
 QString OptimiseText::decided(const PhaseCases& cases) {
@@ -243,7 +303,13 @@ QString OptimiseText::sampled(int candidate) {
 
 QString OptimiseText::bindingOf(const SearchOutcome& outcome) {
     if (!outcome.binding) {
-        return tr("What keeps it from being quicker is not known: the search was stopped before.");
+        return outcome.marginWithin_us
+                   ? tr("What has the least margin is not known: the search was stopped before.")
+                   : tr("What keeps it from being quicker is not known: the search was stopped "
+                        "before.");
+    }
+    if (outcome.marginWithin_us) {
+        return tr("The least margin is that of: %1.").arg(names(*outcome.binding));
     }
     if (!outcome.binding->empty()) {
         return tr("What keeps it from being quicker: %1.").arg(names(*outcome.binding));

@@ -24,13 +24,20 @@ public:
     static QString cycleHint(Operation operation); ///< what the numbers of cycle() are
 
     static QString state(const SearchState& state);
-    static QString fault(const SearchOutcome& outcome); ///< why nothing could be searched
+    static QString fault(const SearchOutcome& outcome);  ///< why nothing could be searched
+    static QString within(const SearchOutcome& outcome); ///< the time given, "0.92"
+    /// What the margins by time are of, or why there are none.
+    static QString front(const SearchOutcome& outcome);
     /// What came out, against the time of the cycle before if that ends by itself.
     static QString answer(const SearchOutcome& outcome, std::optional<double> before_s);
 
 private:
     static QString names(const std::vector<ConstraintKind>& kinds);
     static QString cutsOf(const SearchOutcome& outcome);
+    /// Of a search for the greatest margin: what came out, and the margins by time.
+    static QString marginAnswer(const SearchOutcome& outcome, const FoundCycle& best);
+    static QString noAnswer(const SearchOutcome& outcome);
+    static QString robustness(const SearchOutcome& outcome, const FoundCycle& best);
     static QString decided(const PhaseCases& cases);
     static QString sampled(int candidate); ///< of fresh phases
     static QString bindingOf(const SearchOutcome& outcome);

@@ -2,6 +2,7 @@
 #include "ui/views/optimise/optimise_view.h"
 
 #include "core/format/project_file.h"
+#include "core/project/optimisation.h"
 #include "core/study/search_edits.h"
 #include "ui/charts/compare_plot.h"
 #include "ui/dialogs/copy_table.h"
@@ -14,6 +15,7 @@
 #include "ui/plot/run_bar.h"
 #include "ui/text/names.h"
 #include "ui/views/optimise/found_model.h"
+#include "ui/views/optimise/margin_front_plot.h"
 #include "ui/views/optimise/optimise_text.h"
 #include "ui/views/optimise/stage_count_plot.h"
 
@@ -41,6 +43,7 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings)
     : PlotView(QStringLiteral("optimise"), parent, settings)
     , m_curves(new ComparePlot(this))
     , m_times(new StageCountPlot(this))
+    , m_margins(new MarginFrontPlot(this))
     , m_grid(new StateGridPlot(this))
     , m_gridBar(new StateGridBar(this))
     , m_splitter(new QSplitter(Qt::Vertical, this))
@@ -53,7 +56,7 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings)
     , m_refine(new QCheckBox(this))
     , m_runner(new SearchRunner(this))
     , m_trials(new RunController(this)) {
-    for (ViewPlot* plot : std::initializer_list<ViewPlot*>{m_curves, m_times, m_grid}) {
+    for (ViewPlot* plot : std::initializer_list<ViewPlot*>{m_curves, m_times, m_margins, m_grid}) {
         plot->setMinimumSize(240, 120);
         addPage(*plot);
     }
@@ -68,6 +71,7 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings)
     column->addStretch(0);
     nameObjects({{m_curves, "optimiseCurves"},
                  {m_times, "optimiseTimes"},
+                 {m_margins, "optimiseMargins"},
                  {m_grid, "optimiseGrid"},
                  {m_zone, "optimiseZone"},
                  {m_take, "optimiseTake"},
@@ -102,19 +106,20 @@ void OptimiseView::connectParts() {
         // The view is of the inputs that were accepted last; those of now may have a grid.
         emit editWanted(
             [](Project project) {
-                return project.optimisation ? project : withUsualSearch(std::move(project));
+                return project.optimisation ? project : withOfferedSearch(std::move(project));
             },
             {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a search")});
     });
     connect(m_runner, &SearchRunner::progressed, this, [this](const SearchState& state) {
         const double share = state.best_s ? std::clamp(state.bound_s / *state.best_s, 0.0, 1.0) : 0;
-        m_bar->showProgress(share, OptimiseText::state(state));
+        m_bar->showProgress(std::max(share, state.share), OptimiseText::state(state));
         m_bar->progress()->setToolTip(m_bar->progress()->format());
     });
     connect(m_runner, &SearchRunner::finished, this, &OptimiseView::takeSearch);
     connect(m_trials, &RunController::finished, this, &OptimiseView::takeTrial);
     connect(m_gridBar, &StateGridBar::changed, this, &OptimiseView::takeGrid);
     connect(m_gridBar, &StateGridBar::moved, this, &OptimiseView::moveGrid);
+    connect(m_margins, &MarginFrontPlot::cycleClicked, this, &OptimiseView::chooseRow);
     connect(m_grid, &StateGridPlot::stateClicked, this, [this](int level, std::size_t feed) {
         m_gridBar->setMoment(momentOf(m_grid->outcome()->grid, level, feed));
     });
@@ -159,7 +164,7 @@ void OptimiseView::takeOutcome(const OutcomePtr& before) {
         m_own && isTaken() && sameSearch(m_own->result.project, good()->result.project);
     m_before = mayCompare ? m_own : good();
     m_found->setBefore(before_s());
-    m_times->setSearch(m_search, before_s());
+    showBefore();
     fillCurves(); // the view shows them with the rest
     followGrid();
 }
@@ -208,7 +213,7 @@ void OptimiseView::showSearch() {
     m_own.reset();
     m_before = good();
     m_found->show(m_search, before_s());
-    m_times->setSearch(m_search, before_s());
+    showBefore();
     m_trial.reset();
     if (m_search && m_search->best()) {
         m_table->selectRow(0);
@@ -220,10 +225,30 @@ void OptimiseView::showSearch() {
     showCurves();
 }
 
+void OptimiseView::showBefore() {
+    std::optional<TimedMargin> yours;
+    if (const std::optional<double> time_s = before_s(); time_s && !m_before->constraints.empty()) {
+        yours = {*time_s, std::ranges::min_element(m_before->constraints, {},
+                                                   &ConstraintResult::relativeMargin)
+                              ->relativeMargin};
+    }
+    m_times->setSearch(m_search, before_s());
+    m_margins->setSearch(m_search, yours);
+    m_margins->setChosen(chosen());
+}
+
+void OptimiseView::chooseRow(std::size_t row) {
+    m_table->selectRow(static_cast<int>(row));
+    m_table->scrollTo(m_found->index(static_cast<int>(row), 0));
+    m_table->setFocus(); // whose keys go on from there
+}
+
 void OptimiseView::tryCycle() {
     if (const FoundCycle* cycle = chosen()) {
         m_trials->request(withFound(m_search->project, *cycle));
     }
+    m_margins->setChosen(chosen());
+    m_margins->replot(QCustomPlot::rpQueuedReplot);
     showState();
 }
 
@@ -326,9 +351,10 @@ bool OptimiseView::isFound() const {
 }
 
 bool OptimiseView::hasCurves() const {
-    return showsGrid()           ? m_grid->outcome() != nullptr
-           : &front() == m_times ? isFound()
-                                 : !m_curves->runs().empty();
+    return showsGrid()             ? m_grid->outcome() != nullptr
+           : &front() == m_times   ? isFound()
+           : &front() == m_margins ? m_margins->hasFront()
+                                   : !m_curves->runs().empty();
 }
 
 bool OptimiseView::drawn() const {
@@ -361,6 +387,9 @@ void OptimiseView::showState() {
         wish->setVisible(!searching);
         wish->setEnabled(isGiven());
     }
+    if (isGiven() && good()->result.project.optimisation->margin_within_min) {
+        m_refine->setEnabled(false); // it looks for the least time alone
+    }
     m_bar->state()->setText(isGiven() && !searching
                                 ? OptimiseText::gridSize(sparkout::gridSize(good()->result.project))
                                 : QString());
@@ -380,6 +409,13 @@ QString OptimiseView::hint() const {
         return m_grid->outcome() ? StateGridText::moment(
                    m_grid->outcome()->grid, momentAt(m_grid->outcome()->grid, m_grid->moment()))
                                  : QString();
+    }
+    if (&front() == m_margins) {
+        return !isFound() ? QString()
+               : m_margins->hasFront()
+                   ? tr("A click chooses a cycle, “Take this cycle” or Enter takes it.") + u' '
+                         + OptimiseText::front(*m_search)
+                   : OptimiseText::front(*m_search);
     }
     return &front() == m_curves
                ? tr("Point at a curve to read its values beside those of your cycle.")
@@ -407,8 +443,10 @@ QString OptimiseView::remark() const {
         return m_gridBar->remark();
     }
     if (!m_search) {
-        return m_runner->running()
-                   ? QString()
+        return m_runner->running() ? QString()
+               : good()->result.project.optimisation->margin_within_min
+                   ? tr("“Search” finds the cycle of the grid farthest from its limits within the "
+                        "time given. It can be stopped at any time and keeps the best so far.")
                    : tr("“Search” finds the quickest cycle of the grid that holds every "
                         "requirement. It can be stopped at any time and keeps the best so far.");
     }
@@ -442,12 +480,14 @@ void OptimiseView::nameParts() {
                tr("Values under the mouse"));
     m_curves->setAccessibleName(tr("Feeds and radii of your cycle and of the one found"));
     m_times->setAccessibleName(tr("Machining time over the number of stages"));
+    m_margins->setAccessibleName(
+        tr("Largest margin over the machining time; the table below lists its cycles"));
     m_grid->setAccessibleName(tr("Grid of dynamic programming"));
     m_bar->state()->setAccessibleName(tr("Size of the grid"));
     m_bar->progress()->setAccessibleName(tr("Progress of the search"));
     m_table->setAccessibleName(tr("The best cycles found"));
-    fillChoice(*content(),
-               {tr("Before and after"), tr("Time by stages"), tr("Dynamic programming")});
+    fillChoice(*content(), {tr("Before and after"), tr("Time by stages"), tr("Margin by time"),
+                            tr("Dynamic programming")});
     tell(*content(), tr("What is shown of the search"));
     tell(*m_zone, tr("Zone or section of the curves"));
     nameButtons();
@@ -472,8 +512,9 @@ void OptimiseView::nameButtons() {
                   "steps: every cycle is run in full, but that none is quicker is not proved"));
     tellButton(
         *m_add, tr("Add a usual search"),
-        tr("Levels of each feed over the machine's range, which follow the answer, and steps of "
-           "stock; can be undone and changed on the page Search"));
+        tr("Levels of each feed over the machine's range, which follow the answer, steps of "
+           "stock, and the usual least overlap and steps of a stage where none are given; can be "
+           "undone and changed on the pages Search and Cycle"));
 }
 
 } // namespace sparkout

@@ -19,6 +19,7 @@ namespace sparkout {
 class ComparePlot;
 class CopyTable;
 class FoundModel;
+class MarginFrontPlot;
 class RunBar;
 class StageCountPlot;
 class StateGridBar;
@@ -26,9 +27,10 @@ class StateGridPlot;
 
 /// The view "Optimise": searches the grid of the project for the quickest cycle that holds every
 /// requirement. The best cycles as they were found; the one chosen beside the present cycle, or
-/// the one that it took the place of, curve by curve; the time over the number of stages; what
-/// keeps it from being quicker. A cycle is taken by one edit. Results of other inputs are drawn
-/// faint. Or, instead of a search, the grid of dynamic programming as the published rule fills it.
+/// the one that it took the place of, curve by curve; the time over the number of stages; the
+/// margin over the time; what keeps it from being quicker. A cycle is taken by one edit. Results of
+/// other inputs are drawn faint. Or, instead of a search, the grid of dynamic programming as the
+/// published rule fills it.
 class OptimiseView : public PlotView {
     Q_OBJECT
 public:
@@ -36,6 +38,7 @@ public:
 
     [[nodiscard]] ComparePlot* curves() const { return m_curves; }
     [[nodiscard]] StageCountPlot* times() const { return m_times; }
+    [[nodiscard]] MarginFrontPlot* margins() const { return m_margins; }
     [[nodiscard]] StateGridPlot* stateGrid() const { return m_grid; }
     [[nodiscard]] const SearchOutcomePtr& search() const { return m_search; }
     /// The time of the cycle that is compared with, if it ends by itself.
@@ -89,6 +92,8 @@ private:
 
     void showSearch();
     void fillCurves();
+    void showBefore(); ///< in the plots of the search
+    void chooseRow(std::size_t row);
     void showCurves();
     [[nodiscard]] bool isGiven() const;   ///< what is to be searched
     [[nodiscard]] bool isFound() const;   ///< a cycle
@@ -96,6 +101,7 @@ private:
 
     ComparePlot* m_curves;
     StageCountPlot* m_times;
+    MarginFrontPlot* m_margins;
     StateGridPlot* m_grid;
     StateGridBar* m_gridBar;
     QWidget* m_choice = nullptr; ///< of what is drawn, and how it leaves

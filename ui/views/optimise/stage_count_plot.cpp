@@ -38,7 +38,9 @@ BarChart StageCountPlot::makeChart() const {
     chart.axis = tr("Machining time");
     chart.unit = unitText("min");
     using style::Drawn;
-    BarSeries quickest{tr("quickest cycle"), barColour(Drawn::quickestCycle), hatchAt(0), {}};
+    const QString best =
+        m_outcome->marginWithin_us ? tr("cycle with the largest margin") : tr("quickest cycle");
+    BarSeries quickest{best, barColour(Drawn::quickestCycle), hatchAt(0), {}};
     BarSeries proven{tr("none is below"), barColour(Drawn::lowerBound), hatchAt(1), {}};
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     for (const SearchedNumber& number : m_outcome->numbers) {

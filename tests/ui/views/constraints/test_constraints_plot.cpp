@@ -16,6 +16,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QSet>
 
 #include <algorithm>
 #include <cmath>
@@ -93,6 +94,43 @@ private slots:
                 QVERIFY(found);
             }
         }
+    }
+
+    /// A band lies on the least of the limits at each stock, in its colour and with its name.
+    void aBandNamesWhatBindsAtEachStock() {
+        Project project = fixtures::plungeProject();
+        project.material->burn_rise_k = 400;
+        project.machine->wheel_drive_kw = 4;
+        project.machine->limits.plunge_feed_mm_min = std::vector<double>{0.01, 1.5, 0.01};
+        const OutcomePtr outcome = run(project);
+        const Shown shown(outcome);
+        const ConstraintsPlot& plot = shown.plot();
+        const LimitChart& chart = plot.chart();
+        QCOMPARE(plot.pieces().size(), chart.envelope().size());
+        QVERIFY(plot.pieces().size() > 1);
+        const double feed_um = 1000 * *greatestInfeed_mm(project);
+        QVERIFY(plot.machineFeed()->dataCount() == 2
+                && plot.machineFeed()->data()->at(0)->value == feed_um);
+        QSet<QString> names;
+        for (std::size_t i = 0; i < plot.pieces().size(); ++i) {
+            const BoundCurve& piece = chart.envelope()[i];
+            names << plot.pieceName(i);
+            const LimitPoint &from = piece.points.front(), &to = piece.points.back();
+            const double middle = (from.stock_mm + to.stock_mm) / 2;
+            QCOMPARE(chart.boundAt(middle), LimitChart::boundName(piece));
+            for (const LimitPoint& point : piece.points) {
+                QVERIFY(point.depth_mm * 1000 <= feed_um * (1 + 1e-9));
+            }
+        }
+        QVERIFY(names.contains(QStringLiteral("burn")));
+        QVERIFY(names.contains(QStringLiteral("machine's feed")));
+        QVERIFY(plot.pieces().front()->pen().color() != plot.pieces().back()->pen().color());
+        const LegendEntries entries = plot.legendEntries();
+        QVERIFY(std::ranges::any_of(entries, [](const LegendEntry& entry) {
+            return entry.text.contains(QStringLiteral("what binds (burn"));
+        }));
+        shown.plot().toggleCurve(ConstraintsPlot::envelopeKey);
+        QVERIFY(!plot.pieces().front()->visible());
     }
 
     void theCurvesDrawnAreTheEnginesLimits() {

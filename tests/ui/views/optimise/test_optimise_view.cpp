@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view "Optimise" by mouse and keys: what it shows is the engine's, a cycle is taken by one
 // edit, and it says when it is of other inputs.
+#include "core/optimisation/trade_off.h"
 #include "core/project/cycle.h"
 #include "core/project/optimisation.h"
 #include "core/project/part.h"
@@ -13,12 +14,15 @@
 #include "ui/dialogs/copy_table.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/views/optimise/found_model.h"
+#include "ui/views/optimise/margin_front_plot.h"
 #include "ui/views/optimise/optimise_text.h"
 #include "ui/views/optimise/optimise_view.h"
 #include "ui/views/optimise/stage_count_plot.h"
 #include "ui/window/view_tabs.h"
 
+#include <QCheckBox>
 #include <QClipboard>
+#include <QComboBox>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
@@ -106,6 +110,71 @@ private slots:
         const BarChart& times = desk.view->times()->chart();
         QCOMPARE(times.categories.size(), 2);
         QCOMPARE(times.value(0, 1), engine.best->time_s / 60);
+    }
+
+    /// The margins by time are the engine's; a click chooses a cycle.
+    void aPointOfTheMarginsByTimeIsChosenAndTaken() {
+        const Project project = fixtures::searchedShaft();
+        const TradeOff engine = tradeOff(project, optimise(project), {}, 40);
+        const Desk desk(project);
+        QVERIFY(!desk.view->margins()->hasFront());
+        QVERIFY(desk.searched());
+        desk.part<QComboBox>("optimiseContent").setCurrentIndex(2);
+        desk.bench.settle();
+        MarginFrontPlot& plot = *desk.view->margins();
+        QVERIFY(plot.isVisible() && plot.hasFront() && engine.cycles.size() > 1);
+        QCOMPARE(desk.view->search()->isFrontWhole, engine.isWhole);
+        QCOMPARE(plot.curve()->dataCount(), static_cast<int>(engine.cycles.size()));
+        const CsvTable table = plot.table();
+        QCOMPARE(table.rows.size(), engine.cycles.size());
+        for (std::size_t i = 0; i < engine.cycles.size(); ++i) {
+            const FeasibleCycle& best = *engine.cycles[i].best;
+            QCOMPARE(std::get<double>(table.rows[i][0]), best.time_s / 60);
+            QCOMPARE(std::get<double>(table.rows[i][1]), 100 * best.leastRelativeMargin);
+            QCOMPARE(plot.curve()->data()->at(static_cast<int>(i))->key, best.time_s / 60);
+        }
+        QCOMPARE(plot.yours()->data()->at(0)->key, *desk.view->before_s() / 60);
+        QVERIFY(!plot.givenTime()->visible());
+        const std::size_t last = engine.cycles.size() - 1;
+        QTest::mouseClick(&plot, Qt::LeftButton, {}, plot.pixelOf(last).toPoint());
+        const int row = desk.part<CopyTable>("optimiseFound").currentIndex().row();
+        QCOMPARE(desk.cell(row, FoundModel::cycle), OptimiseText::cycle(engine.cycles[last].cycle));
+        QCOMPARE(plot.chosen()->data()->at(0)->value,
+                 100 * engine.cycles[last].best->leastRelativeMargin);
+        desk.click("optimiseTake");
+        desk.bench.settle();
+        QCOMPARE(OptimiseText::cycle(*desk.project().cycle),
+                 OptimiseText::cycle(engine.cycles[last].cycle));
+        QVERIFY(!desk.view->stale());
+    }
+
+    /// With a time in the project the answer is the cycle of the largest margin within it.
+    void theLargestMarginWithinATimeIsAnswered() {
+        Project project = fixtures::searchedShaft();
+        const SearchSummary quickest = optimise(project);
+        project.optimisation->margin_within_min = 1.3 * quickest.best->time_s / 60;
+        SearchOptions options;
+        options.marginWithin_us = marginWithinOf(project);
+        const SearchSummary engine = optimise(project, options);
+        QVERIFY(engine.best->leastRelativeMargin > quickest.best->leastRelativeMargin);
+        const Desk desk(project);
+        QVERIFY(!desk.part<QCheckBox>("optimiseRefine").isEnabled());
+        QVERIFY(desk.searched());
+        QCOMPARE(desk.cell(0, FoundModel::cycle), OptimiseText::cycle(engine.cycle));
+        QCOMPARE(desk.cell(0, FoundModel::margin),
+                 OptimiseText::percent(engine.best->leastRelativeMargin));
+        QVERIFY(desk.told().contains(QStringLiteral("the largest within")));
+        desk.part<QComboBox>("optimiseContent").setCurrentIndex(2);
+        desk.bench.settle();
+        MarginFrontPlot& plot = *desk.view->margins();
+        QVERIFY(plot.givenTime()->visible());
+        QCOMPARE(plot.givenTime()->point1->key(), *project.optimisation->margin_within_min);
+        bool isOnFront = false; // the answer is one of its points
+        for (const QCPGraphData& point : *plot.curve()->data()) {
+            isOnFront |= point.key == engine.best->time_s / 60
+                         && point.value == 100 * engine.best->leastRelativeMargin;
+        }
+        QVERIFY(isOnFront);
     }
 
     void aCycleIsTakenByOneEditAndUndone() {
@@ -349,7 +418,9 @@ private slots:
         QVERIFY(!content.isVisible()); // there is nothing to choose of
         desk.click("optimiseAdd");
         desk.bench.settle();
-        QVERIFY(desk.project().optimisation.has_value());
+        QVERIFY(desk.project().optimisation->non_increasing);
+        QVERIFY(desk.project().least_overlap && desk.project().least_overlap_last
+                && desk.project().least_steps);
         QTRY_VERIFY(desk.part<QPushButton>("optimiseRun").isEnabled());
         QVERIFY(!desk.part<QPushButton>("optimiseAdd").isVisible());
         QVERIFY(content.isVisible());
