@@ -5590,8 +5590,8 @@ Reloading takes that version; your changes stay in Undo.</source>
     <message>
         <source>1: the dullness grows evenly. Below 1 it grows most just after dressing, above 1 towards the end; the dulling is then counted per mm² to this power.</source>
         <translation>1 — затупление растёт равномерно. Меньше 1 — быстрее всего сразу после правки, больше 1 — к концу; коэффициент затупления отнесён тогда к мм² в этой степени.</translation>
-    </message>
-</context>
+        </message>
+        <message>
             <source>Largest margin within a time</source>
             <translation>Наибольший запас за время</translation>
         </message>
