@@ -98,7 +98,7 @@ private slots:
 
     /// A band lies on the least of the limits at each stock, in its colour and with its name.
     void aBandNamesWhatBindsAtEachStock() {
-        Project project = fixtures::plungeProject();
+        Project project = fixtures::plungeProject(1);
         project.material->burn_rise_k = 400;
         project.machine->wheel_drive_kw = 4;
         project.machine->limits.plunge_feed_mm_min = std::vector<double>{0.01, 1.5, 0.01};
