@@ -66,6 +66,7 @@ struct Options {
     QSize size{1366, 768};
     bool formatGiven = false; ///< by --format
     bool portable = false;
+    bool timesStart = false;
     bool version = false;
     bool help = false;
     QString fault; ///< what is wrong with the command line
@@ -89,6 +90,8 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
         options.version = true;
     } else if (word == u"--help" || word == u"-h") {
         options.help = true;
+    } else if (word == u"--time-start") {
+        options.timesStart = true;
     } else if (word == u"--portable") {
         options.portable = true;
     } else if (word == u"--force") {
@@ -302,7 +305,29 @@ Settings settingsFor(const Options& options) {
     return options.portable ? Settings(PortableFolder::settingsFile()) : Settings();
 }
 
+/// Ends the program once the window was painted, and says so: whoever started it takes the time.
+class FirstPaint : public QObject {
+public:
+    explicit FirstPaint(QWidget& window) : QObject(&window) { window.installEventFilter(this); }
+
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::Paint) {
+            watched->removeEventFilter(this);
+            QTimer::singleShot(0, this, [] { // once it is on the screen
+                say(stdout, QStringLiteral("painted"));
+                std::fflush(stdout);
+                QCoreApplication::exit(0);
+            });
+        }
+        return false;
+    }
+};
+
 int runWindow(QApplication& app, MainWindow& window, const Options& options) {
+    std::optional<FirstPaint> firstPaint;
+    if (options.timesStart) {
+        firstPaint.emplace(window);
+    }
     window.files().protect(options.portable ? PortableFolder::stateFolder() : userStateFolder());
     window.show();
     openFirstExample(window.document());

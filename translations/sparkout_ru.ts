@@ -9730,6 +9730,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>System: %1, %2</source>
             <translation>Система: %1, %2</translation>
         </message>
+        <message>
+            <source>&amp;Licences…</source>
+            <translation>&amp;Лицензии…</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::Actions</name>
@@ -18727,6 +18731,23 @@ s</source>
         <message>
             <source>Least margin, %</source>
             <translation>Наименьший запас, %</translation>
+    <context>
+        <name>sparkout::LicencesDialog</name>
+        <message>
+            <source>Licences</source>
+            <translation>Лицензии</translation>
+        </message>
+        <message>
+            <source>Components</source>
+            <translation>Составные части</translation>
+        </message>
+        <message>
+            <source>Licence</source>
+            <translation>Лицензия</translation>
+        </message>
+        <message>
+            <source>C&amp;lose</source>
+            <translation>&amp;Закрыть</translation>
         </message>
     </context>
 </TS>

@@ -146,6 +146,15 @@ std::vector<Option> windowOptions() {
           "on a stick, and leaves those of the user alone",
           "хранит настройки, свои каталоги и данные восстановления в папке settings рядом с "
           "программой, например на флешке, и не трогает настройки пользователя"}},
+        {"--time-start",
+         "",
+         Kind::none,
+         "",
+         {"opens the window, prints a line when it was painted for the first time and closes it, "
+          "for "
+          "those who take the time",
+          "открывает окно, печатает строку, когда оно впервые нарисовано, и закрывает его — для "
+          "измерения времени запуска"}},
         {"--version", "", Kind::none, "", {"prints the version", "печатает версию"}},
         {"--help", "", Kind::none, "", {"prints this text", "печатает список параметров"}},
     };

@@ -12,7 +12,7 @@ import sys
 import tempfile
 import xml.etree.ElementTree
 
-cmake, build, manual, example = sys.argv[1:]
+cmake, build, manual, example, *_ = sys.argv[1:]
 ICON_SIZES = (16, 22, 24, 32, 48, 64, 128, 256)
 
 

@@ -32,6 +32,7 @@ constexpr const char* workPages = QT_TRANSLATE_NOOP("Help", "Working with the pr
 constexpr std::array helpContents{
     HelpEntry{"start", gettingStarted},
     HelpEntry{"editing", gettingStarted},
+    HelpEntry{"news", gettingStarted},
     HelpEntry{"inputs-part", inputPages},
     HelpEntry{"inputs-material", inputPages},
     HelpEntry{"inputs-wheel", inputPages},

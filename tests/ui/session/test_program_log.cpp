@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The log of the session and the versions: complete, bounded, to be copied.
+// The log of the session, the versions and the licences: complete, bounded, to be copied.
 #include "core/study/engine_info.h"
 #include "core/version.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/session/program_log.h"
 #include "ui/window/dialogs/about_dialog.h"
+#include "ui/window/dialogs/licences_dialog.h"
 #include "ui/window/dialogs/log_dialog.h"
 #include "ui/window/file_commands.h"
 
 #include <QAction>
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QListWidget>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTest>
+#include <QTimer>
 
 #include <thread>
 
@@ -128,6 +132,55 @@ private slots:
                                         engine.compiler, engine.eigen, engine.vectorUnit}) {
             QVERIFY2(!part.empty() && text.contains(QString::fromStdString(part)), part.c_str());
         }
+    }
+
+    void everyLicenceIsShownInFull() {
+        LicencesDialog dialog;
+        auto* list = dialog.findChild<QListWidget*>();
+        const auto* text = dialog.findChild<QPlainTextEdit*>();
+        const auto all = LicencesDialog::components();
+        QVERIFY(all.size() > 10);
+        QCOMPARE(static_cast<std::size_t>(list->count()), all.size());
+        for (int row = 0; row < list->count(); ++row) {
+            const auto& each = all[static_cast<std::size_t>(row)];
+            const QString licence = LicencesDialog::textsOf(each.licence);
+            list->setCurrentRow(row);
+            QVERIFY2(licence.size() > 500, qPrintable(each.licence));
+            QVERIFY(text->toPlainText().startsWith(each.name));
+            QVERIFY(text->toPlainText().contains(each.copyright));
+            QVERIFY(text->toPlainText().contains(licence.trimmed().right(100)));
+        }
+        QVERIFY(LicencesDialog::textsOf(QStringLiteral("GPL-3.0-or-later"))
+                    .contains(QStringLiteral("END OF TERMS AND CONDITIONS")));
+        QVERIFY(LicencesDialog::textsOf(QStringLiteral("MIT AND Unheard-of")).isEmpty());
+    }
+
+    void everyLibraryOfAboutHasItsLicence() {
+        const auto all = LicencesDialog::components();
+        const QString versions = AboutDialog::versions();
+        for (const char* name :
+             {"Qt", "QCustomPlot", "Eigen", "JSON", "Boost", "NLopt", "qpdf", "zlib", "Snowball"}) {
+            const QString wanted = QString::fromUtf8(name);
+            QVERIFY2(versions.contains(wanted), name);
+            QVERIFY2(std::any_of(all.begin(), all.end(),
+                                 [&](const auto& each) { return each.name.contains(wanted); }),
+                     name);
+        }
+    }
+
+    void aboutLeadsToTheLicences() {
+        AboutDialog about;
+        about.show();
+        bool shown = false;
+        QTimer::singleShot(0, &about, [&] {
+            auto* licences = about.findChild<LicencesDialog*>();
+            shown = licences && licences->isVisible();
+            if (licences) {
+                licences->reject();
+            }
+        });
+        about.findChild<QPushButton*>(QStringLiteral("licences"))->click();
+        QVERIFY(shown);
     }
 };
 

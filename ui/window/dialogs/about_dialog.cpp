@@ -6,6 +6,7 @@
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/tables/zip_writer.h"
+#include "ui/window/dialogs/licences_dialog.h"
 
 #include <QClipboard>
 #include <QDialogButtonBox>
@@ -46,7 +47,10 @@ AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent) {
     auto* buttons = new QDialogButtonBox(this);
     auto* copy = buttons->addButton(tr("C&opy the versions"), QDialogButtonBox::ActionRole);
     copy->setObjectName(QStringLiteral("copyVersions"));
+    auto* licences = buttons->addButton(tr("&Licences…"), QDialogButtonBox::ActionRole);
+    licences->setObjectName(QStringLiteral("licences"));
     buttons->addButton(tr("C&lose"), QDialogButtonBox::RejectRole);
+    connect(licences, &QPushButton::clicked, this, [this] { LicencesDialog(this).exec(); });
     connect(copy, &QPushButton::clicked, this,
             [] { QGuiApplication::clipboard()->setText(versions()); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+#include <QString>
+
+#include <vector>
+
+namespace sparkout {
+
+/// What the program is made of, and the licences of all of it, in full.
+class LicencesDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit LicencesDialog(QWidget* parent = nullptr);
+
+    struct Component {
+        QString name;
+        QString licence; ///< as SPDX writes it
+        QString copyright;
+    };
+    [[nodiscard]] static std::vector<Component> components(); ///< Sparkout first
+
+    /// The licences that an expression of SPDX names, one after the other; empty where one is
+    /// missing.
+    [[nodiscard]] static QString textsOf(const QString& expression);
+};
+
+} // namespace sparkout
