@@ -4,8 +4,10 @@
 #include "app/cli_phases.h"
 #include "app/cli_remedies.h"
 #include "app/cli_sweep.h"
+#include "app/course/cli_course.h"
 #include "app/examples.h"
 #include "app/io/cli_io.h"
+#include "app/io/cli_kept_runs.h"
 #include "app/io/cli_options.h"
 #include "app/io/cli_report.h"
 #include "app/io/cli_surfaces.h"
@@ -50,12 +52,16 @@ constexpr const char* helpText =
                         | --trial PARAMETER,… | --stiffness-sheet
                         | --stiffness TABLE.csv [--indicator part|system]
   sparkout-cli examples DIR [--force]
+  sparkout-cli course check FILE [--json]
+  sparkout-cli course variants LESSON --group LIST.csv --seed S -d DIR [--force]
+  sparkout-cli course grade LESSON DIR [--group LIST.csv] [--answers TABLE.csv] [--csv | --json]
   sparkout-cli --version | --help
 
 simulate   runs the cycle of a project file
   --json     prints one JSON object
   --check    exit status 4 when a requirement fails
   --trace    writes a row for every visit of a radius
+             kept runs of the file whose numbers are not the engine's are named on stderr
 remedies   finds changes of one setting after which a cycle that fails holds everything, or
            one that is close to a limit has room: up to three, each run, the quickest
            first; where none of the values tried helps, why, with the requirements that fail
@@ -138,6 +144,21 @@ measured   holds what was measured, in the file's section measured, against the 
 examples   writes the example projects into a folder, which is made if need be;
            where one of them was edited there, nothing is written
   --force    replaces those that were edited
+course     laboratory works for a class; a lesson is a file .sparkout-lesson
+  check      of a lesson: its faults, and what each step finds in its project as given; of a
+             student's work (.sparkout-work): its seals and answers; of a project: its kept runs.
+             Exit status 4 when a seal is broken or a kept run's numbers are not the engine's
+  variants   makes a work for each student of a list (CSV with name and group): valid, not solved
+             as given, solved by a proved best cycle near to the lesson's in time and margin, no
+             two alike; the same seed gives the same. Beside them assignments.csv to hand out and
+             teacher-best-answers.csv to keep. Where no variant is found, says which condition
+             refused how many of the tries, with exit status 5
+  grade      marks the works of a folder: every answer computed again from the lesson, points by
+             step, hints paid, time beside the proved best; edited, foreign and copied works
+             named, with --group the missing ones too
+  --answers  the table of best answers; without it they are searched for
+  --csv, --json  a row for every work, or one JSON object
+  --force    works that are there are replaced
 
 A file may hold several surfaces of a part that are ground in one set-up. simulate, remedies,
 optimize, batch, sweep, phases and measured take each in its order, or the one that --surface
@@ -175,6 +196,7 @@ int statusOf(const SurfaceRun& run, const std::string& name, const Options& opti
 }
 
 int simulateOne(const Project& project, const std::string& name, const Options& options) {
+    printUntrueRuns(name, project);
     const SurfaceRun run = runSurface({}, project, {});
     if (!options.trace.empty() && run.result.visits > maxRecordedVisits) {
         return writeTrace(run.result, name, options);
@@ -197,6 +219,7 @@ int simulateWhole(const Surfaces& surfaces, const Options& options) {
     for (std::size_t i = 0; i < run.surfaces.size(); ++i) {
         const SurfaceRun& surface = run.surfaces[i];
         const std::string name = surfaces.nameOf(i);
+        printUntrueRuns(name, surfaces.setup().surfaces[i].project);
         printIssues(name, remarksOn(surface.result));
         if (!options.json) {
             print(stdout, surfaces.heading(i) + resultText(surface.result, surface.constraints));
@@ -285,6 +308,9 @@ int run(const std::vector<std::string>& arguments) {
     }
     if (!arguments.empty() && arguments[0] == "optimize") {
         return runOptimise({arguments.begin() + 1, arguments.end()});
+    }
+    if (!arguments.empty() && arguments[0] == "course") {
+        return runCourse({arguments.begin() + 1, arguments.end()});
     }
     Options options;
     if (const int failed = parse(arguments, options)) {
