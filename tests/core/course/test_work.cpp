@@ -58,11 +58,13 @@ private slots:
     void whateverIsChangedBreaksASeal() {
         const json whole = json::parse(m_text);
         QVERIFY(!brokenSeal(*readWork(whole.dump()).work));
-        int changed = 0;
+        int changed = 0, seen = 0;
+        const int step = samples::sized(11, 101, 1); // a work is read for each
         const json flat = whole.flatten();
         for (const auto& [path, value] : flat.items()) {
-            if (path == "/format" || path == "/version" || path == "/lesson/format"
-                || path == "/lesson/version" || path.starts_with("/lesson/project/part/shaft")) {
+            if (seen++ % step != 0 || path == "/format" || path == "/version"
+                || path == "/lesson/format" || path == "/lesson/version"
+                || path.starts_with("/lesson/project/part/shaft")) {
                 continue;
             }
             json file = whole;
@@ -82,7 +84,7 @@ private slots:
                 ++changed;
             }
         }
-        QVERIFY2(changed > 60, std::to_string(changed).c_str());
+        QVERIFY2(changed >= 100 / step, std::to_string(changed).c_str());
     }
 
     void theBrokenSealIsThatOfTheEntryChanged() {
