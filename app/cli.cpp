@@ -5,8 +5,10 @@
 #include "app/cli_phases.h"
 #include "app/cli_remedies.h"
 #include "app/cli_sweep.h"
+#include "app/course/cli_course.h"
 #include "app/examples.h"
 #include "app/io/cli_io.h"
+#include "app/io/cli_kept_runs.h"
 #include "app/io/cli_options.h"
 #include "app/io/cli_report.h"
 #include "app/io/cli_surfaces.h"
@@ -54,6 +56,7 @@ int statusOf(const SurfaceRun& run, const std::string& name, const Options& opti
 }
 
 int simulateOne(const Project& project, const std::string& name, const Options& options) {
+    printUntrueRuns(name, project);
     const SurfaceRun run = runSurface({}, project, {});
     if (!options.trace.empty() && run.result.visits > maxRecordedVisits) {
         return writeTrace(run.result, name, options);
@@ -76,6 +79,7 @@ int simulateWhole(const Surfaces& surfaces, const Options& options) {
     for (std::size_t i = 0; i < run.surfaces.size(); ++i) {
         const SurfaceRun& surface = run.surfaces[i];
         const std::string name = surfaces.nameOf(i);
+        printUntrueRuns(name, surfaces.setup().surfaces[i].project);
         printIssues(name, remarksOn(surface.result));
         if (!options.json) {
             print(stdout, surfaces.heading(i) + resultText(surface.result, surface.constraints));
@@ -164,6 +168,9 @@ int run(const std::vector<std::string>& arguments) {
     }
     if (!arguments.empty() && arguments[0] == "optimize") {
         return runOptimise({arguments.begin() + 1, arguments.end()});
+    }
+    if (!arguments.empty() && arguments[0] == "course") {
+        return runCourse({arguments.begin() + 1, arguments.end()});
     }
     Options options;
     if (const int failed = parse(arguments, options)) {

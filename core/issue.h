@@ -62,6 +62,7 @@ enum class IssueCode {
     sharedKey,
     variedTwice,
     sourceMissing, ///< in catalogues
+    noSuchInput,   ///< in lessons
 };
 
 namespace limits {
@@ -93,6 +94,7 @@ enum class Phrase {
     pathOfInput,
     ruleMax,
     plunge,
+    zoneOrSection,
 };
 
 /// A number in its unit.

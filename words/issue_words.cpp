@@ -201,6 +201,9 @@ IssueWords wordsOf(IssueCode code) {
         return {"source_missing",
                 SPARKOUT_NOOP("Issue", "{value} says neither where it comes from nor that it is an "
                                        "estimate; needed: its line in {limit}")};
+    case IssueCode::noSuchInput:
+        return {"no_such_input",
+                SPARKOUT_NOOP("Issue", "{value} is no input of this project; needed: {limit}")};
     }
     return {"", ""};
 }
@@ -239,6 +242,8 @@ const char* wordsOf(Phrase phrase) {
         return SPARKOUT_NOOP("Limit", "the path of an input, as /wheel/dullness");
     case Phrase::ruleMax: return SPARKOUT_NOOP("Limit", "one that reads the largest diameter");
     case Phrase::plunge: return SPARKOUT_NOOP("Limit", "plunge");
+    case Phrase::zoneOrSection:
+        return SPARKOUT_NOOP("Limit", "\"rz1\", \"nz\", \"rz2\", or the number of a section");
     }
     return "";
 }

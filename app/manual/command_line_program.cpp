@@ -409,6 +409,61 @@ Command measuredCommand() {
         measuredOptions()};
 }
 
+Command courseCommand() {
+    return {
+        "course",
+        Kind::anything,
+        {"laboratory works for a class; a lesson is a file .sparkout-lesson. check: the faults of "
+         "a "
+         "lesson and what each step finds in its project as given; the seals and answers of a "
+         "student's work (.sparkout-work); the kept runs of a project. variants: a work for each "
+         "student of a list, valid, not solved as given, with a proved best cycle near to the "
+         "lesson's in time and margin, no two alike, and beside them assignments.csv to hand out "
+         "and teacher-best-answers.csv to keep. grade: marks the works of a folder, every answer "
+         "computed again from the lesson; edited, foreign and copied works are named",
+         "лабораторные работы для группы; занятие — файл .sparkout-lesson. check: ошибки занятия и "
+         "то, что каждый шаг находит в его проекте; печати и ответы работы студента "
+         "(.sparkout-work); сохранённые расчёты проекта. variants: работа каждому студенту списка: "
+         "допустимая, не решённая сразу, с доказанным лучшим циклом, близким к циклу занятия по "
+         "времени и запасу, без повторов, и рядом assignments.csv для раздачи и "
+         "teacher-best-answers.csv для преподавателя. grade: проверяет работы папки, каждый ответ "
+         "рассчитан заново по занятию; изменённые, чужие и списанные работы названы"},
+        {{"--group",
+          "LIST.csv",
+          Kind::file,
+          "",
+          {"of variants: the students, a table of names and groups; of grade: names those whose "
+           "works are missing",
+           "для variants: студенты, таблица с именами и группами; для grade: называет тех, чьих "
+           "работ нет"}},
+         {"--seed",
+          "S",
+          Kind::anything,
+          "",
+          {"of variants: the same seed gives the same variants",
+           "для variants: одно и то же число даёт одни и те же варианты"}},
+         {"-d",
+          "DIR",
+          Kind::folder,
+          "",
+          {"of variants: the folder for the works", "для variants: папка для работ"}},
+         {"--answers",
+          "TABLE.csv",
+          Kind::file,
+          "",
+          {"of grade: the table of best answers; without it they are searched for",
+           "для grade: таблица лучших ответов; без неё они отыскиваются"}},
+         csv({"of grade: prints a row for every work",
+              "для grade: печатает строку на каждую работу"}),
+         json,
+         {"--force",
+          "",
+          Kind::none,
+          "",
+          {"of variants: works that are there are replaced",
+           "для variants: имеющиеся работы заменяются"}}}};
+}
+
 Command examplesCommand() {
     return {
         "examples",
@@ -447,7 +502,10 @@ const Program& commandLineProgram() {
          "measured FILE [--surface NAME|N|all] [--json] --roundness [--profile TABLE.csv]\n"
          "| --trial PARAMETER,… | --stiffness-sheet\n"
          "| --stiffness TABLE.csv [--indicator part|system]",
-         "examples DIR [--force]", "--version | --help"},
+         "examples DIR [--force]", "course check FILE [--json]",
+         "course variants LESSON --group LIST.csv --seed S -d DIR [--force]",
+         "course grade LESSON DIR [--group LIST.csv] [--answers TABLE.csv] [--csv | --json]",
+         "--version | --help"},
         {"Computes without a window: for scripts, long batches and computers without a display. It "
          "reads the project files of the window and gives the same numbers, digit for digit.",
          "Считает без окна: для сценариев, больших партий и компьютеров без экрана. Читает файлы "
@@ -455,7 +513,8 @@ const Program& commandLineProgram() {
         {{"--version", "", Kind::none, "", {"prints the version", "печатает версию"}},
          {"--help", "", Kind::none, "", {"prints this text", "печатает список параметров"}}},
         {simulateCommand(), remediesCommand(), optimizeCommand(), validateCommand(), batchCommand(),
-         mergeCommand(), sweepCommand(), phasesCommand(), dressingCommand(), measuredCommand(), examplesCommand()},
+         mergeCommand(), sweepCommand(), phasesCommand(), dressingCommand(), measuredCommand(),
+         examplesCommand(), courseCommand()},
         {{"A file may hold several surfaces of a part that are ground in one set-up. simulate, "
           "remedies, optimize, batch, sweep, phases and measured take each in its order, or the "
           "one "

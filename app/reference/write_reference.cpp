@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the help page of the project file and its JSON Schema into a folder: resources/help.
+// Writes the help pages of the project and lesson files and the JSON Schema into a folder:
+// resources/help.
 #include "core/files/file_step_text.h"
 #include "core/files/safe_file.h"
 #include "core/reference/json_schema.h"
+#include "core/reference/lesson_page.h"
 #include "core/reference/reference_page.h"
 
 #include <cstdio>
@@ -16,6 +18,7 @@ int main(int argc, char** argv) {
     }
     const std::string folder = argv[1];
     for (const auto& [file, text] : {std::pair{folder + "/en/project-file.md", referencePage()},
+                                     std::pair{folder + "/en/lesson-file.md", lessonPage()},
                                      std::pair{folder + "/project.schema.json", projectSchema()}}) {
         if (const auto error = writeFileSafely(file, text)) {
             std::fprintf(stderr, "%s: %s\n", error->path.c_str(), fileStepText(error->step));

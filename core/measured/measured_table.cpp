@@ -3,7 +3,7 @@
 
 #include "core/measured/key_value_lines.h"
 #include "core/measured/measured_rows.h"
-#include "core/measured/sha256.h"
+#include "core/sha256.h"
 
 #include <algorithm>
 

@@ -20,11 +20,11 @@ namespace sparkout {
 namespace {
 
 constexpr int burnPoints = 161;
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// Of the limits that bind every cut the least; infinite without any.
 double leastOf(const std::vector<DepthLimit>& limits) {
-    double least = infinite;
+    double least = unlimited;
     for (const DepthLimit& limit : limits) {
         if (requirementOf(limit.kind).bindsEveryPass()) {
             least = std::min(least, limit.depth_mm);
@@ -77,7 +77,7 @@ private:
                 continue;
             }
             const double stock = m_sign * (visit.radius_mm - m_blank.targetRadius_mm);
-            double usage = fixed > 0 ? a / fixed : infinite;
+            double usage = fixed > 0 ? a / fixed : unlimited;
             if (m_burn) {
                 const double root = m_burn->usage(std::sqrt(a), stock);
                 usage = std::max(usage, root * root);
@@ -122,7 +122,7 @@ private:
 
     /// Each stage ends at the least stock its cuts leave, and none before the one ahead of it.
     static void placeStages(LimitGroup& group) {
-        double end = infinite;
+        double end = unlimited;
         for (LimitedStage& stage : group.stages) {
             for (const LimitedCut& cut : group.cuts) {
                 end = cut.place.stage == stage.stage ? std::min(end, cut.stock_mm) : end;
@@ -294,7 +294,7 @@ LimitPoints steplessLimit(const LimitSeries& series, const LimitGroup& group) {
         series, group,
         [&series](LimitPoints& points, const LimitedStage& stage, double from, double to) {
             const double fixed = leastOf(stage.fixed);
-            if (!series.burn.empty() || fixed < infinite) {
+            if (!series.burn.empty() || fixed < unlimited) {
                 addLower(points, series.burn, fixed, from, to);
             }
         });

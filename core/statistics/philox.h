@@ -24,7 +24,7 @@ using PhiloxKey = std::array<std::uint32_t, 2>;
 }
 
 /// What random numbers are drawn for, so that no two purposes share them.
-enum class RandomStream : std::uint32_t { plain, jitter, permutation, shift };
+enum class RandomStream : std::uint32_t { plain, jitter, permutation, shift, variant };
 
 /// 64 random bits of a batch's seed for a purpose, a part and a factor.
 [[nodiscard]] constexpr std::uint64_t randomBits(std::uint32_t seed, RandomStream stream,

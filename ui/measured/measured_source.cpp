@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/measured/measured_source.h"
 
-#include "core/measured/sha256.h"
+#include "core/sha256.h"
 
 #include <QByteArrayView>
 #include <QStringDecoder>

@@ -2,8 +2,8 @@
 // Tables of measurements: dialects, headings and units of both languages, faults by line and
 // column, what is kept of long traces.
 #include "core/measured/measured_table.h"
-#include "core/measured/sha256.h"
 #include "core/measured/thin_out.h"
+#include "core/sha256.h"
 #include "tests/check_line.h"
 #include "tests/registry.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reference/json_schema.h"
+#include "core/reference/lesson_page.h"
 #include "core/reference/reference_page.h"
 #include "tests/core/setup/setup_samples.h"
 #include "tests/core/support/project_samples.h"
@@ -125,6 +126,7 @@ private slots:
         using samples::sourcePath;
         QVERIFY2(readText(sourcePath("resources/help/en/project-file.md")) == referencePage(),
                  refresh);
+        QVERIFY2(readText(sourcePath("resources/help/en/lesson-file.md")) == lessonPage(), refresh);
         QVERIFY2(readText(sourcePath("resources/help/project.schema.json")) == projectSchema(),
                  refresh);
     }

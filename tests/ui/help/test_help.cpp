@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // F1 tells of every input and every view, in both languages, and no link of the help is dead.
+#include "core/lesson/hideable.h"
 #include "core/project/project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/text_checks.h"
@@ -22,6 +23,7 @@
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QRegularExpression>
+#include <QSet>
 #include <QTest>
 #include <QTextBlock>
 #include <QTextBrowser>
@@ -168,6 +170,22 @@ private slots:
             QVERIFY2(widget, name);
             QCOMPARE(topicByF1(bench, *widget), QString::fromLatin1(topic));
         }
+    }
+
+    /// A lesson hides views and shows them by the names that the help has for them, too.
+    void lessonsNameTheViewsThatThereAre() {
+        const Bench bench(QStringLiteral("en"));
+        QSet<QString> views, named;
+        for (const View* view : bench.window->views()) {
+            views << view->objectName();
+        }
+        const auto choices = choicesOf<Hideable>();
+        for (std::size_t i = 0; i < choices.size(); ++i) {
+            if (isView(static_cast<Hideable>(i))) {
+                named << QString::fromLatin1(choices[i].key);
+            }
+        }
+        QCOMPARE(named, views);
     }
 
     void everyTopicSetInTheWindowHasItsPlace() {

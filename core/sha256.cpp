@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/measured/sha256.h"
+#include "core/sha256.h"
 
 #include <array>
 #include <bit>

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/course/course_grade.h"
+
+#include "app/course/lesson_input.h"
+#include "app/io/cli_io.h"
+#include "app/io/cli_report.h"
+#include "core/course/grading.h"
+#include "core/format/project_file.h"
+#include "core/printable.h"
+#include "core/project/validate.h"
+#include "words/lesson_words.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+namespace sparkout::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::size_t mostWorks = 5000;
+constexpr std::size_t mostTableBytes = 8u << 20;
+
+/// The works of a folder by their names; nothing where it cannot be read, which is said.
+std::optional<std::vector<std::string>> worksIn(const std::string& folder) {
+    std::error_code error;
+    std::vector<std::string> files;
+    for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
+         at.increment(error)) {
+        if (at->path().extension() == ".sparkout-work") {
+            files.push_back(at->path().string());
+        }
+    }
+    if (error) {
+        print(stderr, printable(folder) + ": the folder cannot be read: " + error.message() + '\n');
+        return std::nullopt;
+    }
+    if (files.size() > mostWorks) {
+        print(stderr, printable(folder) + ": there are more than " + std::to_string(mostWorks)
+                          + " works\n");
+        return std::nullopt;
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// The works as they stand; one that cannot be read is said, and marked as unreadable.
+std::vector<HandedIn> readWorks(const std::vector<std::string>& files) {
+    std::vector<HandedIn> works;
+    for (const std::string& file : files) {
+        works.push_back({std::filesystem::path(file).filename().string(),
+                         readOrSay(file, limits::fileBytes).value_or(std::string())});
+    }
+    return works;
+}
+
+/// The list of students and the teacher's table, where they are given; false: one has faults.
+bool readWish(const CourseOptions& options, GradeWish& wish) {
+    if (!options.group.empty()) {
+        auto group = loadGroup(options.group);
+        if (!group) {
+            return false;
+        }
+        wish.group = std::move(*group);
+    }
+    if (options.answers.empty()) {
+        return true;
+    }
+    const auto content = readOrSay(options.answers, mostTableBytes);
+    if (!content) {
+        return false;
+    }
+    ReadBestTable table = readBestTable(*content);
+    if (table.faultLine > 0) {
+        print(stderr, printable(options.answers) + ':' + std::to_string(table.faultLine)
+                          + ": this is no line of a table of best answers\n");
+        return false;
+    }
+    wish.best = std::move(table.rows);
+    return true;
+}
+
+std::string fixedMinutes(double time_min) {
+    constexpr int decimals = 3;
+    return fixed(time_min, decimals) + " min";
+}
+
+ordered_json orNull(const std::optional<double>& value) {
+    return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+
+ordered_json stepJson(const GradedStep& step) {
+    ordered_json json = {{"goal", goalKey(step.result.kind)},
+                         {"finding", findingKey(step.result.finding)},
+                         {"points", step.points},
+                         {"most", step.most},
+                         {"hints_points", step.hints},
+                         {"attempts", step.attempts},
+                         {"late", step.isLate},
+                         {"pending", step.isPending},
+                         {"value", orNull(step.result.value)},
+                         {"asked", orNull(step.result.asked)}};
+    if (!step.answer.text.empty()) {
+        json["text"] = step.answer.text;
+    }
+    return json;
+}
+
+std::string gradesJson(const std::vector<GradedWork>& works) {
+    ordered_json list = ordered_json::array();
+    for (const GradedWork& work : works) {
+        ordered_json flags = ordered_json::array(), steps = ordered_json::array();
+        for (const WorkFlag flag : work.flags) {
+            flags.push_back(flagKey(flag));
+        }
+        for (const GradedStep& step : work.steps) {
+            steps.push_back(stepJson(step));
+        }
+        list.push_back(
+            {{"file", work.file},
+             {"name", work.name},
+             {"group", work.group},
+             {"variant", work.variant > 0 ? ordered_json(work.variant) : ordered_json(nullptr)},
+             {"flags", std::move(flags)},
+             {"copied_from", work.copiedFrom},
+             {"untrue_runs", work.untrueRuns},
+             {"points", work.points},
+             {"most", work.most},
+             {"pending", work.pending},
+             {"time_min", orNull(work.time_min)},
+             {"best_min", orNull(work.best_min)},
+             {"best_over_time", orNull(work.nearness())},
+             {"steps", std::move(steps)}});
+    }
+    return ordered_json{{"works", std::move(list)}}.dump(2) + '\n';
+}
+
+std::string gradesText(const Lesson& lesson, const std::vector<GradedWork>& works) {
+    std::string text;
+    for (const GradedWork& work : works) {
+        const std::string& name = work.name.empty() ? work.file : work.name;
+        text += printable(name) + (work.group.empty() ? "" : ", " + printable(work.group))
+                + (work.variant > 0 ? ", variant " + std::to_string(work.variant) : std::string())
+                + ": " + numberText(work.points) + " of " + numberText(work.most) + " points";
+        text += work.pending > 0 ? ", " + numberText(work.pending) + " for the teacher" : "";
+        if (work.time_min) {
+            text += ", " + fixedMinutes(*work.time_min);
+            text += work.best_min ? " (best " + fixedMinutes(*work.best_min) + ')' : "";
+        }
+        text += '\n';
+        for (const WorkFlag flag : work.flags) {
+            text += "  ! " + std::string(flagText(flag));
+            if (flag == WorkFlag::copied) {
+                for (const std::string& other : work.copiedFrom) {
+                    text += (&other == &work.copiedFrom.front() ? ": " : ", ") + printable(other);
+                }
+            }
+            text += '\n';
+        }
+        for (std::size_t i = 0; i < work.steps.size(); ++i) {
+            const GradedStep& step = work.steps[i];
+            text += "  step " + std::to_string(i + 1) + "  " + numberText(step.points) + "/"
+                    + numberText(step.most) + "  " + goalSentence(lesson.steps[i].goal, step.result)
+                    + '\n';
+        }
+    }
+    return text;
+}
+
+} // namespace
+
+int runCourseGrade(const CourseOptions& options) {
+    const auto lesson = loadLesson(options.operands[0]);
+    GradeWish wish;
+    if (!lesson || !readWish(options, wish)) {
+        return refused;
+    }
+    const auto files = worksIn(options.operands[1]);
+    if (!files) {
+        return refused;
+    }
+    if (files->empty() && wish.group.empty()) {
+        print(stderr, printable(options.operands[1]) + ": there are no works\n");
+        return refused;
+    }
+    const std::vector<GradedWork> works = gradeClass(*lesson, readWorks(*files), wish);
+    for (const GradedWork& work : works) {
+        printIssues(work.file, work.issues);
+    }
+    print(stdout, options.json  ? gradesJson(works)
+                  : options.csv ? gradesCsv(*lesson, works)
+                                : gradesText(*lesson, works));
+    return done;
+}
+
+} // namespace sparkout::cli

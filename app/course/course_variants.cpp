@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/course/course_variants.h"
+
+#include "app/course/lesson_input.h"
+#include "app/io/batch_watch.h"
+#include "app/io/cli_io.h"
+#include "app/io/stop_signals.h"
+#include "core/course/best_table.h"
+#include "core/course/make_variants.h"
+#include "core/course/work_file.h"
+#include "core/printable.h"
+#include "words/lesson_words.h"
+
+#include <filesystem>
+#include <utility>
+
+namespace sparkout::cli {
+
+namespace {
+
+constexpr const char* assignmentsName = "assignments.csv";
+constexpr const char* bestName = "teacher-best-answers.csv";
+
+/// Which condition refused how many of the tries.
+void printRefused(const std::string& file, const MadeVariants& made, std::size_t wanted) {
+    print(stderr, printable(file) + ": only " + std::to_string(made.variants.size()) + " of "
+                      + std::to_string(wanted) + " variants were found in "
+                      + std::to_string(made.tries) + " tries; nothing was written\n");
+    for (std::size_t i = 0; i < variantFaults; ++i) {
+        if (made.refused[i] > 0) {
+            print(stderr, "  " + std::to_string(made.refused[i]) + " refused: "
+                              + variantFaultText(static_cast<VariantFault>(i)) + '\n');
+        }
+    }
+}
+
+struct OutputFile {
+    std::string path, content;
+};
+
+std::vector<OutputFile> outputs(const Lesson& lesson, const MadeVariants& made,
+                                const std::vector<Student>& students, const std::string& folder) {
+    std::vector<Work> works;
+    for (std::size_t i = 0; i < students.size(); ++i) {
+        const MadeVariant& variant = made.variants[i];
+        works.push_back(newWork(lesson, variant.levels,
+                                variant.best ? std::optional(variant.best->time_min) : std::nullopt,
+                                static_cast<int>(i) + 1, students[i].name, students[i].group));
+    }
+    std::vector<OutputFile> files;
+    for (std::size_t i = 0; i < works.size(); ++i) {
+        files.push_back({folder + '/' + workFileName(works[i], i + 1), writeWork(works[i])});
+    }
+    files.push_back({folder + '/' + assignmentsName, assignmentsCsv(lesson, works)});
+    files.push_back({folder + '/' + bestName, bestTableCsv(lesson, works, made.variants)});
+    return files;
+}
+
+/// Works that were handed in may stand there: none is written over by a slip.
+int writeAll(const std::vector<OutputFile>& files, const CourseOptions& options) {
+    std::error_code error; // a folder that cannot be made is reported by the first file
+    std::filesystem::create_directory(options.folder, error);
+    bool stands = false;
+    for (const OutputFile& file : files) {
+        if (!options.force && std::filesystem::exists(file.path, error)) {
+            print(stderr, printable(file.path) + ": is there already and is kept\n");
+            stands = true;
+        }
+    }
+    if (stands) {
+        print(stderr, "sparkout-cli: nothing was written; --force replaces these files\n");
+        return refused;
+    }
+    for (const OutputFile& file : files) {
+        if (const int failed = save(file.path, file.content)) {
+            return failed;
+        }
+        print(stdout, printable(file.path) + '\n');
+    }
+    return done;
+}
+
+} // namespace
+
+int runCourseVariants(const CourseOptions& options) {
+    const std::string& file = options.operands.front();
+    const auto lesson = loadLesson(file);
+    const auto students = lesson ? loadGroup(options.group) : std::nullopt;
+    if (!students) {
+        return refused;
+    }
+    MadeVariants made;
+    {
+        BatchWatch watch(static_cast<std::int64_t>(students->size()), false, "variants");
+        made = makeVariants(
+            *lesson, students->size(), *options.seed, watch.stop(),
+            [&watch](std::size_t count) { *watch.done() = static_cast<std::int64_t>(count); });
+    }
+    if (caughtSignal() != 0) {
+        return interrupted + caughtSignal();
+    }
+    if (made.fault != LessonFault::none) {
+        print(stderr, printable(file) + ": " + lessonFaultText(made.fault) + '\n');
+        return made.fault == LessonFault::noGrid ? refused : nothingFeasible;
+    }
+    if (made.variants.size() < students->size()) {
+        printRefused(file, made, students->size());
+        return nothingFeasible;
+    }
+    return writeAll(outputs(*lesson, made, *students, options.folder), options);
+}
+
+} // namespace sparkout::cli

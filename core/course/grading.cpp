@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/course/grading.h"
+
+#include "core/course/work_file.h"
+#include "core/course/work_seal.h"
+#include "core/printable.h"
+#include "core/project/validate.h"
+#include "core/study/recalled_run.h"
+#include "core/units.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+constexpr std::array<const char*, workFlags> flagKeys{
+    "unreadable",   "foreign",     "edited", "copied",    "handed_in_twice",
+    "not_in_group", "untrue_runs", "late",   "forbidden", "missing"};
+
+/// Best answers of variants, each searched for once.
+class BestAnswers {
+public:
+    std::optional<double> of(const Lesson& lesson, const VariantLevels& levels,
+                             const std::stop_token& stop) {
+        const auto found = m_known.find(levels);
+        if (found != m_known.end()) {
+            return found->second;
+        }
+        const Lesson variant = withVariant(lesson, levels, std::nullopt);
+        const auto best = bestAnswer(variant.base.surfaces[variedSurface(lesson)].project, stop);
+        const auto best_min = best ? std::optional(best->time_min) : std::nullopt;
+        m_known.emplace(levels, best_min);
+        return best_min;
+    }
+
+private:
+    std::map<VariantLevels, std::optional<double>> m_known;
+};
+
+/// A work that could be read, with what comparing it with others takes.
+struct ReadForClass {
+    GradedWork graded;
+    std::string content; ///< contentDigest()
+    VariantLevels levels;
+};
+
+const BestRow* rowOfVariant(const GradeWish& wish, int variant) {
+    const auto found = std::find_if(wish.best.begin(), wish.best.end(),
+                                    [&](const BestRow& row) { return row.variant == variant; });
+    return found == wish.best.end() ? nullptr : &*found;
+}
+
+/// Marks one work.
+class WorkMarker {
+public:
+    WorkMarker(const Lesson& lesson, const GradeWish& wish, BestAnswers& best,
+               const std::stop_token& stop)
+        : m_lesson(lesson)
+        , m_digest(lessonDigest(lesson))
+        , m_wish(wish)
+        , m_best(best)
+        , m_stop(stop) {}
+
+    ReadForClass mark(const HandedIn& handedIn) {
+        ReadForClass read;
+        GradedWork& graded = read.graded;
+        graded.file = handedIn.file;
+        graded.most = m_lesson.points();
+        ReadWork file = readWork(handedIn.text, m_stop);
+        if (!file.work) {
+            graded.flags.insert(WorkFlag::unreadable);
+            graded.issues = std::move(file.issues);
+            return read;
+        }
+        const Work& work = *file.work;
+        graded.name = work.name;
+        graded.group = work.group;
+        graded.variant = work.variant;
+        read.levels = work.variantLevels();
+        read.content = contentDigest(work);
+        graded.brokenAt = brokenSeal(work);
+        if (graded.brokenAt) {
+            graded.flags.insert(WorkFlag::edited);
+        }
+        if (!m_wish.group.empty()
+            && std::find(m_wish.group.begin(), m_wish.group.end(), Student{work.name, work.group})
+                   == m_wish.group.end()) {
+            graded.flags.insert(WorkFlag::notInGroup);
+        }
+        const bool isOfLesson =
+            work.lesson_sha256 == m_digest && work.lesson.steps.size() == m_lesson.steps.size();
+        if (!isOfLesson) {
+            graded.flags.insert(WorkFlag::foreign);
+        } else if (!areLevels(m_lesson, read.levels)) {
+            graded.flags.insert(WorkFlag::edited);
+        } else {
+            markSteps(work, read.levels, graded);
+        }
+        return read;
+    }
+
+private:
+    /// The lesson that the student was given, with what marks it.
+    Lesson givenTo(const Work& work, const VariantLevels& levels, GradedWork& graded) {
+        const BestRow* const row = rowOfVariant(m_wish, work.variant);
+        const bool isKnown = row && row->levels == levels;
+        if (isKnown) {
+            graded.best_min = row->best_min;
+        } else if (needsSearch(m_lesson)) {
+            graded.best_min = m_best.of(m_lesson, levels, m_stop);
+        }
+        const Lesson given = withVariant(m_lesson, levels, graded.best_min);
+        const std::string digest = variantDigest(forStudents(given));
+        const bool isGivenOut = digest == variantDigest(work.lesson)
+                                && (m_wish.best.empty() || (isKnown && row->digest == digest));
+        if (!isGivenOut) {
+            graded.flags.insert(WorkFlag::edited);
+        }
+        if (isKnown && (row->name != work.name || row->group != work.group)) {
+            graded.flags.insert(WorkFlag::copied);
+            graded.copiedFrom.push_back(row->name);
+        }
+        return given;
+    }
+
+    void markSteps(const Work& work, const VariantLevels& levels, GradedWork& graded) {
+        const Lesson given = givenTo(work, levels, graded);
+        for (std::size_t i = 0; i < given.steps.size(); ++i) {
+            graded.steps.push_back(markStep(given, i, recordOf(work, i)));
+            const GradedStep& step = graded.steps.back();
+            graded.points += step.points;
+            graded.pending += step.isPending ? std::max(step.most - step.hints, 0.0) : 0;
+            const GoalResult& result = step.result;
+            if (result.passed() && result.time_min && isMetBySetting(result.kind)) {
+                graded.time_min =
+                    std::min(graded.time_min.value_or(*result.time_min), *result.time_min);
+            }
+            if (step.isLate) {
+                graded.flags.insert(WorkFlag::late);
+            }
+            if (result.finding == Finding::forbidden) {
+                graded.flags.insert(WorkFlag::forbidden);
+            }
+        }
+        for (const WorkEntry& entry : work.entries) {
+            if (entry.run && !checkKeptRun(*entry.run, m_stop).isTrue()) {
+                graded.flags.insert(WorkFlag::untrueRuns);
+                graded.untrueRuns.push_back(entry.run->name);
+            }
+        }
+    }
+
+    GradedStep markStep(const Lesson& given, std::size_t index, const StepRecord& record) {
+        const LessonStep& step = given.steps[index];
+        GradedStep graded;
+        graded.most = step.points;
+        graded.hints = priceOf(step, record);
+        graded.attempts = record.attempts;
+        graded.isLate = record.isPredictedLate;
+        graded.result.kind = step.goal.kind();
+        if (record.answer) {
+            graded.result = checkStep(given, index, *record.answer, m_stop);
+            graded.answer = *record.answer;
+            graded.answer.setup = {};
+        }
+        graded.isPending = graded.result.finding == Finding::forTeacher;
+        if (graded.result.passed() && !graded.isLate) {
+            graded.points = std::max(step.points - graded.hints, 0.0);
+        }
+        return graded;
+    }
+
+    const Lesson& m_lesson;
+    std::string m_digest; ///< of the lesson
+    const GradeWish& m_wish;
+    BestAnswers& m_best;
+    const std::stop_token& m_stop;
+};
+
+void addCopy(GradedWork& work, const GradedWork& other) {
+    work.flags.insert(WorkFlag::copied);
+    const std::string& name = other.name.empty() ? other.file : other.name;
+    if (std::find(work.copiedFrom.begin(), work.copiedFrom.end(), name) == work.copiedFrom.end()) {
+        work.copiedFrom.push_back(name);
+    }
+}
+
+/// What two works tell of each other. Whom a variant was given to is known by the teacher's table;
+/// then he has copied nothing by having it.
+void compareWorks(ReadForClass& a, ReadForClass& b, bool hasTable) {
+    const auto isRead = [](const ReadForClass& each) {
+        return !each.graded.flags.contains(WorkFlag::unreadable);
+    };
+    if (!isRead(a) || !isRead(b)) {
+        return;
+    }
+    const bool isSameStudent = a.graded.name == b.graded.name && a.graded.group == b.graded.group;
+    if (isSameStudent) {
+        a.graded.flags.insert(WorkFlag::handedInTwice);
+        b.graded.flags.insert(WorkFlag::handedInTwice);
+        return;
+    }
+    const bool isSameContent = !a.content.empty() && a.content == b.content;
+    const bool isSameVariant = !hasTable && !a.levels.empty() && a.levels == b.levels
+                               && !a.graded.flags.contains(WorkFlag::foreign)
+                               && !b.graded.flags.contains(WorkFlag::foreign);
+    if (isSameContent || isSameVariant) {
+        addCopy(a.graded, b.graded);
+        addCopy(b.graded, a.graded);
+    }
+}
+
+std::vector<GradedWork> missingOnes(const std::vector<GradedWork>& works,
+                                    const std::vector<Student>& group, const Lesson& lesson) {
+    std::vector<GradedWork> missing;
+    for (const Student& student : group) {
+        const bool isThere = std::any_of(works.begin(), works.end(), [&](const GradedWork& work) {
+            return work.name == student.name && work.group == student.group;
+        });
+        if (!isThere) {
+            GradedWork none;
+            none.name = student.name;
+            none.group = student.group;
+            none.most = lesson.points();
+            none.flags.insert(WorkFlag::missing);
+            missing.push_back(std::move(none));
+        }
+    }
+    return missing;
+}
+
+std::string joinedFlags(const GradedWork& work) {
+    std::string text;
+    for (const WorkFlag flag : work.flags) {
+        text += (text.empty() ? "" : " ") + std::string(flagKey(flag));
+    }
+    return text;
+}
+
+std::string orEmpty(const std::optional<double>& value) {
+    return value ? numberText(*value) : std::string();
+}
+
+} // namespace
+
+const char* flagKey(WorkFlag flag) {
+    return flagKeys[static_cast<std::size_t>(flag)];
+}
+
+GradedWork gradeWork(const Lesson& lesson, const HandedIn& handedIn, const GradeWish& wish,
+                     const std::stop_token& stop) {
+    BestAnswers best;
+    return WorkMarker(lesson, wish, best, stop).mark(handedIn).graded;
+}
+
+std::vector<GradedWork> gradeClass(const Lesson& lesson, const std::vector<HandedIn>& files,
+                                   const GradeWish& wish, const std::stop_token& stop) {
+    BestAnswers best;
+    WorkMarker marker(lesson, wish, best, stop);
+    std::vector<ReadForClass> read;
+    for (const HandedIn& file : files) {
+        if (stop.stop_requested()) {
+            break;
+        }
+        read.push_back(marker.mark(file));
+    }
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        for (std::size_t j = i + 1; j < read.size(); ++j) {
+            compareWorks(read[i], read[j], !wish.best.empty());
+        }
+    }
+    std::vector<GradedWork> works;
+    for (ReadForClass& each : read) {
+        works.push_back(std::move(each.graded));
+    }
+    for (GradedWork& none : missingOnes(works, wish.group, lesson)) {
+        works.push_back(std::move(none));
+    }
+    return works;
+}
+
+std::string gradesCsv(const Lesson& lesson, const std::vector<GradedWork>& works) {
+    std::string text = "file,name,group,variant,flags,copied_from";
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+        text += ",step_" + std::to_string(i + 1) + "_points";
+    }
+    text += ",points,most,pending,attempts,hints_points,time_min,best_min,best_over_time\n";
+    for (const GradedWork& work : works) {
+        std::string copies;
+        for (const std::string& name : work.copiedFrom) {
+            copies += (copies.empty() ? "" : "; ") + name;
+        }
+        text += csvCell(work.file) + ',' + csvCell(work.name) + ',' + csvCell(work.group) + ','
+                + (work.variant > 0 ? std::to_string(work.variant) : std::string()) + ','
+                + joinedFlags(work) + ',' + csvCell(copies);
+        int attempts = 0;
+        double hints = 0;
+        for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+            const bool isMarked = i < work.steps.size();
+            text += ',' + (isMarked ? numberText(work.steps[i].points) : std::string());
+            attempts += isMarked ? work.steps[i].attempts : 0;
+            hints += isMarked ? work.steps[i].hints : 0;
+        }
+        text += ',' + numberText(work.points) + ',' + numberText(work.most) + ','
+                + numberText(work.pending) + ',' + std::to_string(attempts) + ','
+                + numberText(hints) + ',' + orEmpty(work.time_min) + ',' + orEmpty(work.best_min)
+                + ',' + orEmpty(work.nearness()) + '\n';
+    }
+    return text;
+}
+
+} // namespace sparkout

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/course/work.h"
+
+#include "core/course/work_seal.h"
+#include "core/project/conditions.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace sparkout {
+
+VariantLevels Work::variantLevels() const {
+    VariantLevels whole;
+    for (const double level : levels) {
+        whole.push_back(static_cast<std::size_t>(level));
+    }
+    return whole;
+}
+
+Work newWork(const Lesson& lesson, const VariantLevels& levels,
+             const std::optional<double>& best_min, int variant, std::string name,
+             std::string group) {
+    Work work;
+    work.name = std::move(name);
+    work.group = std::move(group);
+    work.variant = variant;
+    work.levels.assign(levels.begin(), levels.end());
+    work.lesson_sha256 = lessonDigest(lesson);
+    work.lesson = forStudents(withVariant(lesson, levels, best_min));
+    work.sha256 = firstSeal(work);
+    return work;
+}
+
+StepRecord recordOf(const Work& work, std::size_t step) {
+    StepRecord record;
+    const bool predicts = isPrediction(work.lesson.steps[step].goal.kind());
+    bool isSeen = false;
+    for (const WorkEntry& entry : work.entries) {
+        if (static_cast<std::size_t>(entry.step) != step + 1) {
+            continue;
+        }
+        switch (entry.event) {
+        case WorkEvent::hint:
+            if (std::find(record.hints.begin(), record.hints.end(), entry.hint.value_or(0))
+                == record.hints.end()) {
+                record.hints.push_back(entry.hint.value_or(0));
+            }
+            break;
+        case WorkEvent::run: isSeen = true; break;
+        case WorkEvent::prediction:
+            if (predicts && !record.answer) {
+                record.answer = entry.answer;
+                record.when = entry.when;
+                record.isPredictedLate = isSeen;
+            }
+            record.attempts += predicts ? 1 : 0;
+            break;
+        case WorkEvent::attempt:
+            isSeen = true;
+            if (!predicts) {
+                record.answer = entry.answer;
+                record.when = entry.when;
+                ++record.attempts;
+            }
+            break;
+        }
+    }
+    return record;
+}
+
+double priceOf(const LessonStep& step, const StepRecord& record) {
+    double price = 0;
+    for (const int hint : record.hints) {
+        const auto index = static_cast<std::size_t>(hint) - 1;
+        price += hint > 0 && index < step.hints.size() ? step.hints[index].price : 0;
+    }
+    return price;
+}
+
+template <>
+std::span<const Choice> choicesOf<WorkEvent>() {
+    static constexpr std::array choices{Choice{"prediction", "said before the run"},
+                                        Choice{"attempt", "handed in"},
+                                        Choice{"hint", "hint taken"}, Choice{"run", "run kept"}};
+    return choices;
+}
+
+template <>
+const StructInfo& tableOf<WorkEntry>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(WorkEntry, event, .label = "Event", .required = conditions::always),
+        SPARKOUT_FIELD(WorkEntry, step, .label = "Step", .hard = {1, 100},
+                       .required = conditions::always, .hint = "Counted from 1."),
+        SPARKOUT_FIELD(WorkEntry, when, .label = "When", .required = conditions::always,
+                       .hint = "By the clock of the student's machine, UTC."),
+        SPARKOUT_FIELD(WorkEntry, answer, .label = "Answer", .sparse = true,
+                       .hint = "Of a prediction or an attempt."),
+        SPARKOUT_FIELD(WorkEntry, hint, .label = "Hint", .hard = {1, 20},
+                       .nullMeaning = "the entry is no hint", .hint = "Counted from 1."),
+        SPARKOUT_FIELD(WorkEntry, run, .label = "Run", .nullMeaning = "the entry is no run",
+                       .hint = "As a project file keeps it."),
+        SPARKOUT_FIELD(WorkEntry, sha256, .label = "Seal", .required = conditions::always,
+                       .hint = "SHA-256 of the seal before and of this entry."),
+    };
+    static const StructInfo info = makeTable<WorkEntry>("Entry", rows);
+    return info;
+}
+
+template <>
+const StructInfo& tableOf<WorkSheet>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(WorkSheet, name, .label = "Student", .required = conditions::always),
+        SPARKOUT_FIELD(WorkSheet, group, .label = "Group", .required = conditions::always),
+        SPARKOUT_FIELD(WorkSheet, variant, .label = "Variant", .hard = {1, 1000000},
+                       .required = conditions::always, .hint = "Its number."),
+        SPARKOUT_FIELD(WorkSheet, levels, .label = "Levels", .hard = {0, 10000},
+                       .required = conditions::always, .whole = true,
+                       .hint = "Of the inputs that are varied, from 0, in their order."),
+        SPARKOUT_FIELD(WorkSheet, lesson_sha256, .label = "Digest of the lesson",
+                       .required = conditions::always,
+                       .hint = "SHA-256 of the teacher's lesson as students may have it, without "
+                               "a variant."),
+        SPARKOUT_FIELD(WorkSheet, sha256, .label = "Seal", .required = conditions::always,
+                       .hint = "SHA-256 of what stands above and of the lesson with its variant."),
+        SPARKOUT_FIELD(WorkSheet, entries, .label = "Entries",
+                       .hard = {0, static_cast<double>(limits::workEntries)},
+                       .hint = "All that was handed in, in its order."),
+    };
+    static const StructInfo info = makeTable<WorkSheet>("Work", rows);
+    return info;
+}
+
+} // namespace sparkout

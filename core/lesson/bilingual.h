@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/field.h"
+
+#include <string>
+
+namespace sparkout {
+
+/// A text in both languages of the program. Of one that is given in one language alone, that.
+struct Bilingual {
+    std::string ru, en;
+
+    [[nodiscard]] bool empty() const { return ru.empty() && en.empty(); }
+    [[nodiscard]] const std::string& in(bool russian) const {
+        return (russian ? ru : en).empty() ? (russian ? en : ru) : (russian ? ru : en);
+    }
+    friend bool operator==(const Bilingual&, const Bilingual&) = default;
+};
+
+template <>
+const StructInfo& tableOf<Bilingual>();
+
+} // namespace sparkout

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lesson/figure.h"
+
+#include "core/project/conditions.h"
+#include "core/text.h"
+
+#include <array>
+
+namespace sparkout {
+
+namespace {
+
+constexpr std::size_t figureCount = static_cast<std::size_t>(FigureName::count_);
+
+constexpr std::array<FigureRow, figureCount> figureRows{{
+    {FigureName::cycleTime,
+     {"cycle_time_min", SPARKOUT_NOOP("Figure", "Cycle time")},
+     "min",
+     3,
+     FigureScope::cycle,
+     false},
+    {FigureName::steps,
+     {"steps", SPARKOUT_NOOP("Figure", "Double strokes or revolutions")},
+     "",
+     0,
+     FigureScope::cycle,
+     false},
+    {FigureName::diameterSpread,
+     {"diameter_spread_um", SPARKOUT_NOOP("Figure", "Largest less smallest diameter of the part")},
+     "µm",
+     2,
+     FigureScope::cycle,
+     true},
+    {FigureName::cylindricity,
+     {"cylindricity_um", SPARKOUT_NOOP("Figure", "Cylindricity")},
+     "µm",
+     2,
+     FigureScope::cycle,
+     true},
+    {FigureName::totalRunout,
+     {"total_runout_um", SPARKOUT_NOOP("Figure", "Total radial runout")},
+     "µm",
+     2,
+     FigureScope::cycle,
+     true},
+    {FigureName::taper,
+     {"taper_um", SPARKOUT_NOOP("Figure", "Taper, in radius")},
+     "µm",
+     2,
+     FigureScope::cycle,
+     true},
+    {FigureName::crown,
+     {"crown_um", SPARKOUT_NOOP("Figure", "Barrel (+) or saddle (−) shape, in radius")},
+     "µm",
+     2,
+     FigureScope::cycle,
+     true},
+    {FigureName::peakForce,
+     {"peak_normal_force_n", SPARKOUT_NOOP("Figure", "Largest normal force")},
+     SPARKOUT_NOOP("Unit", "N"),
+     1,
+     FigureScope::cycle,
+     false},
+    {FigureName::peakPower,
+     {"peak_power_kw", SPARKOUT_NOOP("Figure", "Largest power")},
+     SPARKOUT_NOOP("Unit", "kW"),
+     3,
+     FigureScope::cycle,
+     false},
+    {FigureName::leastMargin,
+     {"least_margin_percent", SPARKOUT_NOOP("Figure", "Least margin of a requirement")},
+     "%",
+     1,
+     FigureScope::cycle,
+     true},
+    {FigureName::burnMargin,
+     {"burn_margin_percent", SPARKOUT_NOOP("Figure", "Margin to burn")},
+     "%",
+     1,
+     FigureScope::cycle,
+     false},
+    {FigureName::removalRate,
+     {"removal_rate_mm2_s", SPARKOUT_NOOP("Figure", "Largest specific removal rate")},
+     "mm²/s",
+     3,
+     FigureScope::cycle,
+     false},
+    {FigureName::specificEnergy,
+     {"specific_energy_j_mm3", SPARKOUT_NOOP("Figure", "Specific energy of the cycle")},
+     "J/mm³",
+     1,
+     FigureScope::cycle,
+     false},
+    {FigureName::stageSteps,
+     {"stage_steps", SPARKOUT_NOOP("Figure", "Double strokes or revolutions of the stage")},
+     "",
+     0,
+     FigureScope::stage,
+     false},
+    {FigureName::stageTime,
+     {"stage_time_min", SPARKOUT_NOOP("Figure", "Time of the stage")},
+     "min",
+     3,
+     FigureScope::stage,
+     false},
+    {FigureName::stageDepth,
+     {"stage_depth_um", SPARKOUT_NOOP("Figure", "Largest actual feed of a pass of the stage")},
+     "µm",
+     2,
+     FigureScope::stage,
+     false},
+    {FigureName::stageForce,
+     {"stage_force_n", SPARKOUT_NOOP("Figure", "Largest normal force of the stage")},
+     SPARKOUT_NOOP("Unit", "N"),
+     1,
+     FigureScope::stage,
+     false},
+    {FigureName::stagePower,
+     {"stage_power_kw", SPARKOUT_NOOP("Figure", "Largest power of the stage")},
+     SPARKOUT_NOOP("Unit", "kW"),
+     3,
+     FigureScope::stage,
+     false},
+    {FigureName::compliance,
+     {"compliance_mm_per_n", SPARKOUT_NOOP("Figure", "Compliance")},
+     SPARKOUT_NOOP("Unit", "mm/N"),
+     6,
+     FigureScope::place,
+     false},
+    {FigureName::deviationLeast,
+     {"deviation_least_um", SPARKOUT_NOOP("Figure", "Smallest diameter, deviation")},
+     "µm",
+     2,
+     FigureScope::place,
+     true},
+    {FigureName::deviationMost,
+     {"deviation_most_um", SPARKOUT_NOOP("Figure", "Largest diameter, deviation")},
+     "µm",
+     2,
+     FigureScope::place,
+     true},
+    {FigureName::deviationMean,
+     {"deviation_mean_um", SPARKOUT_NOOP("Figure", "Mean diameter, deviation")},
+     "µm",
+     2,
+     FigureScope::place,
+     true},
+    {FigureName::radialRunout,
+     {"radial_runout_um", SPARKOUT_NOOP("Figure", "Radial runout")},
+     "µm",
+     2,
+     FigureScope::place,
+     true},
+    {FigureName::roundness,
+     {"roundness_um", SPARKOUT_NOOP("Figure", "Roundness")},
+     "µm",
+     2,
+     FigureScope::place,
+     true},
+    {FigureName::roughness,
+     {"roughness_ra_um", SPARKOUT_NOOP("Figure", "Roughness Ra")},
+     "µm",
+     3,
+     FigureScope::place,
+     true},
+    {FigureName::placeForce,
+     {"place_force_n", SPARKOUT_NOOP("Figure", "Largest normal force in the zone")},
+     SPARKOUT_NOOP("Unit", "N"),
+     1,
+     FigureScope::place,
+     false},
+    {FigureName::programmedFeed,
+     {"programmed_feed_um", SPARKOUT_NOOP("Figure", "Programmed feed")},
+     "µm",
+     2,
+     FigureScope::step,
+     false},
+    {FigureName::actualFeed,
+     {"actual_feed_um", SPARKOUT_NOOP("Figure", "Actual feed")},
+     "µm",
+     2,
+     FigureScope::step,
+     false},
+    {FigureName::lag,
+     {"lag_um", SPARKOUT_NOOP("Figure", "Programmed less actual feed, accumulated")},
+     "µm",
+     2,
+     FigureScope::step,
+     false},
+    {FigureName::accumulatedFeed,
+     {"accumulated_feed_um", SPARKOUT_NOOP("Figure", "Accumulated actual feed")},
+     "µm",
+     2,
+     FigureScope::step,
+     false},
+    {FigureName::stockLeft,
+     {"stock_left_um", SPARKOUT_NOOP("Figure", "Stock left, per side")},
+     "µm",
+     2,
+     FigureScope::step,
+     false},
+    {FigureName::force,
+     {"normal_force_n", SPARKOUT_NOOP("Figure", "Normal force")},
+     SPARKOUT_NOOP("Unit", "N"),
+     1,
+     FigureScope::step,
+     false},
+}};
+
+constexpr std::array<Choice, figureCount> figureChoices = [] {
+    std::array<Choice, figureCount> choices{};
+    for (std::size_t i = 0; i < figureCount; ++i) {
+        choices[i] = figureRows[i].choice;
+    }
+    return choices;
+}();
+
+static_assert([] {
+    for (std::size_t i = 0; i < figureCount; ++i) {
+        if (figureRows[i].name != static_cast<FigureName>(i)) {
+            return false;
+        }
+    }
+    return true;
+}());
+
+} // namespace
+
+const FigureRow& rowOf(FigureName name) {
+    return figureRows[static_cast<std::size_t>(name)];
+}
+
+template <>
+std::span<const Choice> choicesOf<FigureName>() {
+    return figureChoices;
+}
+
+template <>
+std::span<const Choice> choicesOf<Step>() {
+    static constexpr std::array choices{Choice{"whole", "the whole double stroke"},
+                                        Choice{"E1", "E1"},
+                                        Choice{"E2", "E2"},
+                                        Choice{"E3", "E3"},
+                                        Choice{"E4", "E4"},
+                                        Choice{"E5", "E5"}};
+    return choices;
+}
+
+template <>
+const StructInfo& tableOf<Figure>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(Figure, name, .label = "Figure", .required = conditions::always,
+                       .hint = "By its name; the unit is in it."),
+        SPARKOUT_FIELD(Figure, place, .label = "Zone or section", .hard = {0, 100000},
+                       .nullMeaning = "none is needed",
+                       .hint = "A section by its number from 0, as in a project file."),
+        SPARKOUT_FIELD(Figure, stage, .label = "Stage", .hard = {1, 1000},
+                       .nullMeaning = "none is needed, or the last one", .hint = "Counted from 1."),
+        SPARKOUT_FIELD(Figure, count, .label = "Double stroke or revolution", .hard = {1, 10000000},
+                       .nullMeaning = "the last one of the stage",
+                       .hint = "Of the cycle, counted from 1."),
+        SPARKOUT_FIELD(Figure, step, .label = "Step of the double stroke", .sparse = true,
+                       .hint = "In a traverse cycle."),
+    };
+    static const StructInfo info = makeTable<Figure>("Figure", rows);
+    return info;
+}
+
+} // namespace sparkout

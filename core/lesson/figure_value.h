@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/form/accuracy.h"
+#include "core/lesson/figure.h"
+#include "core/quality/constraints.h"
+#include "core/quality/shop_numbers.h"
+#include "core/simulation/trajectory.h"
+
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+namespace sparkout {
+
+/// A run that figures are read off. The window has all of it in its outcome.
+struct FigureSource {
+    const SimulationResult& result;
+    const PartAccuracy& accuracy;
+    const std::vector<ConstraintResult>& constraints;
+    const ShopNumbers& shop;
+    const Trajectory& trajectory; ///< empty where the run was not recorded
+};
+
+/// A run made to read figures off.
+struct StudiedRun {
+    SimulationResult result;
+    PartAccuracy accuracy;
+    std::vector<ConstraintResult> constraints;
+    ShopNumbers shop;
+    Trajectory trajectory;
+
+    [[nodiscard]] FigureSource figures() const {
+        return {result, accuracy, constraints, shop, trajectory};
+    }
+    [[nodiscard]] bool isCompleted() const { return result.status == RunStatus::completed; }
+};
+
+/// Runs a project, and records it where that is asked for and there is room. One that validate()
+/// refuses, or that was stopped, has nothing but its status.
+[[nodiscard]] StudiedRun studyRun(const Project& project, bool recorded,
+                                  const std::stop_token& stop = {});
+
+/// The value of a figure in its unit; nothing: this run has no such figure, or it is not known as
+/// strips stay uncut.
+[[nodiscard]] std::optional<double> figureValue(const Figure& figure, const FigureSource& run);
+
+} // namespace sparkout

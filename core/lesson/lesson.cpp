@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lesson/lesson.h"
+
+#include "core/project/conditions.h"
+#include "core/project/leaves.h"
+#include "core/project/measured.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+namespace sparkout {
+
+namespace {
+
+/// Whether a path is another one or lies below it.
+bool isBelow(std::string_view path, std::string_view above) {
+    return path.starts_with(above) && (path.size() == above.size() || path[above.size()] == '/');
+}
+
+/// Whether it is no input of the cycle, but what a file says beside it.
+bool isNobodys(std::string_view path) {
+    constexpr std::array beside{"/title", "/author", "/notes", "/runs", "/measured"};
+    return std::any_of(beside.begin(), beside.end(),
+                       [path](const char* each) { return isBelow(path, each); });
+}
+
+std::map<std::string, Leaf> leavesByPath(const Project& project) {
+    std::map<std::string, Leaf> leaves;
+    for (const Leaf& leaf : leavesOf(tableOf<Project>(), &project)) {
+        if (!isNobodys(leaf.path)) {
+            leaves.emplace(leaf.path, leaf);
+        }
+    }
+    return leaves;
+}
+
+bool isSameLeaf(const Leaf& a, const Leaf& b) {
+    const Field& field = *a.field;
+    if (field.kind == Kind::objectList) {
+        return field.size(a.owner) == field.size(b.owner);
+    }
+    if (field.nested) { // not given in one of both, or in neither
+        return (field.objectIn(a.owner) == nullptr) == (field.objectIn(b.owner) == nullptr);
+    }
+    return field.same(a.owner, b.owner);
+}
+
+/// The paths of inputs that two projects have otherwise.
+std::vector<std::string> changedInputs(const Project& from, const Project& to) {
+    const std::map<std::string, Leaf> before = leavesByPath(from), after = leavesByPath(to);
+    std::set<std::string> changed;
+    for (const auto& [path, leaf] : before) {
+        const auto found = after.find(path);
+        if (found == after.end() || !isSameLeaf(leaf, found->second)) {
+            changed.insert(path);
+        }
+    }
+    for (const auto& [path, leaf] : after) {
+        if (!before.contains(path)) {
+            changed.insert(path);
+        }
+    }
+    return {changed.begin(), changed.end()};
+}
+
+} // namespace
+
+double Lesson::points() const {
+    double sum = 0;
+    for (const LessonStep& step : steps) {
+        sum += step.points;
+    }
+    return sum;
+}
+
+Lesson forStudents(Lesson lesson) {
+    lesson.variants.reset();
+    for (LessonStep& step : lesson.steps) {
+        if (step.goal.choice) {
+            for (ChoiceOption& option : step.goal.choice->options) {
+                option.right = false;
+            }
+        }
+    }
+    for (GroundSurface& surface : lesson.base.surfaces) {
+        surface.project.runs.clear();
+        surface.project.measured.reset();
+    }
+    return lesson;
+}
+
+Setup setupOf(const Lesson& lesson, std::size_t step) {
+    Setup setup = lesson.base;
+    const LessonStep& of = lesson.steps[step];
+    for (const InputValue& value : of.values) {
+        (void)putInput(setup, static_cast<std::size_t>(of.surface) - 1, value);
+    }
+    return setup;
+}
+
+Access accessTo(const LessonStep& step, std::string_view path) {
+    const InputAccess* nearest = nullptr;
+    for (const InputAccess& each : step.inputs) {
+        if (isBelow(path, each.path) && (!nearest || each.path.size() > nearest->path.size())) {
+            nearest = &each;
+        }
+    }
+    return nearest ? nearest->access : step.others;
+}
+
+std::vector<std::string> forbiddenChanges(const Lesson& lesson, std::size_t step,
+                                          const Setup& submitted) {
+    const Setup before = setupOf(lesson, step);
+    std::vector<std::string> forbidden;
+    if (submitted.surfaces.size() != before.surfaces.size()) {
+        return {"/surfaces"};
+    }
+    if (submitted.times != before.times) {
+        forbidden.emplace_back("/times");
+    }
+    if (submitted.wear != before.wear) {
+        forbidden.emplace_back("/wear");
+    }
+    const auto isFree = [&](std::size_t surface, const std::string& path) {
+        return std::any_of(lesson.steps.begin(),
+                           lesson.steps.begin() + static_cast<std::ptrdiff_t>(step) + 1,
+                           [&](const LessonStep& each) {
+                               return static_cast<std::size_t>(each.surface) == surface + 1
+                                      && accessTo(each, path) == Access::free;
+                           });
+    };
+    for (std::size_t i = 0; i < before.surfaces.size(); ++i) {
+        for (std::string& path :
+             changedInputs(before.surfaces[i].project, submitted.surfaces[i].project)) {
+            if (!isFree(i, path)) {
+                forbidden.push_back(before.surfaces.size() > 1 ? surfacePath(i) + path
+                                                               : std::move(path));
+            }
+        }
+    }
+    return forbidden;
+}
+
+template <>
+std::span<const Choice> choicesOf<Access>() {
+    static constexpr std::array choices{Choice{"locked", "shown, not changed"},
+                                        Choice{"free", "changed by the student"},
+                                        Choice{"hidden", "not shown"}};
+    return choices;
+}
+
+template <>
+const StructInfo& tableOf<InputAccess>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(InputAccess, path, .label = "Input", .required = conditions::always,
+                       .hint = "Path of an input, or of all below it, as `/wheel/dullness` or "
+                               "`/cycle`. Of several that name an input the longest holds."),
+        SPARKOUT_FIELD(InputAccess, access, .label = "Access", .required = conditions::always),
+    };
+    static const StructInfo info = makeTable<InputAccess>("Access to an input", rows);
+    return info;
+}
+
+template <>
+const StructInfo& tableOf<Hint>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(Hint, text, .label = "Text"),
+        SPARKOUT_FIELD(Hint, price, .label = "Price", .unit = "points", .hard = {0, 1000},
+                       .hint = "What a student who takes it loses of the points of the step."),
+    };
+    static const StructInfo info = makeTable<Hint>("Hint", rows);
+    return info;
+}
+
+template <>
+const StructInfo& tableOf<ShownMoment>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(ShownMoment, view, .label = "View", .sparse = true,
+                       .hint = "By its name for `--view`; not given: the one in front stays."),
+        SPARKOUT_FIELD(ShownMoment, place, .label = "Zone or section", .hard = {0, 100000},
+                       .nullMeaning = "as it is"),
+        SPARKOUT_FIELD(ShownMoment, stage, .label = "Stage", .hard = {1, 1000},
+                       .nullMeaning = "as it is"),
+        SPARKOUT_FIELD(ShownMoment, count, .label = "Double stroke or revolution",
+                       .hard = {1, 10000000}, .nullMeaning = "as it is"),
+        SPARKOUT_FIELD(ShownMoment, step, .label = "Step of the double stroke", .sparse = true),
+    };
+    static const StructInfo info = makeTable<ShownMoment>("Moment shown", rows);
+    return info;
+}
+
+template <>
+const StructInfo& tableOf<LessonStep>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(LessonStep, task, .label = "Task"),
+        SPARKOUT_FIELD(LessonStep, surface, .label = "Surface", .hard = {1, 20}, .sparse = true,
+                       .hint = "The one that the step is about, from 1."),
+        SPARKOUT_FIELD(LessonStep, values, .label = "Values", .hard = {0, 100}, .sparse = true,
+                       .hint = "What is put into the project as the step begins."),
+        SPARKOUT_FIELD(LessonStep, others, .label = "Other inputs",
+                       .hint = "What a student may do with inputs that are not named."),
+        SPARKOUT_FIELD(LessonStep, inputs, .label = "Inputs", .hard = {0, 1000}),
+        SPARKOUT_FIELD(LessonStep, hidden, .label = "Hidden", .hard = {0, 100}, .sparse = true,
+                       .hint = "Views, panels and commands that are not there in this step."),
+        SPARKOUT_FIELD(LessonStep, goal, .label = "Goal", .required = conditions::always,
+                       .hint = "Exactly one kind."),
+        SPARKOUT_FIELD(LessonStep, points, .label = "Points", .hard = {0, 1000}),
+        SPARKOUT_FIELD(LessonStep, hints, .label = "Hints", .hard = {0, 20}, .sparse = true,
+                       .hint = "In the order in which they may be taken."),
+        SPARKOUT_FIELD(LessonStep, moment, .label = "Moment shown",
+                       .nullMeaning = "the window stays as it is"),
+    };
+    static const StructInfo info = makeTable<LessonStep>("Step", rows);
+    return info;
+}
+
+template <>
+const StructInfo& tableOf<LessonSheet>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(LessonSheet, title, .label = "Title"),
+        SPARKOUT_FIELD(LessonSheet, aim, .label = "Aim"),
+        SPARKOUT_FIELD(LessonSheet, theory, .label = "Theory"),
+        SPARKOUT_FIELD(LessonSheet, steps, .label = "Steps", .hard = {1, 100},
+                       .required = conditions::always),
+        SPARKOUT_FIELD(LessonSheet, variants, .label = "Variants",
+                       .nullMeaning = "all students have the same project",
+                       .hint = "In the teacher's file alone."),
+    };
+    static const StructInfo info = makeTable<LessonSheet>("Lesson", rows);
+    return info;
+}
+
+} // namespace sparkout

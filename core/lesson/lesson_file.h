@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/issue.h"
+#include "core/lesson/lesson.h"
+#include "core/lesson/lesson_check.h"
+
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+
+/// The lesson file, `.sparkout-lesson`: one UTF-8 JSON text, read and written by the tables, its
+/// project as in a project file of either version.
+namespace sparkout {
+
+inline constexpr const char* lessonFormat = "sparkout-lesson";
+inline constexpr int lessonVersion = 1;
+
+struct ReadLesson {
+    std::optional<Lesson> lesson; ///< given when there is no error
+    Issues issues;                ///< errors, or warnings beside a lesson
+};
+
+/// Reads and checks a lesson within the limits of a project file (project_file.h). All faults at
+/// once, those of its project below "/project".
+[[nodiscard]] ReadLesson readLesson(std::string_view text, LessonOf of = LessonOf::teacher,
+                                    const std::stop_token& stop = {});
+
+/// The text of a lesson: the same lesson, the same bytes.
+[[nodiscard]] std::string writeLesson(const Lesson& lesson);
+
+} // namespace sparkout

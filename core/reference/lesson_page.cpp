@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reference/lesson_page.h"
+
+#include "core/course/work.h"
+#include "core/lesson/figure.h"
+#include "core/lesson/lesson.h"
+#include "core/lesson/text_markup.h"
+#include "core/reference/table_page.h"
+
+namespace sparkout {
+
+namespace {
+
+constexpr const char* lessonIntroduction =
+    R"(<!-- Made from the tables of the core by sparkout-reference: do not edit. -->
+
+# The lesson file
+
+A laboratory work is one UTF-8 JSON file with the extension `.sparkout-lesson`. It begins with
+`"format": "sparkout-lesson"` and `"version": 1`; `"project"` holds the project that it begins with,
+as a project file of either version has it; the keys below follow in any order. It is read as strictly
+as a project file: an unknown key, a wrong type, a value outside its range, a path that names no input
+and a figure that the project does not have are errors that name the place.
+
+A goal holds exactly one of its keys. Inputs are named by their paths in a project file.
+
+A student's work, described below, holds the lesson without `variants`, without what says which options
+are right, and without kept runs and measurements.
+)";
+
+const char* scopeText(FigureScope scope) {
+    switch (scope) {
+    case FigureScope::cycle: return "the cycle";
+    case FigureScope::stage: return "a stage";
+    case FigureScope::place: return "a zone or section";
+    case FigureScope::step:
+        return "a double stroke or revolution, or one of its steps, in a zone or section";
+    }
+    return "";
+}
+
+void addFigures(std::string& text) {
+    text +=
+        "\n## Figures\n\nWhat a goal may ask for. Where strips stay uncut, figures of the surface "
+        "are not known.\n\n| name | meaning | unit | of | of the surface |\n"
+        "| --- | --- | --- | --- | --- |\n";
+    for (int i = 0; i < static_cast<int>(FigureName::count_); ++i) {
+        const FigureRow& row = rowOf(static_cast<FigureName>(i));
+        text += "| `" + std::string(row.choice.key) + "` | " + row.choice.label + " | "
+                + (*row.unit ? std::string(row.unit) + ' ' : std::string()) + "| "
+                + scopeText(row.scope) + " | " + (row.ofSurface ? "yes " : "") + "|\n";
+    }
+}
+
+} // namespace
+
+std::string lessonPage() {
+    TablePage page;
+    page.text = lessonIntroduction;
+    page.text += "\nTexts may have the tags";
+    for (const char* tag : textTags()) {
+        page.text += " `" + std::string(tag) + '`';
+    }
+    page.text += ", without attributes but `<p class=\"formula\">`.\n";
+    page.addStruct(tableOf<LessonSheet>(), {});
+    addFigures(page.text);
+    page.text +=
+        "\n# The work of a student\n\nA file `.sparkout-work`, which begins with `\"format\": "
+        "\"sparkout-work\"` and `\"version\": 1`; `\"lesson\"` holds the lesson with his "
+        "variant. Seals tell a work that was edited by hand from one that was not; they have no "
+        "secret, so marking computes every answer again.\n";
+    page.addStruct(tableOf<WorkSheet>(), {});
+    return std::move(page.text);
+}
+
+} // namespace sparkout

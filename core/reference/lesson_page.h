@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace sparkout {
+
+/// The help page of all keys of a lesson file and of a student's work, and of all figures that a
+/// lesson may ask for: Markdown, made from the tables.
+[[nodiscard]] std::string lessonPage();
+
+} // namespace sparkout

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "words/lesson_words.h"
+
+#include "core/project/validate.h"
+#include "core/text.h"
+#include "words/issue_words.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace sparkout {
+
+namespace {
+
+constexpr std::array<const char*, findings> findingKeys{
+    "passed",    "failed",  "not_answered", "for_teacher",
+    "forbidden", "refused", "does_not_end", "no_such_figure"};
+
+constexpr std::array<const char*, variantFaults> variantFaultKeys{
+    "alike",    "invalid",    "no_figure", "solved_as_given", "no_answer",
+    "not_free", "unattained", "too_quick", "too_slow",        "other_margin"};
+
+std::string decimals(double value, int digits) {
+    char buffer[64];
+    const auto [end, error] = std::to_chars(
+        buffer, buffer + sizeof buffer, value == 0 ? 0.0 : value, std::chars_format::fixed, digits);
+    return error == std::errc() ? std::string(buffer, end) : numberText(value);
+}
+
+std::string withUnit(double value, const char* unit, int digits) {
+    return decimals(value, digits) + (*unit ? ' ' + std::string(unit) : std::string());
+}
+
+/// "zone rz1, stage 2, double stroke 10, E1": where a figure is asked for.
+std::string placeOf(const Figure& figure) {
+    std::string text;
+    const auto add = [&text](const std::string& part) {
+        text += (text.empty() ? "" : ", ") + part;
+    };
+    if (figure.place.zone) {
+        add(PlaceName::words()[figure.place.index()].key);
+    } else if (figure.place.section) {
+        add("section " + std::to_string(*figure.place.section));
+    }
+    if (figure.stage) {
+        add("stage " + std::to_string(*figure.stage));
+    }
+    if (figure.count) {
+        add("double stroke or revolution " + std::to_string(*figure.count));
+    }
+    if (figure.step != Step::none) {
+        add(choicesOf<Step>()[static_cast<std::size_t>(figure.step)].key);
+    }
+    return text.empty() ? text : " (" + text + ')';
+}
+
+std::string failingText(const GoalResult& result) {
+    std::string text;
+    for (const ConstraintKind kind : result.failing) {
+        text += (text.empty() ? "; fails: " : ", ") + std::string(requirementOf(kind).key);
+    }
+    return text;
+}
+
+std::string figureSentence(const Figure& figure, const GoalResult& result, const char* asked) {
+    const FigureRow& row = rowOf(figure.name);
+    std::string text = std::string(row.choice.key) + placeOf(figure);
+    if (result.value) {
+        text += ' ' + withUnit(*result.value, row.unit, row.digits);
+    }
+    if (result.asked) {
+        text += std::string("; ") + asked + ": " + withUnit(*result.asked, row.unit, row.digits)
+                + " ± " + withUnit(result.tolerance, row.unit, row.digits + 1);
+    }
+    return text;
+}
+
+std::string orderSentence(const OrderPrediction& goal, const GoalResult& result) {
+    std::string text = std::string(rowOf(goal.figure.name).choice.key) + ", largest first:";
+    for (const std::size_t place : result.order) {
+        text += ' ' + std::to_string(place);
+    }
+    return text;
+}
+
+std::string numbersOf(const Goal& goal, const GoalResult& result) {
+    switch (goal.kind()) {
+    case GoalKind::requirements:
+        return (result.value ? "least margin " + withUnit(*result.value, "%", 1) : std::string())
+               + failingText(result);
+    case GoalKind::time:
+        return (result.value ? "cycle time " + withUnit(*result.value, "min", 3) : std::string())
+               + (result.asked ? "; asked: at most " + withUnit(*result.asked, "min", 3)
+                               : std::string())
+               + failingText(result);
+    case GoalKind::figure: return figureSentence(goal.figure->figure, result, "asked");
+    case GoalKind::prediction: return figureSentence(goal.prediction->figure, result, "predicted");
+    case GoalKind::curve:
+        return result.curve.empty()
+                   ? std::string()
+                   : "within the tolerance at " + withUnit(result.value.value_or(0), "%", 0)
+                         + " of the places; asked: "
+                         + withUnit(goal.curve->least_share_percent, "%", 0);
+    case GoalKind::order: return result.order.empty() ? "" : orderSentence(*goal.order, result);
+    case GoalKind::choice:
+    case GoalKind::text: break;
+    }
+    return {};
+}
+
+std::string leafText(const Leaf& leaf) {
+    const Field& field = *leaf.field;
+    switch (field.kind) {
+    case Kind::number: return numberText(field.as<double>(leaf.owner));
+    case Kind::integer: return std::to_string(field.as<int>(leaf.owner));
+    case Kind::boolean: return field.as<bool>(leaf.owner) ? "true" : "false";
+    case Kind::choice:
+        return field.choices[static_cast<std::size_t>(field.getChoice(leaf.owner))].key;
+    case Kind::objectList: return std::to_string(field.size(leaf.owner)) + " items";
+    default: return "other values";
+    }
+}
+
+} // namespace
+
+const char* findingKey(Finding finding) {
+    return findingKeys[static_cast<std::size_t>(finding)];
+}
+
+const char* findingText(Finding finding) {
+    switch (finding) {
+    case Finding::passed: return SPARKOUT_NOOP("Finding", "passed");
+    case Finding::failed: return SPARKOUT_NOOP("Finding", "not passed");
+    case Finding::notAnswered: return SPARKOUT_NOOP("Finding", "not answered");
+    case Finding::forTeacher: return SPARKOUT_NOOP("Finding", "for the teacher to mark");
+    case Finding::forbidden:
+        return SPARKOUT_NOOP("Finding", "inputs were changed that are not free");
+    case Finding::refused: return SPARKOUT_NOOP("Finding", "the inputs have errors");
+    case Finding::doesNotEnd: return SPARKOUT_NOOP("Finding", "the cycle does not end by itself");
+    case Finding::noSuchFigure: return SPARKOUT_NOOP("Finding", "the run has no such figure");
+    }
+    return "";
+}
+
+const char* flagText(WorkFlag flag) {
+    switch (flag) {
+    case WorkFlag::unreadable: return SPARKOUT_NOOP("Grading", "cannot be read");
+    case WorkFlag::foreign:
+        return SPARKOUT_NOOP("Grading", "of another lesson, or another version of it");
+    case WorkFlag::edited: return SPARKOUT_NOOP("Grading", "edited outside the program");
+    case WorkFlag::copied: return SPARKOUT_NOOP("Grading", "the same as the work of another");
+    case WorkFlag::handedInTwice: return SPARKOUT_NOOP("Grading", "handed in more than once");
+    case WorkFlag::notInGroup: return SPARKOUT_NOOP("Grading", "not on the list");
+    case WorkFlag::untrueRuns:
+        return SPARKOUT_NOOP("Grading", "kept runs whose numbers are not the engine's");
+    case WorkFlag::late: return SPARKOUT_NOOP("Grading", "a prediction after the run");
+    case WorkFlag::forbidden: return SPARKOUT_NOOP("Grading", "inputs changed that are not free");
+    case WorkFlag::missing: return SPARKOUT_NOOP("Grading", "nothing handed in");
+    }
+    return "";
+}
+
+const char* variantFaultKey(VariantFault fault) {
+    return variantFaultKeys[static_cast<std::size_t>(fault)];
+}
+
+const char* variantFaultText(VariantFault fault) {
+    switch (fault) {
+    case VariantFault::alike:
+        return SPARKOUT_NOOP("Variants", "another variant has the same inputs");
+    case VariantFault::invalid:
+        return SPARKOUT_NOOP("Variants", "the project has errors, or its cycle does not end");
+    case VariantFault::noFigure:
+        return SPARKOUT_NOOP("Variants", "the run has no figure that a step asks for");
+    case VariantFault::solved: return SPARKOUT_NOOP("Variants", "a step is solved as given");
+    case VariantFault::noAnswer:
+        return SPARKOUT_NOOP("Variants", "no cycle of the grid does what is asked");
+    case VariantFault::notFree:
+        return SPARKOUT_NOOP("Variants", "the best answer changes inputs that are not free");
+    case VariantFault::unattained:
+        return SPARKOUT_NOOP("Variants",
+                             "no value of a free input was found at which a figure is as asked");
+    case VariantFault::tooQuick:
+        return SPARKOUT_NOOP("Variants", "the best answer is too quick beside the lesson's");
+    case VariantFault::tooSlow:
+        return SPARKOUT_NOOP("Variants", "the best answer is too slow beside the lesson's");
+    case VariantFault::otherMargin:
+        return SPARKOUT_NOOP("Variants", "the best answer's margin is too far from the lesson's");
+    case VariantFault::count_: break;
+    }
+    return "";
+}
+
+const char* lessonFaultText(LessonFault fault) {
+    switch (fault) {
+    case LessonFault::none: break;
+    case LessonFault::noGrid:
+        return SPARKOUT_NOOP("Variants", "a step asks for requirements or a time, and the project "
+                                         "has no optimisation whose search could prove an answer");
+    case LessonFault::noReference:
+        return SPARKOUT_NOOP("Variants", "no cycle of the grid of the lesson's own project holds "
+                                         "every requirement");
+    }
+    return "";
+}
+
+const char* groupFaultText(GroupFault::Kind kind) {
+    switch (kind) {
+    case GroupFault::Kind::noName: return SPARKOUT_NOOP("Grading", "there is no name");
+    case GroupFault::Kind::twice: return SPARKOUT_NOOP("Grading", "this student stands here twice");
+    case GroupFault::Kind::tooMany: return SPARKOUT_NOOP("Grading", "there are more than 1000");
+    case GroupFault::Kind::empty: return SPARKOUT_NOOP("Grading", "there are no students");
+    }
+    return "";
+}
+
+std::string goalSentence(const Goal& goal, const GoalResult& result) {
+    std::string text = findingText(result.finding);
+    for (const std::string& path : result.forbidden) {
+        text += (&path == &result.forbidden.front() ? ": " : ", ") + path;
+    }
+    for (const Issue& issue : result.issues) {
+        if (issue.severity == Severity::error) {
+            text += ": " + issue.path + ": " + issueSentence(issue);
+            break;
+        }
+    }
+    const std::string numbers = numbersOf(goal, result);
+    return numbers.empty() ? text : text + ": " + numbers;
+}
+
+std::string keptRunSentence(const KeptRunCheck& check) {
+    if (!check.issues.empty()) {
+        return "its inputs cannot be run: " + check.issues.front().path + ": "
+               + issueSentence(check.issues.front());
+    }
+    if (!check.isReadable) {
+        return "it holds no numbers that can be read";
+    }
+    constexpr std::size_t listed = 3;
+    std::string text = std::to_string(check.changed.size())
+                       + (check.changed.size() == 1 ? " number is" : " numbers are")
+                       + " not the engine's";
+    for (std::size_t i = 0; i < check.changed.size() && i < listed; ++i) {
+        const ChangedValue& change = check.changed[i];
+        text += (i == 0 ? ": " : "; ") + change.path + ' ' + leafText(change.kept)
+                + ", by the engine " + (change.now ? leafText(*change.now) : std::string("none"));
+    }
+    return text + (check.changed.size() > listed ? "; …" : "");
+}
+
+} // namespace sparkout

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/course/grading.h"
+#include "core/course/group_list.h"
+#include "core/course/make_variants.h"
+#include "core/lesson/goal_check.h"
+#include "core/study/recalled_run.h"
+
+#include <string>
+
+/// Lessons, variants and marks in words, in English: for the command line, and, looked up in its
+/// language, the window.
+namespace sparkout {
+
+/// A finding by its name in JSON.
+[[nodiscard]] const char* findingKey(Finding finding);
+
+/// "passed", "cycle does not end by itself"; context "Finding".
+[[nodiscard]] const char* findingText(Finding finding);
+
+/// What is to be looked at in a work; context "Grading".
+[[nodiscard]] const char* flagText(WorkFlag flag);
+
+/// Why levels make no variant, by their name in JSON and in words; context "Variants".
+[[nodiscard]] const char* variantFaultKey(VariantFault fault);
+[[nodiscard]] const char* variantFaultText(VariantFault fault);
+
+/// Why a lesson has no variants at all; context "Variants".
+[[nodiscard]] const char* lessonFaultText(LessonFault fault);
+
+/// What is wrong with a line of a list of students; context "Grading".
+[[nodiscard]] const char* groupFaultText(GroupFault::Kind kind);
+
+/// A goal as it was found, in English: "passed: cycle time 2.310 min; asked: at most 2.500 min".
+[[nodiscard]] std::string goalSentence(const Goal& goal, const GoalResult& result);
+
+/// A kept run whose numbers are not the engine's, in English.
+[[nodiscard]] std::string keptRunSentence(const KeptRunCheck& check);
+
+} // namespace sparkout
