@@ -202,28 +202,31 @@ private:
                                      1.25, 1.5, 2.0,  3.0, 5.0,  8.0, 12.0};
         constexpr int halvings = 24;
         bool attained = false;
-        std::optional<std::pair<double, double>> before; // value and offset
+        struct Tried {
+            double value = 0, offset = 0;
+            bool isKnown = false;
+        } before;
         for (const double factor : factors) {
             double high = *input.value * factor;
             const auto at = offset(timed, step, setup, surface, input, high, attained);
             if (attained) {
                 return true;
             }
-            if (at && before && (*at > 0) != (before->second > 0)) {
-                double low = before->first;
+            if (at && before.isKnown && (*at > 0) != (before.offset > 0)) {
+                double low = before.value;
                 for (int i = 0; i < halvings && !attained && !m_stop.stop_requested(); ++i) {
                     const double middle = (low + high) / 2;
                     const auto there = offset(timed, step, setup, surface, input, middle, attained);
                     if (!there) {
                         break;
                     }
-                    ((*there > 0) == (before->second > 0) ? low : high) = middle;
+                    ((*there > 0) == (before.offset > 0) ? low : high) = middle;
                 }
                 if (attained) {
                     return true;
                 }
             }
-            before = at ? std::optional(std::pair(high, *at)) : std::nullopt;
+            before = {high, at.value_or(0), at.has_value()};
         }
         return false;
     }
