@@ -17309,7 +17309,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>Of typed statistics the box is that of a normal law of their mean and standard deviation.</source>
-            <translation>По введённой статистике он построен для нормального закона.</translation>
+            <translation>По введённой статистике он построен по нормальному закону с её средним и отклонением.</translation>
         </message>
         <message>
             <source>tolerance field</source>

@@ -77,6 +77,7 @@ private slots:
         Bench bench;
         Project project = newProject(Operation::traverse);
         project.part->name = part.toStdString();
+        project.part->lower_deviation_um = -13; // 30h6
         project.title = title.toStdString();
         bench.document().startUntitled(project);
         DialogAnswers answers({QStringLiteral("Escape")});

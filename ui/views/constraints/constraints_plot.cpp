@@ -26,7 +26,7 @@ constexpr double visibleLimits = 3;   ///< times the deepest cut, of limits that
 constexpr double decades = 1e-4;      ///< of the deepest cut, in visible at most
 constexpr double forbidden_um = 1e6;  ///< far above all plots
 constexpr int forbiddenAlpha = 34;
-constexpr int markPadding = 4; ///< about its text
+constexpr int markPadding = 4;   ///< about its text
 constexpr double pieceWidth = 9; ///< of the band along what binds [px]
 constexpr int pieceAlpha = 120;
 constexpr double markSize = 13, cutSize = 3.5, exceededSize = 6;
@@ -399,7 +399,7 @@ QPen ConstraintsPlot::penOf(int key) const {
         return {toned(Tone::orange), 2.6, Qt::DashDotDotLine};
     }
     if (key == machineKey) {
-        return {toned(Tone::blue), 2, Qt::DashLine};
+        return {ink(), 1.2, Qt::DashDotLine};
     }
     if (key == programmedKey) {
         return {toned(Drawn::programmedFeed), 3, Qt::DotLine};

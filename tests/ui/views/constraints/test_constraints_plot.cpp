@@ -124,7 +124,11 @@ private slots:
         }
         QVERIFY(names.contains(QStringLiteral("burn")));
         QVERIFY(names.contains(QStringLiteral("machine's feed")));
-        QVERIFY(plot.pieces().front()->pen().color() != plot.pieces().back()->pen().color());
+        for (std::size_t i = 1; i < plot.pieces().size();
+             ++i) { // neighbours differ in name and colour
+            QVERIFY(plot.pieceName(i) != plot.pieceName(i - 1));
+            QVERIFY(plot.pieces()[i]->pen().color() != plot.pieces()[i - 1]->pen().color());
+        }
         const LegendEntries entries = plot.legendEntries();
         QVERIFY(std::ranges::any_of(entries, [](const LegendEntry& entry) {
             return entry.text.contains(QStringLiteral("what binds (burn"));
