@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stocks of an interval by what their cycles do: a closed form, and stocks run one by one.
 #include "core/phases/failing_share.h"
+#include "core/format/project_file.h"
 #include "core/phases/failing_stock.h"
 #include "core/phases/phase_decision.h"
 
@@ -231,33 +232,45 @@ private slots:
         QVERIFY(changes > 0);
     }
 
-    /// Be the stretch that fails at the end of a piece as short as can be, a stock of it is found.
+    /// Be the stretch that fails at the end of a piece as short as can be, a stock of it is found:
+    /// of a shaft the small diameters fail at the low end, of a bore the large ones.
     void aShortStretchThatFailsIsFound() {
-        Project project = samples::project("smallest-plunge");
-        project.gauge->control = Control::gauge;
-        const StockRange range = usualPhases(project);
-        // Whatever the field, the same size is aimed at.
-        project.part->target_diameter_mm = project.part->diameter_mm;
-        project.part->lower_deviation_um = -1000;
-        project.part->upper_deviation_um = 1000;
-        project.part->tolerance = {};
-        double least_mm = 1, most_mm = -1, widest_mm = 0;
-        for (const DecidedPiece& piece : decidePhases(project, range).pieces) {
-            least_mm = std::min(least_mm, piece.low.deviations[0].least_mm);
-            most_mm = std::max(most_mm, piece.high.deviations[0].most_mm);
-            widest_mm = std::max(widest_mm, piece.piece.to_mm - piece.piece.from_mm);
-        }
-        constexpr double umPerMm = 1000;
-        for (const double share : {0.0008, 0.003, 0.007, 0.012, 0.1}) {
-            const double beyond_um = 2 * share * widest_mm * umPerMm;
-            Project narrow = project;
-            narrow.part->lower_deviation_um = least_mm * umPerMm + beyond_um;
-            QCOMPARE(wrongAboutFailing(narrow, decidePhases(narrow, range), range), std::string());
-            QVERIFY(failingStock_mm(narrow, range).has_value());
-            narrow = project;
-            narrow.part->upper_deviation_um = most_mm * umPerMm - beyond_um;
-            QCOMPARE(wrongAboutFailing(narrow, decidePhases(narrow, range), range), std::string());
-            QVERIFY(failingStock_mm(narrow, range).has_value());
+        Project bore = readProject(samples::readText(samples::sourcePath(
+                                       "resources/examples/internal-plunge.sparkout")))
+                           .project.value();
+        for (Project project : {samples::project("smallest-plunge"), std::move(bore)}) {
+            project.gauge->control = Control::gauge;
+            const StockRange range = usualPhases(project);
+            const double middle_um =
+                (project.part->upper_deviation_um + project.part->lower_deviation_um) / 2;
+            constexpr double umPerMm = 1000;
+            // Whatever the field, the same size is aimed at.
+            project.part->target_diameter_mm = project.part->target_diameter_mm.value_or(
+                project.part->diameter_mm + middle_um / umPerMm);
+            project.part->lower_deviation_um = -1000;
+            project.part->upper_deviation_um = 1000;
+            project.part->tolerance = {};
+            double least_mm = 1, most_mm = -1, widest_mm = 0;
+            for (const DecidedPiece& piece : decidePhases(project, range).pieces) {
+                for (const PieceEnd* end : {&piece.low, &piece.high}) {
+                    for (const DeviationRange& each : end->deviations) {
+                        least_mm = std::min(least_mm, each.least_mm);
+                        most_mm = std::max(most_mm, each.most_mm);
+                    }
+                }
+                widest_mm = std::max(widest_mm, piece.piece.to_mm - piece.piece.from_mm);
+            }
+            for (const double share : {0.0008, 0.003, 0.007, 0.012, 0.1}) {
+                const double beyond_um = 2 * share * widest_mm * umPerMm;
+                Project small = project, large = project;
+                small.part->lower_deviation_um = least_mm * umPerMm + beyond_um;
+                large.part->upper_deviation_um = most_mm * umPerMm - beyond_um;
+                for (const Project& narrow : {small, large}) {
+                    QCOMPARE(wrongAboutFailing(narrow, decidePhases(narrow, range), range),
+                             std::string());
+                    QVERIFY(failingStock_mm(narrow, range).has_value());
+                }
+            }
         }
     }
 
