@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stocks of an interval by what their cycles do: a closed form, and stocks run one by one.
-#include "core/phases/failing_share.h"
 #include "core/format/project_file.h"
+#include "core/phases/failing_share.h"
 #include "core/phases/failing_stock.h"
 #include "core/phases/phase_decision.h"
 
