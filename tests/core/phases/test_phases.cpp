@@ -4,7 +4,6 @@
 #include "core/phases/failing_share.h"
 #include "core/phases/failing_stock.h"
 #include "core/phases/phase_decision.h"
-
 #include "core/process/profile.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
