@@ -25,7 +25,7 @@ Detail quotedText(const std::string& text) {
     return quoted(json(text));
 }
 
-Bounds upTo(double low, double high, std::string_view unit = {}) {
+Bounds boundsTo(double low, double high, std::string_view unit = {}) {
     return {{low, high}, unit};
 }
 
@@ -73,7 +73,7 @@ private:
         const auto count = m_lesson.base.surfaces.size();
         if (number < 1 || static_cast<std::size_t>(number) > count) {
             add(IssueCode::outOfRange, path + "/surface", Count{number},
-                upTo(1, static_cast<double>(count)));
+                boundsTo(1, static_cast<double>(count)));
             return nullptr;
         }
         return &m_lesson.base.surfaces[static_cast<std::size_t>(number) - 1].project;
@@ -95,7 +95,7 @@ private:
             prices += step.hints[i].price;
             if (prices > step.points) {
                 add(IssueCode::outOfRange, at + "/price", Amount{step.hints[i].price, "points"},
-                    upTo(0, step.points - (prices - step.hints[i].price), "points"));
+                    boundsTo(0, step.points - (prices - step.hints[i].price), "points"));
                 break;
             }
         }
@@ -202,7 +202,7 @@ private:
         if (project.operation->hasZones) {
             add(code, path, value, Keys{{"rz1", "nz", "rz2"}, Keys::Kind::choices});
         } else {
-            add(code, path, value, upTo(0, placeCount(project) - 1));
+            add(code, path, value, boundsTo(0, placeCount(project) - 1));
         }
     }
 
@@ -210,9 +210,9 @@ private:
                     const std::string& path) {
         const auto stages = static_cast<double>(project.cycle->stages.size());
         if (!stage && isNeeded) {
-            add(IssueCode::missingKey, path, {}, upTo(1, stages));
+            add(IssueCode::missingKey, path, {}, boundsTo(1, stages));
         } else if (stage && *stage > stages) {
-            add(IssueCode::outOfRange, path, Count{*stage}, upTo(1, stages));
+            add(IssueCode::outOfRange, path, Count{*stage}, boundsTo(1, stages));
         }
     }
 
@@ -231,7 +231,7 @@ private:
                                 ? static_cast<double>(project.cycle->stages.size())
                                 : 10'000'000;
         if (curve.at.size() < 2 || curve.at.size() > 1000) {
-            add(IssueCode::wrongCount, path + "/at", countOf(curve.at.size()), upTo(2, 1000));
+            add(IssueCode::wrongCount, path + "/at", countOf(curve.at.size()), boundsTo(2, 1000));
         }
         for (std::size_t i = 0; i < curve.at.size(); ++i) {
             const double x = curve.at[i];
@@ -240,7 +240,7 @@ private:
                 add(IssueCode::wrongType, at, Amount{x}, Phrase::wholeNumber);
             } else if (x < low || x > high || (i > 0 && x <= curve.at[i - 1])) {
                 const double from = i > 0 ? std::max(low, curve.at[i - 1] + 1) : low;
-                add(IssueCode::outOfRange, at, Amount{x}, upTo(from, high));
+                add(IssueCode::outOfRange, at, Amount{x}, boundsTo(from, high));
             }
         }
     }
@@ -305,7 +305,7 @@ private:
         const double levels = input.levels();
         if (levels < 1 || levels > static_cast<double>(limits::levelsOfInput)) {
             add(IssueCode::wrongCount, path, Amount{levels},
-                upTo(1, static_cast<double>(limits::levelsOfInput)));
+                boundsTo(1, static_cast<double>(limits::levelsOfInput)));
             return;
         }
         if (input.sets.empty()) {
