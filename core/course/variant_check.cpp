@@ -29,9 +29,9 @@ Setup withProject(Setup setup, std::size_t surface, Project project) {
     return setup;
 }
 
-/// Whether a margin or time is known to be what it is: last bits of cos and exp differ between
-/// processors and shall decide nothing.
-double rounded(double value) {
+/// A margin or a time to six decimals: last bits of cos and exp differ between processors and shall
+/// decide nothing.
+double inMillionths(double value) {
     constexpr double perUnit = 1e6;
     return std::round(value * perUnit) / perUnit;
 }
@@ -95,14 +95,15 @@ private:
         if (!reference || !m_lesson.variants) {
             return std::nullopt;
         }
-        const double time_percent = rounded(inPercent * best.time_min / reference->time_min);
+        const double time_percent = inMillionths(inPercent * best.time_min / reference->time_min);
         if (time_percent < m_rules.least_time_percent) {
             return VariantFault::tooQuick;
         }
         if (time_percent > m_rules.most_time_percent) {
             return VariantFault::tooSlow;
         }
-        const double apart = rounded(std::abs(best.margin_percent - reference->margin_percent));
+        const double apart =
+            inMillionths(std::abs(best.margin_percent - reference->margin_percent));
         return apart > m_rules.margin_within_percent ? std::optional(VariantFault::otherMargin)
                                                      : std::nullopt;
     }
@@ -135,7 +136,7 @@ private:
         const Goal& goal = timed.steps[step].goal;
         Project project = best.project;
         if (goal.requirements
-            && rounded(best.margin_percent) <= goal.requirements->least_margin_percent
+            && inMillionths(best.margin_percent) <= goal.requirements->least_margin_percent
             && goal.requirements->least_margin_percent > 0) {
             SearchOptions options;
             options.stop = m_stop;
