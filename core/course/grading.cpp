@@ -113,7 +113,7 @@ private:
         } else if (needsSearch(m_lesson)) {
             graded.best_min = m_best.of(m_lesson, levels, m_stop);
         }
-        const Lesson given = withVariant(m_lesson, levels, graded.best_min);
+        Lesson given = withVariant(m_lesson, levels, graded.best_min);
         const std::string digest = variantDigest(forStudents(given));
         const bool isGivenOut = digest == variantDigest(work.lesson)
                                 && (m_wish.best.empty() || (isKnown && row->digest == digest));
@@ -274,6 +274,7 @@ std::vector<GradedWork> gradeClass(const Lesson& lesson, const std::vector<Hande
         }
     }
     std::vector<GradedWork> works;
+    works.reserve(read.size());
     for (ReadForClass& each : read) {
         works.push_back(std::move(each.graded));
     }

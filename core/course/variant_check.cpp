@@ -39,11 +39,11 @@ double inMillionths(double value) {
 /// Decides on one set of levels.
 class VariantCheck {
 public:
-    VariantCheck(const Lesson& lesson, const VariantLevels& levels, const std::stop_token& stop)
+    VariantCheck(const Lesson& lesson, const VariantLevels& levels, std::stop_token stop)
         : m_rules(lesson.variants ? lesson.variants->difficulty : Difficulty())
         , m_lesson(withVariant(lesson, levels, std::nullopt))
         , m_surface(variedSurface(lesson))
-        , m_stop(stop) {}
+        , m_stop(std::move(stop)) {}
 
     CheckedVariant run(const std::optional<BestAnswer>& reference) {
         CheckedVariant checked;

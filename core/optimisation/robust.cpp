@@ -80,8 +80,8 @@ int placeOf(const FeasibleCycle& cycle, const std::vector<FeasibleCycle>& candid
 class WholeMargins {
 public:
     WholeMargins(const Project& project, const Variants& variants, const FreshScenarios& source,
-                 const std::stop_token& stop)
-        : m_project(project), m_variants(variants), m_source(source), m_stop(stop) {}
+                 std::stop_token stop)
+        : m_project(project), m_variants(variants), m_source(source), m_stop(std::move(stop)) {}
 
     WholeMargin of(const FeasibleCycle& found, double least) {
         const std::scoped_lock lock(m_mutex); // of the threads of a full search
