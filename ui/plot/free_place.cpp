@@ -41,9 +41,9 @@ void clip(double from, double to, double low, double high, double& first, double
 } // namespace
 
 FreePlace::FreePlace(const QRectF& within)
-    : m_within(within)
-    , m_columns(squaresIn(within.width()))
-    , m_rows(squaresIn(within.height()))
+    : m_within(within.normalized()) // before a plot is laid out its room is less than none
+    , m_columns(squaresIn(m_within.width()))
+    , m_rows(squaresIn(m_within.height()))
     , m_covered(static_cast<std::size_t>(m_columns) * static_cast<std::size_t>(m_rows)) {}
 
 void FreePlace::cover(const QPointF& at) {

@@ -43,6 +43,20 @@ private slots:
         QVERIFY(found.away == 0 && plot.contains(found.place) && found.place.size() == text);
     }
 
+    /// A plot that was not laid out yet has a room of less than nothing.
+    void aRoomTurnedAboutIsTheSameRoom() {
+        const QPolygonF curve{{110, 60}, {200, 150}, {490, 240}};
+        FreePlace places(plot), turned(QRectF(plot.bottomRight(), plot.topLeft()));
+        places.addCurve(curve);
+        turned.addCurve(curve);
+        const FreePlace::Found a = places.nearest(text, {300, 150});
+        const FreePlace::Found b = turned.nearest(text, {300, 150});
+        QVERIFY(a.place == b.place && a.covered == b.covered);
+        FreePlace none(QRectF(10, 10, -14, -30));
+        none.addCurve({{-100, -100}, {100, 100}});
+        QVERIFY(none.nearest(text, {0, 0}).place.size() == text);
+    }
+
     void itCoversNeitherTheCurvesNorTheMark() {
         const QPointF mark(300, 150);
         for (const QPolygonF& curve :
