@@ -31,6 +31,7 @@ void Tour::end() {
         return;
     }
     qApp->removeEventFilter(this);
+    m_balloon->disconnect(this); // a key that is on its way to it leads nowhere
     m_balloon->hide();
     m_balloon.release()->deleteLater(); // one of its buttons may have called
     emit finished();
