@@ -5584,12 +5584,12 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Наименьший и наибольший множитель податливости каждой зоны или сечения, по порядку; каждый рассеивается сам по себе, равномерно. Два одинаковых числа — постоянная.</translation>
         </message>
         <message>
-        <source>Exponent of dulling</source>
-        <translation>Показатель роста затупления</translation>
-    </message>
-    <message>
-        <source>1: the dullness grows evenly. Below 1 it grows most just after dressing, above 1 towards the end; the dulling is then counted per mm² to this power.</source>
-        <translation>1 — затупление растёт равномерно. Меньше 1 — быстрее всего сразу после правки, больше 1 — к концу; коэффициент затупления отнесён тогда к мм² в этой степени.</translation>
+            <source>Exponent of dulling</source>
+            <translation>Показатель роста затупления</translation>
+        </message>
+        <message>
+            <source>1: the dullness grows evenly. Below 1 it grows most just after dressing, above 1 towards the end; the dulling is then counted per mm² to this power.</source>
+            <translation>1 — затупление растёт равномерно. Меньше 1 — быстрее всего сразу после правки, больше 1 — к концу; коэффициент затупления отнесён тогда к мм² в этой степени.</translation>
         </message>
         <message>
             <source>Largest margin within a time</source>
@@ -5795,9 +5795,9 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>прибор, не перекрывающий разрывы, проваливается в них; нужно: {limit}</translation>
         </message>
         <message>
-        <source>{value} is no input of this project; needed: {limit}</source>
-        <translation>{value} — не исходные данные этого проекта; нужно: {limit}</translation>
-    </message>
+            <source>{value} is no input of this project; needed: {limit}</source>
+            <translation>{value} — не исходные данные этого проекта; нужно: {limit}</translation>
+        </message>
     </context>
     <context>
         <name>KeptRuns</name>
@@ -5955,9 +5955,9 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>прибор, читающий наибольший диаметр</translation>
         </message>
         <message>
-        <source>&quot;rz1&quot;, &quot;nz&quot;, &quot;rz2&quot;, or the number of a section</source>
-        <translation>«rz1», «nz», «rz2» или номер сечения</translation>
-    </message>
+            <source>&quot;rz1&quot;, &quot;nz&quot;, &quot;rz2&quot;, or the number of a section</source>
+            <translation>«rz1», «nz», «rz2» или номер сечения</translation>
+        </message>
     </context>
     <context>
         <name>LimitNames</name>
@@ -6720,10 +6720,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Измеренные детали и прогноз</translation>
         </message>
         <message>
-        <source>Wheel between dressings</source>
-        <translation>Круг между правками</translation>
-    </message>
-</context>
+            <source>Wheel between dressings</source>
+            <translation>Круг между правками</translation>
+        </message>
+    </context>
     <context>
         <name>WorkedStep</name>
         <message>
@@ -10038,10 +10038,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>&amp;Импорт измерений…</translation>
         </message>
         <message>
-        <source>Parts &amp;between dressings…</source>
-        <translation>Детали ме&amp;жду правками…</translation>
-    </message>
-</context>
+            <source>Parts &amp;between dressings…</source>
+            <translation>Детали ме&amp;жду правками…</translation>
+        </message>
+    </context>
     <context>
         <name>sparkout::BatchFigures</name>
         <message>
@@ -18584,116 +18584,116 @@ s</source>
             <translation>Величина</translation>
         </message>
     </context>
-<context>
-    <name>DressingText</name>
-    <message>
-        <source>Parts to a dressing</source>
-        <translation>Деталей на правку</translation>
-    </message>
-    <message>
-        <source>Ends by</source>
-        <translation>Ограничивает</translation>
-    </message>
-    <message>
-        <source>A part removes</source>
-        <translation>Деталь снимает</translation>
-    </message>
-    <message>
-        <source>%1 mm³</source>
-        <translation>%1 мм³</translation>
-    </message>
-    <message>
-        <source>Quickest</source>
-        <translation>Быстрее всего</translation>
-    </message>
-    <message>
-        <source>after %1 parts: %2 s a part with its share of the dressing</source>
-        <translation>правка через %1 дет.: %2 с на деталь с её долей правки</translation>
-    </message>
-    <message>
-        <source>Cheapest</source>
-        <translation>Дешевле всего</translation>
-    </message>
-    <message>
-        <source>after %1 parts: %2 a part</source>
-        <translation>правка через %1 дет.: %2 на деталь</translation>
-    </message>
-    <message>
-        <source>How the wheel wears is not given: a dulling c or a grinding ratio G.</source>
-        <translation>Износ круга не задан: нужно затупление c или коэффициент шлифования G.</translation>
-    </message>
-    <message>
-        <source>The first part after dressing does not reach size.</source>
-        <translation>Первая деталь после правки не достигает размера.</translation>
-    </message>
-    <message>
-        <source>any number: the wheel gets no duller, and every part holds</source>
-        <translation>сколько угодно: круг больше не тупится, годна каждая деталь</translation>
-    </message>
-    <message>
-        <source>at least %1</source>
-        <translation>не менее %1</translation>
-    </message>
-    <message>
-        <source>part %1</source>
-        <translation>деталь %1</translation>
-    </message>
-    <message>
-        <source>part %1 of its batch</source>
-        <translation>деталь %1 её партии</translation>
-    </message>
-    <message>
-        <source>%1: it does not reach size</source>
-        <translation>%1: размер не достигнут</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1: %2, %3: %4, limit %5</source>
-        <translation>%1: %2, %3: %4, предел %5</translation>
-    </message>
-</context>
-<context>
-    <name>sparkout::DressingDialog</name>
-    <message>
-        <source>Parts between dressings</source>
-        <translation>Детали между правками</translation>
-    </message>
-    <message>
-        <source>&amp;Each part holds for:</source>
-        <translation>&amp;Каждая деталь годна для:</translation>
-    </message>
-    <message>
-        <source>the part as it stands</source>
-        <translation>детали, как она задана</translation>
-    </message>
-    <message>
-        <source>all corners of the batches</source>
-        <translation>всех крайних сочетаний партий</translation>
-    </message>
-    <message>
-        <source>parts of the batches</source>
-        <translation>деталей партий</translation>
-    </message>
-    <message>
-        <source>Batches are set up in the view Batch; the dullness is the wear&apos;s.</source>
-        <translation>Партии задаются в виде «Партия»; затупление берётся из износа.</translation>
-    </message>
-    <message>
-        <source>&amp;Wheel wear…</source>
-        <translation>&amp;Износ круга…</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>&amp;Закрыть</translation>
-    </message>
-    <message>
-        <source>Stopped: nothing is known.</source>
-        <translation>Остановлено: ничего не известно.</translation>
-    </message>
-</context>
+    <context>
+        <name>DressingText</name>
+        <message>
+            <source>Parts to a dressing</source>
+            <translation>Деталей на правку</translation>
+        </message>
+        <message>
+            <source>Ends by</source>
+            <translation>Ограничивает</translation>
+        </message>
+        <message>
+            <source>A part removes</source>
+            <translation>Деталь снимает</translation>
+        </message>
+        <message>
+            <source>%1 mm³</source>
+            <translation>%1 мм³</translation>
+        </message>
+        <message>
+            <source>Quickest</source>
+            <translation>Быстрее всего</translation>
+        </message>
+        <message>
+            <source>after %1 parts: %2 s a part with its share of the dressing</source>
+            <translation>правка через %1 дет.: %2 с на деталь с её долей правки</translation>
+        </message>
+        <message>
+            <source>Cheapest</source>
+            <translation>Дешевле всего</translation>
+        </message>
+        <message>
+            <source>after %1 parts: %2 a part</source>
+            <translation>правка через %1 дет.: %2 на деталь</translation>
+        </message>
+        <message>
+            <source>How the wheel wears is not given: a dulling c or a grinding ratio G.</source>
+            <translation>Износ круга не задан: нужно затупление c или коэффициент шлифования G.</translation>
+        </message>
+        <message>
+            <source>The first part after dressing does not reach size.</source>
+            <translation>Первая деталь после правки не достигает размера.</translation>
+        </message>
+        <message>
+            <source>any number: the wheel gets no duller, and every part holds</source>
+            <translation>сколько угодно: круг больше не тупится, годна каждая деталь</translation>
+        </message>
+        <message>
+            <source>at least %1</source>
+            <translation>не менее %1</translation>
+        </message>
+        <message>
+            <source>part %1</source>
+            <translation>деталь %1</translation>
+        </message>
+        <message>
+            <source>part %1 of its batch</source>
+            <translation>деталь %1 её партии</translation>
+        </message>
+        <message>
+            <source>%1: it does not reach size</source>
+            <translation>%1: размер не достигнут</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1: %2, %3: %4, limit %5</source>
+            <translation>%1: %2, %3: %4, предел %5</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::DressingDialog</name>
+        <message>
+            <source>Parts between dressings</source>
+            <translation>Детали между правками</translation>
+        </message>
+        <message>
+            <source>&amp;Each part holds for:</source>
+            <translation>&amp;Каждая деталь годна для:</translation>
+        </message>
+        <message>
+            <source>the part as it stands</source>
+            <translation>детали, как она задана</translation>
+        </message>
+        <message>
+            <source>all corners of the batches</source>
+            <translation>всех крайних сочетаний партий</translation>
+        </message>
+        <message>
+            <source>parts of the batches</source>
+            <translation>деталей партий</translation>
+        </message>
+        <message>
+            <source>Batches are set up in the view Batch; the dullness is the wear&apos;s.</source>
+            <translation>Партии задаются в виде «Партия»; затупление берётся из износа.</translation>
+        </message>
+        <message>
+            <source>&amp;Wheel wear…</source>
+            <translation>&amp;Износ круга…</translation>
+        </message>
+        <message>
+            <source>&amp;Close</source>
+            <translation>&amp;Закрыть</translation>
+        </message>
+        <message>
+            <source>Stopped: nothing is known.</source>
+            <translation>Остановлено: ничего не известно.</translation>
+        </message>
+    </context>
     <context>
         <name>sparkout::MarginFrontPlot</name>
         <message>
@@ -18762,278 +18762,278 @@ s</source>
     </context>
     <context>
         <name>Figure</name>
-    <message>
-        <source>Cycle time</source>
-        <translation>Время цикла</translation>
-    </message>
-    <message>
-        <source>Double strokes or revolutions</source>
-        <translation>Двойные ходы или обороты</translation>
-    </message>
-    <message>
-        <source>Largest less smallest diameter of the part</source>
-        <translation>Разность наибольшего и наименьшего диаметров детали</translation>
-    </message>
-    <message>
-        <source>Cylindricity</source>
-        <translation>Отклонение от цилиндричности</translation>
-    </message>
-    <message>
-        <source>Total radial runout</source>
-        <translation>Полное радиальное биение</translation>
-    </message>
-    <message>
-        <source>Taper, in radius</source>
-        <translation>Конусообразность, на радиус</translation>
-    </message>
-    <message>
-        <source>Barrel (+) or saddle (−) shape, in radius</source>
-        <translation>Бочкообразность (+) или седлообразность (−), на радиус</translation>
-    </message>
-    <message>
-        <source>Largest normal force</source>
-        <translation>Наибольшая нормальная сила</translation>
-    </message>
-    <message>
-        <source>Largest power</source>
-        <translation>Наибольшая мощность</translation>
-    </message>
-    <message>
-        <source>Least margin of a requirement</source>
-        <translation>Наименьший запас требования</translation>
-    </message>
-    <message>
-        <source>Margin to burn</source>
-        <translation>Запас по прижогу</translation>
-    </message>
-    <message>
-        <source>Largest specific removal rate</source>
-        <translation>Наибольшая удельная интенсивность съёма</translation>
-    </message>
-    <message>
-        <source>Specific energy of the cycle</source>
-        <translation>Удельная энергия цикла</translation>
-    </message>
-    <message>
-        <source>Double strokes or revolutions of the stage</source>
-        <translation>Двойные ходы или обороты ступени</translation>
-    </message>
-    <message>
-        <source>Time of the stage</source>
-        <translation>Время ступени</translation>
-    </message>
-    <message>
-        <source>Largest actual feed of a pass of the stage</source>
-        <translation>Наибольшая фактическая подача прохода ступени</translation>
-    </message>
-    <message>
-        <source>Largest normal force of the stage</source>
-        <translation>Наибольшая нормальная сила ступени</translation>
-    </message>
-    <message>
-        <source>Largest power of the stage</source>
-        <translation>Наибольшая мощность ступени</translation>
-    </message>
-    <message>
-        <source>Compliance</source>
-        <translation>Податливость</translation>
-    </message>
-    <message>
-        <source>Smallest diameter, deviation</source>
-        <translation>Наименьший диаметр, отклонение</translation>
-    </message>
-    <message>
-        <source>Largest diameter, deviation</source>
-        <translation>Наибольший диаметр, отклонение</translation>
-    </message>
-    <message>
-        <source>Mean diameter, deviation</source>
-        <translation>Средний диаметр, отклонение</translation>
-    </message>
-    <message>
-        <source>Radial runout</source>
-        <translation>Радиальное биение</translation>
-    </message>
-    <message>
-        <source>Roundness</source>
-        <translation>Отклонение от круглости</translation>
-    </message>
-    <message>
-        <source>Roughness Ra</source>
-        <translation>Шероховатость Ra</translation>
-    </message>
-    <message>
-        <source>Largest normal force in the zone</source>
-        <translation>Наибольшая нормальная сила в зоне</translation>
-    </message>
-    <message>
-        <source>Programmed feed</source>
-        <translation>Программная подача</translation>
-    </message>
-    <message>
-        <source>Actual feed</source>
-        <translation>Фактическая подача</translation>
-    </message>
-    <message>
-        <source>Programmed less actual feed, accumulated</source>
-        <translation>Программная подача за вычетом фактической, накопленные</translation>
-    </message>
-    <message>
-        <source>Accumulated actual feed</source>
-        <translation>Накопленная фактическая подача</translation>
-    </message>
-    <message>
-        <source>Stock left, per side</source>
-        <translation>Оставшийся припуск на сторону</translation>
-    </message>
-    <message>
-        <source>Normal force</source>
-        <translation>Нормальная сила</translation>
-    </message>
+        <message>
+            <source>Cycle time</source>
+            <translation>Время цикла</translation>
+        </message>
+        <message>
+            <source>Double strokes or revolutions</source>
+            <translation>Двойные ходы или обороты</translation>
+        </message>
+        <message>
+            <source>Largest less smallest diameter of the part</source>
+            <translation>Разность наибольшего и наименьшего диаметров детали</translation>
+        </message>
+        <message>
+            <source>Cylindricity</source>
+            <translation>Отклонение от цилиндричности</translation>
+        </message>
+        <message>
+            <source>Total radial runout</source>
+            <translation>Полное радиальное биение</translation>
+        </message>
+        <message>
+            <source>Taper, in radius</source>
+            <translation>Конусообразность, на радиус</translation>
+        </message>
+        <message>
+            <source>Barrel (+) or saddle (−) shape, in radius</source>
+            <translation>Бочкообразность (+) или седлообразность (−), на радиус</translation>
+        </message>
+        <message>
+            <source>Largest normal force</source>
+            <translation>Наибольшая нормальная сила</translation>
+        </message>
+        <message>
+            <source>Largest power</source>
+            <translation>Наибольшая мощность</translation>
+        </message>
+        <message>
+            <source>Least margin of a requirement</source>
+            <translation>Наименьший запас требования</translation>
+        </message>
+        <message>
+            <source>Margin to burn</source>
+            <translation>Запас по прижогу</translation>
+        </message>
+        <message>
+            <source>Largest specific removal rate</source>
+            <translation>Наибольшая удельная интенсивность съёма</translation>
+        </message>
+        <message>
+            <source>Specific energy of the cycle</source>
+            <translation>Удельная энергия цикла</translation>
+        </message>
+        <message>
+            <source>Double strokes or revolutions of the stage</source>
+            <translation>Двойные ходы или обороты ступени</translation>
+        </message>
+        <message>
+            <source>Time of the stage</source>
+            <translation>Время ступени</translation>
+        </message>
+        <message>
+            <source>Largest actual feed of a pass of the stage</source>
+            <translation>Наибольшая фактическая подача прохода ступени</translation>
+        </message>
+        <message>
+            <source>Largest normal force of the stage</source>
+            <translation>Наибольшая нормальная сила ступени</translation>
+        </message>
+        <message>
+            <source>Largest power of the stage</source>
+            <translation>Наибольшая мощность ступени</translation>
+        </message>
+        <message>
+            <source>Compliance</source>
+            <translation>Податливость</translation>
+        </message>
+        <message>
+            <source>Smallest diameter, deviation</source>
+            <translation>Наименьший диаметр, отклонение</translation>
+        </message>
+        <message>
+            <source>Largest diameter, deviation</source>
+            <translation>Наибольший диаметр, отклонение</translation>
+        </message>
+        <message>
+            <source>Mean diameter, deviation</source>
+            <translation>Средний диаметр, отклонение</translation>
+        </message>
+        <message>
+            <source>Radial runout</source>
+            <translation>Радиальное биение</translation>
+        </message>
+        <message>
+            <source>Roundness</source>
+            <translation>Отклонение от круглости</translation>
+        </message>
+        <message>
+            <source>Roughness Ra</source>
+            <translation>Шероховатость Ra</translation>
+        </message>
+        <message>
+            <source>Largest normal force in the zone</source>
+            <translation>Наибольшая нормальная сила в зоне</translation>
+        </message>
+        <message>
+            <source>Programmed feed</source>
+            <translation>Программная подача</translation>
+        </message>
+        <message>
+            <source>Actual feed</source>
+            <translation>Фактическая подача</translation>
+        </message>
+        <message>
+            <source>Programmed less actual feed, accumulated</source>
+            <translation>Программная подача за вычетом фактической, накопленные</translation>
+        </message>
+        <message>
+            <source>Accumulated actual feed</source>
+            <translation>Накопленная фактическая подача</translation>
+        </message>
+        <message>
+            <source>Stock left, per side</source>
+            <translation>Оставшийся припуск на сторону</translation>
+        </message>
+        <message>
+            <source>Normal force</source>
+            <translation>Нормальная сила</translation>
+        </message>
     </context>
     <context>
         <name>Finding</name>
-    <message>
-        <source>passed</source>
-        <translation>выполнено</translation>
-    </message>
-    <message>
-        <source>not passed</source>
-        <translation>не выполнено</translation>
-    </message>
-    <message>
-        <source>not answered</source>
-        <translation>нет ответа</translation>
-    </message>
-    <message>
-        <source>for the teacher to mark</source>
-        <translation>оценивает преподаватель</translation>
-    </message>
-    <message>
-        <source>inputs were changed that are not free</source>
-        <translation>изменены закрытые исходные данные</translation>
-    </message>
-    <message>
-        <source>the inputs have errors</source>
-        <translation>в исходных данных ошибки</translation>
-    </message>
-    <message>
-        <source>the cycle does not end by itself</source>
-        <translation>цикл не заканчивается сам</translation>
-    </message>
-    <message>
-        <source>the run has no such figure</source>
-        <translation>в расчёте нет такой величины</translation>
-    </message>
+        <message>
+            <source>passed</source>
+            <translation>выполнено</translation>
+        </message>
+        <message>
+            <source>not passed</source>
+            <translation>не выполнено</translation>
+        </message>
+        <message>
+            <source>not answered</source>
+            <translation>нет ответа</translation>
+        </message>
+        <message>
+            <source>for the teacher to mark</source>
+            <translation>оценивает преподаватель</translation>
+        </message>
+        <message>
+            <source>inputs were changed that are not free</source>
+            <translation>изменены закрытые исходные данные</translation>
+        </message>
+        <message>
+            <source>the inputs have errors</source>
+            <translation>в исходных данных ошибки</translation>
+        </message>
+        <message>
+            <source>the cycle does not end by itself</source>
+            <translation>цикл не заканчивается сам</translation>
+        </message>
+        <message>
+            <source>the run has no such figure</source>
+            <translation>в расчёте нет такой величины</translation>
+        </message>
     </context>
     <context>
         <name>Grading</name>
-    <message>
-        <source>cannot be read</source>
-        <translation>не читается</translation>
-    </message>
-    <message>
-        <source>of another lesson, or another version of it</source>
-        <translation>относится к другой работе или другой её версии</translation>
-    </message>
-    <message>
-        <source>edited outside the program</source>
-        <translation>изменено вне программы</translation>
-    </message>
-    <message>
-        <source>the same as the work of another</source>
-        <translation>совпадает с работой другого студента</translation>
-    </message>
-    <message>
-        <source>handed in more than once</source>
-        <translation>сдано несколько раз</translation>
-    </message>
-    <message>
-        <source>not on the list</source>
-        <translation>нет в списке</translation>
-    </message>
-    <message>
-        <source>kept runs whose numbers are not the engine&apos;s</source>
-        <translation>запомненные расчёты с числами не от расчётного ядра</translation>
-    </message>
-    <message>
-        <source>a prediction after the run</source>
-        <translation>предсказание после расчёта</translation>
-    </message>
-    <message>
-        <source>inputs changed that are not free</source>
-        <translation>изменены закрытые исходные данные</translation>
-    </message>
-    <message>
-        <source>nothing handed in</source>
-        <translation>не сдано</translation>
-    </message>
-    <message>
-        <source>there is no name</source>
-        <translation>нет имени</translation>
-    </message>
-    <message>
-        <source>this student stands here twice</source>
-        <translation>этот студент указан дважды</translation>
-    </message>
-    <message>
-        <source>there are more than 1000</source>
-        <translation>их больше 1000</translation>
-    </message>
-    <message>
-        <source>there are no students</source>
-        <translation>студентов нет</translation>
-    </message>
+        <message>
+            <source>cannot be read</source>
+            <translation>не читается</translation>
+        </message>
+        <message>
+            <source>of another lesson, or another version of it</source>
+            <translation>относится к другой работе или другой её версии</translation>
+        </message>
+        <message>
+            <source>edited outside the program</source>
+            <translation>изменено вне программы</translation>
+        </message>
+        <message>
+            <source>the same as the work of another</source>
+            <translation>совпадает с работой другого студента</translation>
+        </message>
+        <message>
+            <source>handed in more than once</source>
+            <translation>сдано несколько раз</translation>
+        </message>
+        <message>
+            <source>not on the list</source>
+            <translation>нет в списке</translation>
+        </message>
+        <message>
+            <source>kept runs whose numbers are not the engine&apos;s</source>
+            <translation>запомненные расчёты с числами не от расчётного ядра</translation>
+        </message>
+        <message>
+            <source>a prediction after the run</source>
+            <translation>предсказание после расчёта</translation>
+        </message>
+        <message>
+            <source>inputs changed that are not free</source>
+            <translation>изменены закрытые исходные данные</translation>
+        </message>
+        <message>
+            <source>nothing handed in</source>
+            <translation>не сдано</translation>
+        </message>
+        <message>
+            <source>there is no name</source>
+            <translation>нет имени</translation>
+        </message>
+        <message>
+            <source>this student stands here twice</source>
+            <translation>этот студент указан дважды</translation>
+        </message>
+        <message>
+            <source>there are more than 1000</source>
+            <translation>их больше 1000</translation>
+        </message>
+        <message>
+            <source>there are no students</source>
+            <translation>студентов нет</translation>
+        </message>
     </context>
     <context>
         <name>Variants</name>
-    <message>
-        <source>another variant has the same inputs</source>
-        <translation>такие же исходные данные у другого варианта</translation>
-    </message>
-    <message>
-        <source>the project has errors, or its cycle does not end</source>
-        <translation>в проекте ошибки или его цикл не заканчивается</translation>
-    </message>
-    <message>
-        <source>the run has no figure that a step asks for</source>
-        <translation>в расчёте нет величины, о которой спрашивает шаг</translation>
-    </message>
-    <message>
-        <source>a step is solved as given</source>
-        <translation>шаг решён заранее</translation>
-    </message>
-    <message>
-        <source>no cycle of the grid does what is asked</source>
-        <translation>ни один цикл сетки не выполняет задание</translation>
-    </message>
-    <message>
-        <source>the best answer changes inputs that are not free</source>
-        <translation>лучший ответ меняет закрытые исходные данные</translation>
-    </message>
-    <message>
-        <source>no value of a free input was found at which a figure is as asked</source>
-        <translation>не найдено значение, при котором величина такова, как задано</translation>
-    </message>
-    <message>
-        <source>the best answer is too quick beside the lesson&apos;s</source>
-        <translation>лучший ответ слишком быстр по сравнению с исходной работой</translation>
-    </message>
-    <message>
-        <source>the best answer is too slow beside the lesson&apos;s</source>
-        <translation>лучший ответ слишком медленный по сравнению с исходной работой</translation>
-    </message>
-    <message>
-        <source>the best answer&apos;s margin is too far from the lesson&apos;s</source>
-        <translation>запас лучшего ответа слишком далёк от исходной работы</translation>
-    </message>
-    <message>
-        <source>a step asks for requirements or a time, and the project has no optimisation whose search could prove an answer</source>
-        <translation>шаг требует выполнить требования или время, а в проекте нет оптимизации, поиск которой доказал бы ответ</translation>
-    </message>
-    <message>
-        <source>no cycle of the grid of the lesson&apos;s own project holds every requirement</source>
-        <translation>ни один цикл сетки исходного проекта работы не выполняет все требования</translation>
-    </message>
+        <message>
+            <source>another variant has the same inputs</source>
+            <translation>такие же исходные данные у другого варианта</translation>
+        </message>
+        <message>
+            <source>the project has errors, or its cycle does not end</source>
+            <translation>в проекте ошибки или его цикл не заканчивается</translation>
+        </message>
+        <message>
+            <source>the run has no figure that a step asks for</source>
+            <translation>в расчёте нет величины, о которой спрашивает шаг</translation>
+        </message>
+        <message>
+            <source>a step is solved as given</source>
+            <translation>шаг решён заранее</translation>
+        </message>
+        <message>
+            <source>no cycle of the grid does what is asked</source>
+            <translation>ни один цикл сетки не выполняет задание</translation>
+        </message>
+        <message>
+            <source>the best answer changes inputs that are not free</source>
+            <translation>лучший ответ меняет закрытые исходные данные</translation>
+        </message>
+        <message>
+            <source>no value of a free input was found at which a figure is as asked</source>
+            <translation>не найдено значение, при котором величина такова, как задано</translation>
+        </message>
+        <message>
+            <source>the best answer is too quick beside the lesson&apos;s</source>
+            <translation>лучший ответ слишком быстр по сравнению с исходной работой</translation>
+        </message>
+        <message>
+            <source>the best answer is too slow beside the lesson&apos;s</source>
+            <translation>лучший ответ слишком медленный по сравнению с исходной работой</translation>
+        </message>
+        <message>
+            <source>the best answer&apos;s margin is too far from the lesson&apos;s</source>
+            <translation>запас лучшего ответа слишком далёк от исходной работы</translation>
+        </message>
+        <message>
+            <source>a step asks for requirements or a time, and the project has no optimisation whose search could prove an answer</source>
+            <translation>шаг требует выполнить требования или время, а в проекте нет оптимизации, поиск которой доказал бы ответ</translation>
+        </message>
+        <message>
+            <source>no cycle of the grid of the lesson&apos;s own project holds every requirement</source>
+            <translation>ни один цикл сетки исходного проекта работы не выполняет все требования</translation>
+        </message>
     </context>
 </TS>
