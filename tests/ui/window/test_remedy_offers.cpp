@@ -217,9 +217,14 @@ private slots:
     void aSlowSearchShowsItsProgressAndIsStopped() {
         Bench bench(QStringLiteral("en"));
         QVERIFY(bench.open(example("plunge-shaft-two-stage")));
-        Project project = withSections(bench.window->document().project(), 50);
+        Project project = withSections(bench.window->document().project(), 200);
         project.part->radii_per_section = 360;
         project.part->tolerance.radial_runout_um = 1.5;
+        for (Stage& stage : project.cycle->stages) {
+            if (stage.radial_feed_mm_min) {
+                *stage.radial_feed_mm_min /= 10; // some ten times the revolutions
+            }
+        }
         bench.window->document().edit(project, {"Edit", "x"});
         const Offers offers(bench);
         const QPushButton& end =
