@@ -63,6 +63,8 @@ enum class IssueCode {
     variedTwice,
     sourceMissing, ///< in catalogues
     noSuchInput,   ///< in lessons
+    nameTwice,     ///< in packs
+    notAFileName,  ///< likewise
 };
 
 namespace limits {
@@ -95,6 +97,8 @@ enum class Phrase {
     ruleMax,
     plunge,
     zoneOrSection,
+    linesOfBase64,
+    nameOfLessonFile,
 };
 
 /// A number in its unit.

@@ -5798,7 +5798,15 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>{value} is no input of this project; needed: {limit}</source>
             <translation>{value} — не исходные данные этого проекта; нужно: {limit}</translation>
         </message>
-    </context>
+        <message>
+        <source>{value} is named twice</source>
+        <translation>имя {value} встречается дважды</translation>
+    </message>
+    <message>
+        <source>{value} cannot be the name of a file; needed: {limit}</source>
+        <translation>{value} не может быть именем файла; требуется: {limit}</translation>
+    </message>
+</context>
     <context>
         <name>KeptRuns</name>
         <message>
@@ -5958,7 +5966,15 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>&quot;rz1&quot;, &quot;nz&quot;, &quot;rz2&quot;, or the number of a section</source>
             <translation>«rz1», «nz», «rz2» или номер сечения</translation>
         </message>
-    </context>
+        <message>
+        <source>a list of texts that are base64 together</source>
+        <translation>список строк, составляющих вместе текст base64</translation>
+    </message>
+    <message>
+        <source>the name of a file without a folder, ending in .sparkout-lesson</source>
+        <translation>имя файла без папки, оканчивающееся на .sparkout-lesson</translation>
+    </message>
+</context>
     <context>
         <name>LimitNames</name>
         <message>
@@ -10041,7 +10057,19 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Parts &amp;between dressings…</source>
             <translation>Детали ме&amp;жду правками…</translation>
         </message>
-    </context>
+        <message>
+        <source>Pac&amp;ks</source>
+        <translation>Набор&amp;ы</translation>
+    </message>
+    <message>
+        <source>&amp;Import a pack…</source>
+        <translation>&amp;Импорт набора…</translation>
+    </message>
+    <message>
+        <source>&amp;Export a pack…</source>
+        <translation>&amp;Экспорт набора…</translation>
+    </message>
+</context>
     <context>
         <name>sparkout::BatchFigures</name>
         <message>
@@ -19036,4 +19064,271 @@ s</source>
             <translation>ни один цикл сетки исходного проекта работы не выполняет все требования</translation>
         </message>
     </context>
+<context>
+    <name>PackParts</name>
+    <message>
+        <source>Machine</source>
+        <translation>Станок</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Круг</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Материал</translation>
+    </message>
+    <message>
+        <source>Company and signatures</source>
+        <translation>Предприятие и подписи</translation>
+    </message>
+    <message>
+        <source>Laboratory work</source>
+        <translation>Лабораторная работа</translation>
+    </message>
+</context>
+<context>
+    <name>PackPlan</name>
+    <message>
+        <source>none</source>
+        <translation>нет</translation>
+    </message>
+    <message>
+        <source>a picture</source>
+        <translation>рисунок</translation>
+    </message>
+    <message>
+        <source>Logo</source>
+        <translation>Логотип</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Название</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Шаги</translation>
+    </message>
+    <message>
+        <source>There is no folder for lessons of your own.</source>
+        <translation>Папки для собственных лабораторных работ нет.</translation>
+    </message>
+</context>
+<context>
+    <name>sparkout::PackImportDialog</name>
+    <message>
+        <source>What is in the pack</source>
+        <translation>Что есть в наборе</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Что</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Название</translation>
+    </message>
+    <message>
+        <source>You have</source>
+        <translation>У вас есть</translation>
+    </message>
+    <message>
+        <source>What becomes of it</source>
+        <translation>Что с этим сделать</translation>
+    </message>
+    <message>
+        <source>The chosen line in detail</source>
+        <translation>Выбранная строка подробно</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Параметр</translation>
+    </message>
+    <message>
+        <source>Yours</source>
+        <translation>У вас</translation>
+    </message>
+    <message>
+        <source>In the pack</source>
+        <translation>В наборе</translation>
+    </message>
+    <message>
+        <source>Import a pack</source>
+        <translation>Импорт набора</translation>
+    </message>
+    <message>
+        <source>&amp;Import</source>
+        <translation>&amp;Импортировать</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Отмена</translation>
+    </message>
+    <message>
+        <source>Nothing of yours is replaced unless you choose it here. A pack holds data alone: nothing in it is run.</source>
+        <translation>Ваше заменяется, только если вы выберете это здесь. В наборе только данные: ничего из него не запускается.</translation>
+    </message>
+    <message>
+        <source>What becomes of “%1”</source>
+        <translation>Что сделать с «%1»</translation>
+    </message>
+    <message>
+        <source>The pack is empty.</source>
+        <translation>Набор пуст.</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen.</source>
+        <translation>Ничего не выбрано.</translation>
+    </message>
+    <message>
+        <source>Not everything could be kept: %1</source>
+        <translation>Сохранить удалось не всё: %1</translation>
+    </message>
+    <message>
+        <source>nothing of that name</source>
+        <translation>с таким именем ничего</translation>
+    </message>
+    <message>
+        <source>the one that comes with the program</source>
+        <translation>поставляемый с программой</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>то же самое</translation>
+    </message>
+    <message>
+        <source>another of that name</source>
+        <translation>другое с таким именем</translation>
+    </message>
+    <message>
+        <source>stays as it is</source>
+        <translation>остаётся как есть</translation>
+    </message>
+    <message>
+        <source>Keep yours</source>
+        <translation>Оставить ваше</translation>
+    </message>
+    <message>
+        <source>Do not take</source>
+        <translation>Не брать</translation>
+    </message>
+    <message>
+        <source>Replace yours</source>
+        <translation>Заменить ваше</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Взять</translation>
+    </message>
+    <message>
+        <source>Keep both</source>
+        <translation>Оставить оба</translation>
+    </message>
+    <message>
+        <source>To be imported: %1.</source>
+        <translation>Будет импортировано: %1.</translation>
+    </message>
+    <message>
+        <source>No difference.</source>
+        <translation>Различий нет.</translation>
+    </message>
+</context>
+<context>
+    <name>sparkout::PackExportDialog</name>
+    <message>
+        <source>Works &amp;for students: without right answers and rules of variants</source>
+        <translation>Работы &amp;для студентов: без верных ответов и правил вариантов</translation>
+    </message>
+    <message>
+        <source>Export a pack</source>
+        <translation>Экспорт набора</translation>
+    </message>
+    <message>
+        <source>&amp;Title:</source>
+        <translation>&amp;Название:</translation>
+    </message>
+    <message>
+        <source>&amp;Note:</source>
+        <translation>&amp;Примечание:</translation>
+    </message>
+    <message>
+        <source>&amp;Add laboratory works…</source>
+        <translation>&amp;Добавить лабораторные работы…</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Сохранить…</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Отмена</translation>
+    </message>
+    <message>
+        <source>What goes into the pack</source>
+        <translation>Что войдёт в набор</translation>
+    </message>
+    <message>
+        <source>Heads of documents</source>
+        <translation>Данные для документов</translation>
+    </message>
+    <message>
+        <source>“%1” is no laboratory work: %2</source>
+        <translation>«%1» — не лабораторная работа: %2</translation>
+    </message>
+    <message>
+        <source>“%1” is too long a name for a file, or has letters that not every system takes.</source>
+        <translation>«%1»: имя файла слишком длинное, или в нём есть знаки, которые допускает не каждая система.</translation>
+    </message>
+    <message>
+        <source>There is a “%1” in the list already.</source>
+        <translation>«%1» уже есть в списке.</translation>
+    </message>
+    <message>
+        <source>Add a laboratory work</source>
+        <translation>Добавление лабораторной работы</translation>
+    </message>
+    <message>
+        <source>Laboratory works (*.sparkout-lesson)</source>
+        <translation>Лабораторные работы (*.sparkout-lesson)</translation>
+    </message>
+    <message>
+        <source>There is nothing of your own yet: no entry in the catalogues, no company and no laboratory work.</source>
+        <translation>Собственных данных пока нет: ни записей в каталогах, ни предприятия, ни лабораторных работ.</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen.</source>
+        <translation>Ничего не выбрано.</translation>
+    </message>
+    <message>
+        <source>To go into the pack: %1.</source>
+        <translation>Войдёт в набор: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>sparkout::PackCommands</name>
+    <message>
+        <source>Export a pack</source>
+        <translation>Экспорт набора</translation>
+    </message>
+    <message>
+        <source>Pack</source>
+        <translation>Набор</translation>
+    </message>
+    <message>
+        <source>Packs (*.sparkout-pack)</source>
+        <translation>Наборы (*.sparkout-pack)</translation>
+    </message>
+    <message>
+        <source>Import a pack</source>
+        <translation>Импорт набора</translation>
+    </message>
+    <message>
+        <source>Packs (*.sparkout-pack);;All files (*)</source>
+        <translation>Наборы (*.sparkout-pack);;Все файлы (*)</translation>
+    </message>
+    <message>
+        <source>Imported from “%1”.</source>
+        <translation>Импортировано из «%1».</translation>
+    </message>
+</context>
 </TS>

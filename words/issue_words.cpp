@@ -204,6 +204,11 @@ IssueWords wordsOf(IssueCode code) {
     case IssueCode::noSuchInput:
         return {"no_such_input",
                 SPARKOUT_NOOP("Issue", "{value} is no input of this project; needed: {limit}")};
+    case IssueCode::nameTwice:
+        return {"name_twice", SPARKOUT_NOOP("Issue", "{value} is named twice")};
+    case IssueCode::notAFileName:
+        return {"not_a_file_name",
+                SPARKOUT_NOOP("Issue", "{value} cannot be the name of a file; needed: {limit}")};
     }
     return {"", ""};
 }
@@ -244,6 +249,11 @@ const char* wordsOf(Phrase phrase) {
     case Phrase::plunge: return SPARKOUT_NOOP("Limit", "plunge");
     case Phrase::zoneOrSection:
         return SPARKOUT_NOOP("Limit", "\"rz1\", \"nz\", \"rz2\", or the number of a section");
+    case Phrase::linesOfBase64:
+        return SPARKOUT_NOOP("Limit", "a list of texts that are base64 together");
+    case Phrase::nameOfLessonFile:
+        return SPARKOUT_NOOP("Limit", "the name of a file without a folder, ending in "
+                                      ".sparkout-lesson");
     }
     return "";
 }

@@ -102,13 +102,19 @@ public:
     }
 
     QString save(const Project& project, const QString& name) override {
+        return keep({entryOf<Entry>(project, name.toStdString())});
+    }
+
+    QString keep(const std::vector<CatalogueEntry>& entries) override {
         return change([&](std::vector<Entry>& own) {
-            Entry entry = entryOf<Entry>(project, name.toStdString());
-            const auto old = find(own, name);
-            if (old == own.end()) {
-                own.push_back(std::move(entry));
-            } else {
-                *old = std::move(entry);
+            for (const CatalogueEntry& each : entries) {
+                const auto& entry = std::get<Entry>(each);
+                const auto old = find(own, entryName(each));
+                if (old == own.end()) {
+                    own.push_back(entry);
+                } else {
+                    *old = entry;
+                }
             }
         });
     }

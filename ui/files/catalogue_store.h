@@ -51,6 +51,8 @@ public:
     // Each says in words why nothing was written; empty when it was.
     /// Keeps what the project has under a name; in place of an own entry of that name.
     [[nodiscard]] virtual QString save(const Project& project, const QString& name) = 0;
+    /// Keeps entries of this kind as they are, each in place of an own one of its name.
+    [[nodiscard]] virtual QString keep(const std::vector<CatalogueEntry>& entries) = 0;
     [[nodiscard]] virtual QString rename(const QString& from, const QString& to) = 0;
     [[nodiscard]] virtual QString remove(const QString& name) = 0;
 

@@ -68,6 +68,7 @@ constexpr std::array helpContents{
     HelpEntry{"shortcuts", workPages},
     HelpEntry{"files", workPages},
     HelpEntry{"reports", workPages},
+    HelpEntry{"packs", workPages},
     HelpEntry{"look", workPages},
     HelpEntry{"cli", workPages},
 };

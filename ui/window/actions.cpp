@@ -28,6 +28,8 @@ Actions::Actions(QMainWindow& window)
     , earlierVersions(make("earlierVersions", u""))
     , recoverWork(make("recoverWork", u""))
     , company(make("company", u""))
+    , importPack(make("importPack", u""))
+    , exportPack(make("exportPack", u""))
     , importMeasured(make("importMeasured", u"", Qt::CTRL | Qt::Key_I))
     , exportResults(make("exportResults", u"export"))
     , quit(make("quit", u"", Qt::CTRL | Qt::Key_Q))
@@ -139,6 +141,8 @@ void Actions::buildMenus(QMenuBar& bar) {
         report.menu->addActions({report.pdf, report.html, report.markdown, report.odt});
     }
     m_file->addActions({company, exportResults});
+    m_packs = m_file->addMenu(QString());
+    m_packs->addActions({importPack, exportPack});
     m_file->addSeparator();
     m_file->addAction(quit);
     m_edit = bar.addMenu(QString());
@@ -310,6 +314,9 @@ void Actions::retranslate() {
     }
     examples->setIconText(tr("Examples"));
     company->setText(tr("Company and si&gnatures…"));
+    m_packs->setTitle(tr("Pac&ks"));
+    importPack->setText(tr("&Import a pack…"));
+    exportPack->setText(tr("&Export a pack…"));
     importMeasured->setText(tr("&Import measurements…"));
     exportResults->setText(tr("Export resu&lts…"));
     quit->setText(tr("&Quit"));

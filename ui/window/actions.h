@@ -60,6 +60,8 @@ public:
     QAction* recoverWork;
     std::vector<ReportActions> reports; ///< in the order of the table of kinds
     QAction* company;                   ///< and signatures, of their heads
+    QAction* importPack;
+    QAction* exportPack;
     QAction* importMeasured;
     QAction* exportResults; ///< and trace, as tables
     QAction* quit;
@@ -115,6 +117,7 @@ private:
     QMenu* m_views;
     QMenu* m_help;
     QMenu* m_new;
+    QMenu* m_packs;
     QList<QAction*> m_showViews;
 };
 

@@ -6,6 +6,7 @@
 #include "ui/dialogs/notice_bar.h"
 #include "ui/dialogs/watched_work.h"
 #include "ui/kit/file_dialog.h"
+#include "ui/packs/pack_commands.h"
 #include "ui/session/document.h"
 #include "ui/session/program_log.h"
 #include "ui/session/settings.h"
@@ -106,6 +107,10 @@ void FileCommands::open() {
 }
 
 void FileCommands::openInstead(const QString& path) {
+    if (PackCommands::isPack(path)) {
+        emit packChosen(path);
+        return;
+    }
     if (!m_wait.busy() && mayDiscard()) {
         openFile(path);
     }

@@ -59,7 +59,8 @@ public:
 
 signals:
     void saved();
-    void begun(const std::string& path); ///< a new project, whose first input is asked for
+    void begun(const std::string& path);  ///< a new project, whose first input is asked for
+    void packChosen(const QString& path); ///< in place of a project
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

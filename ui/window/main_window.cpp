@@ -12,6 +12,7 @@
 #include "ui/kit/keyboard.h"
 #include "ui/kit/tool_tips.h"
 #include "ui/measured/measured_import.h"
+#include "ui/packs/pack_commands.h"
 #include "ui/part/part_strip.h"
 #include "ui/part/part_window.h"
 #include "ui/session/background.h"
@@ -366,6 +367,10 @@ void MainWindow::connectReports() {
         });
     };
     on(m_actions->company, [this] { CompanyDialog(m_settings, this).exec(); });
+    auto* packs = new PackCommands(m_settings, this);
+    on(m_actions->importPack, [packs] { packs->importPack(); });
+    on(m_actions->exportPack, [packs] { packs->exportPack(); });
+    connect(m_files, &FileCommands::packChosen, packs, &PackCommands::importFile);
     on(m_actions->exportResults, [exports] { exports->exportResults(); });
     for (const ReportActions& report : m_actions->reports) {
         const report::Kind kind = report.kind;

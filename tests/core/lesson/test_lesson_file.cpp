@@ -4,6 +4,7 @@
 #include "core/lesson/text_markup.h"
 #include "core/project/project.h"
 #include "tests/core/lesson/lesson_samples.h"
+#include "tests/core/support/json_mutator.h"
 #include "tests/core/support/project_mutator.h"
 #include "tests/registry.h"
 
@@ -186,7 +187,7 @@ private slots:
         for (int i = 0; i < tries; ++i) {
             json file = whole;
             for (int changes = 1 + pick(3); changes > 0; --changes) {
-                mutate(file, pick);
+                samples::mutateJson(file, pick);
             }
             const ReadLesson read = readLesson(file.dump());
             const std::string fault = faultOfLesson(read);
@@ -220,59 +221,6 @@ private:
         for (const auto& [key, item] : value.items()) {
             if (item.is_structured() && (path != "/project/optimisation" || !item.is_object())) {
                 eachObject(item, path + "/" + key, objects);
-            }
-        }
-    }
-
-    /// A random place of a file, by its pointer.
-    template <class Pick>
-    static json::json_pointer place(const json& file, Pick& pick) {
-        json::json_pointer at;
-        const json* value = &file;
-        while (value->is_structured() && !value->empty() && pick(8) != 0) {
-            auto item = value->begin();
-            std::advance(item, pick(static_cast<int>(value->size())));
-            if (value->is_object()) {
-                at /= item.key();
-            } else {
-                at /= static_cast<std::size_t>(item - value->begin());
-            }
-            value = &*item;
-        }
-        return at;
-    }
-
-    template <class Pick>
-    static void mutate(json& file, Pick& pick) {
-        static const std::vector<json> others{
-            nullptr,       true,           0,     -1, 1e9, 0.5,   "", "nz", "/cycle", "E1", 12345,
-            json::array(), json::object(), "<b>", 1,  2,   "free"};
-        const auto at = place(file, pick);
-        if (at.empty()) {
-            return;
-        }
-        json& value = file[at];
-        json& parent = file[at.parent_pointer()];
-        switch (pick(5)) {
-        case 0:
-            if (parent.is_object()) {
-                parent.erase(at.back());
-            } else {
-                parent.erase(static_cast<std::size_t>(std::stoul(at.back())));
-            }
-            break;
-        case 1:
-            value = others[static_cast<std::size_t>(pick(static_cast<int>(others.size())))];
-            break;
-        case 2:
-            if (parent.is_array()) {
-                parent.push_back(json(value));
-            }
-            break;
-        case 3: value = json(file[place(file, pick)]); break;
-        default:
-            if (value.is_number()) {
-                value = value.get<double>() * (pick(2) ? 2 : 0.5);
             }
         }
     }

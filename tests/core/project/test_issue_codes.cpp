@@ -62,19 +62,19 @@ private slots:
 
     void everyCodeHasAKeyOfItsOwn() {
         std::set<std::string> keys;
-        for (int i = 0; i <= static_cast<int>(IssueCode::noSuchInput); ++i) {
+        for (int i = 0; i <= static_cast<int>(IssueCode::notAFileName); ++i) {
             keys.insert(wordsOf(static_cast<IssueCode>(i)).key);
         }
-        QCOMPARE(keys.size(), static_cast<std::size_t>(IssueCode::noSuchInput) + 1);
+        QCOMPARE(keys.size(), static_cast<std::size_t>(IssueCode::notAFileName) + 1);
         QVERIFY(!keys.contains(""));
     }
 
     void everyPhraseHasItsWords() {
         std::set<std::string> words;
-        for (int i = 0; i <= static_cast<int>(Phrase::zoneOrSection); ++i) {
+        for (int i = 0; i <= static_cast<int>(Phrase::nameOfLessonFile); ++i) {
             words.insert(wordsOf(static_cast<Phrase>(i)));
         }
-        QCOMPARE(words.size(), static_cast<std::size_t>(Phrase::zoneOrSection) + 1);
+        QCOMPARE(words.size(), static_cast<std::size_t>(Phrase::nameOfLessonFile) + 1);
         QVERIFY(!words.contains(""));
     }
 

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/issue.h"
+#include "core/pack/pack.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// The file of a pack, `.sparkout-pack`: one UTF-8 JSON text. Its "machines", "wheels" and
+/// "materials" are catalogues, and its "lessons" lessons, each as in a file of its own.
+namespace sparkout {
+
+inline constexpr const char* packFormat = "sparkout-pack";
+inline constexpr int packVersion = 1;
+
+namespace limits {
+inline constexpr std::size_t packText = 1000;      ///< bytes of a title
+inline constexpr std::size_t packNote = 4000;      ///< bytes of a note
+inline constexpr std::size_t packLessons = 100;    ///< lessons in one pack
+inline constexpr std::size_t logoText = 1'400'000; ///< letters of base64: of a megabyte
+} // namespace limits
+
+struct ReadPack {
+    std::optional<Pack> pack; ///< given when there is no error
+    Issues issues;
+};
+
+/// Reads a pack strictly: every part as its own file would be, two entries or lessons of one name
+/// and names of lessons that are no plain names of files are faults. All faults at once.
+[[nodiscard]] ReadPack readPack(std::string_view text);
+
+/// The text of a pack: the same pack, the same bytes; parts that are empty are left out.
+[[nodiscard]] std::string writePack(const Pack& pack);
+
+} // namespace sparkout

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/pack/pack.h"
+#include "ui/files/catalogue_store.h"
+#include "ui/session/company.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <vector>
+
+namespace sparkout {
+
+/// What a pack is made of, in the words and types of the window.
+enum class PackPart { machine, wheel, material, company, lesson };
+
+class PackParts {
+    Q_DECLARE_TR_FUNCTIONS(PackParts)
+
+public:
+    [[nodiscard]] static QString name(PackPart part); ///< "Machine"
+
+    [[nodiscard]] static std::vector<CatalogueEntry> entries(const Pack& pack, PackPart part);
+    static void add(const CatalogueEntry& entry, Pack& pack);
+
+    /// The heads of documents that a pack holds; what its keys or its picture are not known for is
+    /// left out.
+    [[nodiscard]] static Company company(const Pack& pack);
+    static void setCompany(const Company& company, Pack& pack);
+
+    /// The title of a lesson in the window's language.
+    [[nodiscard]] static QString title(const Lesson& lesson);
+};
+
+/// The kind of catalogue of a part that is an entry of one.
+[[nodiscard]] CatalogueKind kindOf(PackPart part);
+
+} // namespace sparkout

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/packs/pack_plan.h"
+
+#include "core/catalogue/catalogue.h"
+#include "core/files/safe_file.h"
+#include "core/format/project_file.h"
+#include "core/lesson/lesson_file.h"
+#include "core/study/new_project.h"
+#include "ui/files/catalogue_changes.h"
+#include "ui/files/own_lessons.h"
+#include "ui/session/background.h"
+#include "ui/session/project_io.h"
+#include "ui/session/settings.h"
+#include "ui/text/field_text.h"
+#include "ui/text/file_error_text.h"
+#include "ui/text/texts.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <variant>
+
+namespace sparkout {
+
+namespace {
+
+constexpr std::array entryParts{PackPart::machine, PackPart::wheel, PackPart::material};
+
+const CatalogueItem* itemOf(const CatalogueStore& store, const QString& name) {
+    const auto& items = store.items();
+    const auto found = std::ranges::find(
+        items, name, [](const CatalogueItem& item) { return entryName(item.entry); });
+    return found == items.end() ? nullptr : &*found;
+}
+
+bool isSame(const CatalogueEntry& a, const CatalogueEntry& b) {
+    return std::visit(
+        [&b](const auto& entry) {
+            using Entry = std::decay_t<decltype(entry)>;
+            return writeCatalogue<Entry>({entry}) == writeCatalogue<Entry>({std::get<Entry>(b)});
+        },
+        a);
+}
+
+/// "Name (2)", "Name (3)"… the first that is free.
+template <class Taken>
+QString freeName(const QString& name, const Taken& isTaken) {
+    for (int number = 2;; ++number) {
+        const QString free = QStringLiteral("%1 (%2)").arg(name).arg(number);
+        if (!isTaken(free)) {
+            return free;
+        }
+    }
+}
+
+/// The text of a file of the user's; nothing where there is none, or none that can be read.
+std::optional<std::string> textOf(const QString& path) {
+    std::variant<std::string, FileError> read;
+    runAside([&] { read = readFile(systemPath(path), limits::fileBytes); });
+    auto* text = std::get_if<std::string>(&read);
+    return text ? std::optional(std::move(*text)) : std::nullopt;
+}
+
+} // namespace
+
+PackPlan::PackPlan(Pack pack, const Settings& settings)
+    : m_pack(std::move(pack))
+    , m_company(settings.company())
+    , m_lessons(ownLessonsFolder(settings.folder())) {
+    for (const PackPart part : entryParts) {
+        m_stores[static_cast<std::size_t>(part)] =
+            CatalogueStore::make(kindOf(part), settings.folder());
+        addEntries(part);
+    }
+    addCompany();
+    addLessons();
+}
+
+CatalogueStore& PackPlan::store(PackPart part) const {
+    return *m_stores[static_cast<std::size_t>(part)];
+}
+
+QString PackPlan::lessonPath(const std::string& file) const {
+    return m_lessons + u'/' + QString::fromStdString(file);
+}
+
+void PackPlan::addEntries(PackPart part) {
+    const std::vector<CatalogueEntry> entries = PackParts::entries(m_pack, part);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const QString name = entryName(entries[i]);
+        const CatalogueItem* mine = itemOf(store(part), name);
+        const bool same = mine && isSame(entries[i], mine->entry);
+        const State state = !mine       ? State::fresh
+                            : same      ? State::same
+                            : mine->own ? State::different
+                                        : State::shipped;
+        const bool takes = state == State::fresh || state == State::shipped;
+        m_lines.push_back(
+            {part, i, name, entryNote(entries[i]), state, takes ? Choice::take : Choice::leave});
+    }
+}
+
+void PackPlan::addCompany() {
+    const Company packs = PackParts::company(m_pack);
+    if (packs == Company()) {
+        return;
+    }
+    const State state = m_company == Company() ? State::fresh
+                        : m_company == packs   ? State::same
+                                               : State::different;
+    m_lines.push_back({PackPart::company, 0, packs.name, packs.department, state,
+                       state == State::fresh ? Choice::take : Choice::leave});
+}
+
+void PackPlan::addLessons() {
+    for (std::size_t i = 0; i < m_pack.lessons.size(); ++i) {
+        const PackedLesson& lesson = m_pack.lessons[i];
+        const QString path = lessonPath(lesson.file);
+        State state = State::fresh;
+        if (!m_lessons.isEmpty() && QFileInfo::exists(path)) {
+            state = textOf(path) == writeLesson(lesson.lesson) ? State::same : State::different;
+        }
+        m_lines.push_back({PackPart::lesson, i, PackParts::title(lesson.lesson),
+                           QString::fromStdString(lesson.file), state,
+                           state == State::fresh ? Choice::take : Choice::leave});
+    }
+}
+
+std::vector<PackPlan::Choice> PackPlan::choices(std::size_t line) const {
+    const Line& at = m_lines[line];
+    switch (at.state) {
+    case State::fresh:
+    case State::shipped: return {Choice::leave, Choice::take};
+    case State::same: return {Choice::leave};
+    case State::different: break;
+    }
+    if (at.part == PackPart::company) {
+        return {Choice::leave, Choice::take};
+    }
+    return {Choice::leave, Choice::take, Choice::takeBeside};
+}
+
+int PackPlan::chosen() const {
+    return static_cast<int>(std::ranges::count_if(
+        m_lines, [](const Line& line) { return line.choice != Choice::leave; }));
+}
+
+std::vector<PackPlan::Difference> PackPlan::differences(std::size_t line) const {
+    const Line& at = m_lines[line];
+    std::vector<Difference> found;
+    if (at.part == PackPart::company) {
+        const Company packs = PackParts::company(m_pack);
+        for (const CompanyField& field : companyFields()) {
+            if (m_company.*field.value != packs.*field.value) {
+                found.push_back({QCoreApplication::translate("Company", field.label),
+                                 m_company.*field.value, packs.*field.value});
+            }
+        }
+        if (m_company.logo != packs.logo) {
+            const auto has = [](const Company& company) {
+                return company.logo.isEmpty() ? tr("none") : tr("a picture");
+            };
+            found.push_back({tr("Logo"), has(m_company), has(packs)});
+        }
+        return found;
+    }
+    if (at.part == PackPart::lesson) {
+        const Lesson& packs = m_pack.lessons[at.index].lesson;
+        const auto steps = [](const Lesson& lesson) {
+            return QString::number(lesson.steps.size());
+        };
+        const auto text = textOf(lessonPath(m_pack.lessons[at.index].file));
+        const auto mine = text ? readLesson(*text).lesson : std::nullopt;
+        found.push_back(
+            {tr("Title"), mine ? PackParts::title(*mine) : QString(), PackParts::title(packs)});
+        found.push_back({tr("Steps"), mine ? steps(*mine) : QString(), steps(packs)});
+        return found;
+    }
+    const CatalogueEntry entry = PackParts::entries(m_pack, at.part)[at.index];
+    const CatalogueItem* mine = itemOf(store(at.part), at.name);
+    const Project none = newProject(Operation::traverse);
+    for (const CatalogueChange& change :
+         changesBy(entry, mine ? withEntry(mine->entry, none) : none)) {
+        if (!mine || change.changed) {
+            const QString unit = unitText(change.field->unit);
+            const QString label = inputText(change.field->label);
+            found.push_back({unit.isEmpty() ? label : label + QStringLiteral(", ") + unit,
+                             mine ? change.now : QString(), change.then});
+        }
+    }
+    return found;
+}
+
+QString PackPlan::keepEntries(PackPart part) {
+    const std::vector<CatalogueEntry> entries = PackParts::entries(m_pack, part);
+    std::vector<CatalogueEntry> kept;
+    const auto isTaken = [&](const QString& name) {
+        return itemOf(store(part), name)
+               || std::ranges::any_of(
+                   kept, [&](const CatalogueEntry& entry) { return entryName(entry) == name; })
+               || std::ranges::any_of(
+                   entries, [&](const CatalogueEntry& entry) { return entryName(entry) == name; });
+    };
+    for (const Line& line : m_lines) {
+        if (line.part != part || line.choice == Choice::leave) {
+            continue;
+        }
+        CatalogueEntry entry = entries[line.index];
+        if (line.choice == Choice::takeBeside) {
+            const std::string name = freeName(line.name, isTaken).toStdString();
+            std::visit([&name](auto& each) { each.name = name; }, entry);
+        }
+        kept.push_back(std::move(entry));
+    }
+    return kept.empty() ? QString() : store(part).keep(kept);
+}
+
+QString PackPlan::keepLesson(const Line& line) const {
+    const PackedLesson& lesson = m_pack.lessons[line.index];
+    QString path = lessonPath(lesson.file);
+    if (line.choice == Choice::takeBeside) {
+        const QString ending = QStringLiteral(".sparkout-lesson");
+        path.chop(ending.size());
+        path = freeName(path, [&](const QString& name) { return QFileInfo::exists(name + ending); })
+               + ending;
+    }
+    const std::string text = writeLesson(lesson.lesson);
+    std::optional<FileError> error;
+    runAside([&] {
+        QDir().mkpath(m_lessons); // its failure is the writer's
+        error = writeFileSafely(systemPath(path), text, {.keepBackup = true});
+    });
+    return error ? saveErrorText(*error) : QString();
+}
+
+QStringList PackPlan::carryOut(Settings& settings) {
+    QStringList faults;
+    const auto note = [&faults](const QString& fault) {
+        if (!fault.isEmpty()) {
+            faults += fault;
+        }
+    };
+    for (const PackPart part : entryParts) {
+        note(keepEntries(part));
+    }
+    for (const Line& line : m_lines) {
+        if (line.choice == Choice::leave) {
+            continue;
+        }
+        if (line.part == PackPart::company) {
+            settings.setCompany(PackParts::company(m_pack));
+        } else if (line.part == PackPart::lesson) {
+            note(m_lessons.isEmpty() ? tr("There is no folder for lessons of your own.")
+                                     : keepLesson(line));
+        }
+    }
+    return faults;
+}
+
+} // namespace sparkout
