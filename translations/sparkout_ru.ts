@@ -19036,4 +19036,15 @@ s</source>
             <translation>ни один цикл сетки исходного проекта работы не выполняет все требования</translation>
         </message>
     </context>
+<context>
+    <name>PlotWords</name>
+    <message>
+        <source>axes: %1</source>
+        <translation>оси: %1</translation>
+    </message>
+    <message>
+        <source>shown: %1</source>
+        <translation>показано: %1</translation>
+    </message>
+</context>
 </TS>
