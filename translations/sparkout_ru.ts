@@ -19331,4 +19331,15 @@ s</source>
         <translation>Импортировано из «%1».</translation>
     </message>
 </context>
+    <context>
+        <name>PlotWords</name>
+    <message>
+        <source>axes: %1</source>
+        <translation>оси: %1</translation>
+    </message>
+    <message>
+        <source>shown: %1</source>
+        <translation>показано: %1</translation>
+    </message>
+    </context>
 </TS>

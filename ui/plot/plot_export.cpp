@@ -3,9 +3,12 @@
 
 #include "core/units.h"
 #include "core/version.h"
+#include "ui/pdf/pdf_details.h"
 #include "ui/plot/svg_device.h"
 
 #include <QBuffer>
+#include <QCoreApplication>
+#include <QLocale>
 #include <QPdfWriter>
 #include <QPicture>
 
@@ -67,20 +70,48 @@ PictureSheet layOut(const PlotPicture& picture) {
     return sheet;
 }
 
-void paint(QCPPainter& painter, const PlotPicture& picture, const PictureSheet& sheet) {
-    QCustomPlot& plot = *picture.plot;
-    const QColor text = plot.palette().color(QPalette::Text);
-    painter.fillRect(QRect(QPoint(), sheet.size), plot.palette().color(QPalette::Base));
-    painter.setPen(text);
-    for (std::size_t i = 0; i < sheet.heading.size(); ++i) {
-        painter.setFont(i == 0 ? titleFont(plot) : plot.font());
-        painter.drawText(sheet.heading[i], Qt::AlignLeft | Qt::AlignTop | Qt::TextWrapAnywhere,
-                         picture.heading[static_cast<qsizetype>(i)]);
+struct PlotWords {
+    Q_DECLARE_TR_FUNCTIONS(PlotWords)
+public:
+    /// For those who cannot see it: what its axes and its curves are.
+    static QString of(const PlotPicture& picture, const LegendEntries& entries) {
+        QStringList axes, curves, all = picture.heading.mid(0, 1);
+        for (const QCPAxisRect* rect : picture.plot->axisRects()) {
+            for (const QCPAxis* axis : rect->axes()) {
+                if (axis->visible() && !axis->label().isEmpty()) {
+                    axes << axis->label();
+                }
+            }
+        }
+        for (const LegendEntry& entry : entries) {
+            curves << entry.text;
+        }
+        axes.removeDuplicates();
+        if (!axes.isEmpty()) {
+            all << tr("axes: %1").arg(axes.join(QStringLiteral("; ")));
+        }
+        if (!curves.isEmpty()) {
+            all << tr("shown: %1").arg(curves.join(QStringLiteral("; ")));
+        }
+        return all.join(QStringLiteral(". "));
     }
+};
+
+void paintHeading(QCPPainter& painter, const PlotPicture& picture, const PictureSheet& sheet,
+                  std::size_t line) {
+    const QCustomPlot& plot = *picture.plot;
+    painter.setPen(plot.palette().color(QPalette::Text));
+    painter.setFont(line == 0 ? titleFont(plot) : plot.font());
+    painter.drawText(sheet.heading[line], Qt::AlignLeft | Qt::AlignTop | Qt::TextWrapAnywhere,
+                     picture.heading[static_cast<qsizetype>(line)]);
+}
+
+void paintPlot(QCPPainter& painter, const PlotPicture& picture, const PictureSheet& sheet) {
+    QCustomPlot& plot = *picture.plot;
     painter.setFont(plot.font());
     for (std::size_t i = 0; i < sheet.legend.size(); ++i) {
         drawLegendEntry(painter, sheet.entries[i], sheet.legend[i].translated(sheet.legendAt),
-                        text);
+                        plot.palette().color(QPalette::Text));
     }
     painter.save();
     painter.translate(sheet.plot.topLeft());
@@ -90,31 +121,63 @@ void paint(QCPPainter& painter, const PlotPicture& picture, const PictureSheet& 
 
 /// What was drawn, apart from the plot: another thread may draw it again.
 struct Recording {
-    QPicture drawing;
+    struct Piece {
+        QPicture drawing;
+        PdfStructure::Id element;
+    };
+    std::vector<Piece> pieces;
+    PdfStructure structure;
     QSize size;
     int dotsPerInch;
     QString title;
+    QString language;
 };
 
 Recording record(const PlotPicture& picture, bool vectors) {
     const PictureSheet sheet = layOut(picture);
-    Recording recording{QPicture(), sheet.size, picture.plot->logicalDpiX(),
-                        picture.heading.join(QStringLiteral(" — "))};
-    QCPPainter painter(&recording.drawing);
-    painter.setModes(QCPPainter::pmNoCaching | QCPPainter::pmNonCosmetic);
-    painter.setMode(QCPPainter::pmVectorized, vectors);
-    paint(painter, picture, sheet);
-    painter.end();
+    Recording recording{{},
+                        {},
+                        sheet.size,
+                        picture.plot->logicalDpiX(),
+                        picture.heading.join(QStringLiteral(" — ")),
+                        QLocale().bcp47Name().section(u'-', 0, 0)};
+    const auto add = [&](PdfStructure::Id element, const std::function<void(QCPPainter&)>& paint) {
+        recording.pieces.push_back({QPicture(), element});
+        QCPPainter painter(&recording.pieces.back().drawing);
+        painter.setModes(QCPPainter::pmNoCaching | QCPPainter::pmNonCosmetic);
+        painter.setMode(QCPPainter::pmVectorized, vectors);
+        paint(painter);
+        painter.end();
+    };
+    PdfStructure& structure = recording.structure;
+    add(PdfStructure::artifact, [&](QCPPainter& painter) {
+        painter.fillRect(QRect(QPoint(), sheet.size),
+                         picture.plot->palette().color(QPalette::Base));
+    });
+    for (std::size_t i = 0; i < sheet.heading.size(); ++i) {
+        add(structure.add({i == 0 ? "H1" : "P"}),
+            [&](QCPPainter& painter) { paintHeading(painter, picture, sheet, i); });
+    }
+    const QRectF box(0, sheet.legendAt.y(), sheet.size.width(),
+                     sheet.size.height() - sheet.legendAt.y());
+    add(structure.add(
+            {"Figure", PdfStructure::document, PlotWords::of(picture, sheet.entries), 1, box}),
+        [&](QCPPainter& painter) { paintPlot(painter, picture, sheet); });
     return recording;
 }
 
-bool replay(const Recording& recording, QPaintDevice& device, int scale) {
+bool replay(const Recording& recording, QPaintDevice& device, int scale, bool marks = false) {
     QPainter painter;
     if (!painter.begin(&device)) {
         return false;
     }
     painter.scale(scale, scale);
-    painter.drawPicture(0, 0, recording.drawing);
+    for (const Recording::Piece& piece : recording.pieces) {
+        if (marks) {
+            PdfStructure::mark(painter, piece.element);
+        }
+        painter.drawPicture(0, 0, piece.drawing);
+    }
     return painter.end();
 }
 
@@ -137,15 +200,26 @@ QByteArray pdf(const Recording& recording) {
     if (!buffer.open(QIODevice::WriteOnly)) {
         return {};
     }
-    QPdfWriter writer(&buffer);
-    writer.setTitle(recording.title);
-    writer.setCreator(QStringLiteral("Sparkout %1").arg(QString::fromUtf8(version)));
-    writer.setResolution(recording.dotsPerInch);
-    const QSizeF inches = QSizeF(recording.size) / recording.dotsPerInch;
-    writer.setPageSize(QPageSize(inches, QPageSize::Inch, {}, QPageSize::ExactMatch));
-    writer.setPageMargins(QMarginsF());
-    const bool drawn = replay(recording, writer, 1);
-    return drawn && bytes.contains("%%EOF") ? bytes : QByteArray();
+    bool drawn = false;
+    {
+        QPdfWriter writer(&buffer);
+        writer.setResolution(recording.dotsPerInch);
+        const QSizeF inches = QSizeF(recording.size) / recording.dotsPerInch;
+        writer.setPageSize(QPageSize(inches, QPageSize::Inch, {}, QPageSize::ExactMatch));
+        writer.setPageMargins(QMarginsF());
+        drawn = replay(recording, writer, 1, true);
+    }
+    PdfDetails details{recording.title,
+                       {},
+                       {},
+                       QStringLiteral("Sparkout %1").arg(QString::fromUtf8(version)),
+                       recording.language,
+                       QDate::currentDate(),
+                       {},
+                       recording.structure};
+    constexpr double pointsPerInch = 72;
+    details.structure.placeBoxes(pointsPerInch / recording.dotsPerInch, {});
+    return drawn ? withDetails(bytes, details) : QByteArray();
 }
 
 } // namespace

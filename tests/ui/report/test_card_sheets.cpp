@@ -557,22 +557,6 @@ private slots:
         }
     }
 
-    /// The document says in which language it is.
-    void thePdfHasItsLanguage() {
-        for (const char* language : {"en", "ru"}) {
-            m_language.apply(QString::fromLatin1(language));
-            const OutcomePtr outcome = exampleOutcome(ExamplesDialog::paths().front());
-            for (const report::KindRow& kind : report::kinds()) {
-                report::Subject subject;
-                subject.outcome = outcome;
-                subject.date = today;
-                const QByteArray pdf = bytesOf(kind.make(subject), Format::pdf);
-                QVERIFY2(pdf.contains("/Lang (" + QByteArray(language) + ')'), kind.key);
-                QVERIFY2(pdf.contains("/DisplayDocTitle true"), kind.key);
-            }
-        }
-    }
-
     /// What the settings say of the company is on every document; a logo that is none is left out.
     void theHeadsHaveTheCompany() {
         Company company;

@@ -9,9 +9,9 @@
 #include "tests/ui/support/report_reading.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/charts/verdict_shop_text.h"
+#include "ui/pdf/pdf_details.h"
 #include "ui/report/documents/cycle_card.h"
 #include "ui/report/format/pages.h"
-#include "ui/report/format/pdf_details.h"
 #include "ui/report/format/report_text.h"
 #include "ui/report/parts/operation_setup.h"
 #include "ui/session/document.h"
@@ -221,11 +221,11 @@ private slots:
 
     void whatIsNoWholePdfGetsNoDetails() {
         const QByteArray pdf = made(fixtures::run(fixtures::traverseProject()), Format::pdf);
-        QVERIFY(!report::withDetails(pdf, {}).isEmpty());
-        QVERIFY(report::withDetails(pdf.left(pdf.size() / 2), {}).isEmpty());
-        QVERIFY(report::withDetails("no PDF", {}).isEmpty());
-        QVERIFY(report::withDetails({}, {}).isEmpty());
-        QVERIFY(report::withDetails(pdf, {{}, {}, {}, {}, {}, {}, {{QStringLiteral("a"), 99, 0}}})
+        QVERIFY(!withDetails(pdf, {}).isEmpty());
+        QVERIFY(withDetails(pdf.left(pdf.size() / 2), {}).isEmpty());
+        QVERIFY(withDetails("no PDF", {}).isEmpty());
+        QVERIFY(withDetails({}, {}).isEmpty());
+        QVERIFY(withDetails(pdf, {{}, {}, {}, {}, {}, {}, {{QStringLiteral("a"), 99, 0}}})
                     .isEmpty()); // there is no such page
     }
 

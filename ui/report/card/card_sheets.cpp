@@ -6,6 +6,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <optional>
 #include <span>
 
 namespace sparkout::report {
@@ -21,16 +22,20 @@ constexpr double columnsFollowing = signersTop + captioned;
 constexpr double widestNumber = 35; ///< of a cell whose value stands in its middle
 constexpr double signersWidth = 80, changesFrom = form::left + 67, sheetsFrom = changesFrom + 136;
 
-void caption(FormSheet& sheet, const QRectF& cell, const char* text) {
+void caption(FormSheet& sheet, const QRectF& cell, const char* text,
+             const std::optional<TablePlace>& place = {}) {
     sheet.texts.push_back(fitted(cell.adjusted(form::pad / 2, 0, -form::pad / 2, 0),
                                  form::text(text), form::captionPoints, Qt::AlignHCenter));
+    sheet.texts.back().place = place;
 }
 
 void value(FormSheet& sheet, const QRectF& cell, const QString& text,
-           Qt::Alignment align = Qt::AlignLeft, double points = form::valuePoints) {
+           Qt::Alignment align = Qt::AlignLeft, double points = form::valuePoints,
+           const std::optional<TablePlace>& place = {}) {
     if (!text.isEmpty()) {
         sheet.texts.push_back(
             fitted(cell.adjusted(form::pad, 0, -form::pad, 0), text, points, align));
+        sheet.texts.back().place = place;
     }
 }
 
@@ -53,8 +58,9 @@ void columnHead(FormSheet& sheet, double y) {
     for (const form::Cell& column : form::columns) {
         const QRectF cell(x, y, column.width_mm, form::pitch);
         sheet.frame(cell, form::thin);
-        caption(sheet, cell, column.caption);
+        caption(sheet, cell, column.caption, TablePlace{0, sheet.columns});
         x += column.width_mm;
+        ++sheet.columns;
     }
     sheet.lines.push_back(
         {QLineF(form::left, y + form::pitch, form::right, y + form::pitch), form::thick});
@@ -142,8 +148,8 @@ std::vector<FormSheet> CardSheets::card(const std::vector<CardRow>& rows) const 
         double y = columnsTop(first) + form::pitch;
         for (std::size_t i = 0; i < roomOf(first); ++i, y += form::pitch) {
             const bool filled = i < counts[s];
-            addLine(sheet, filled ? lines[next + i] : Line{{}, false}, y,
-                    filled ? next + i + 1 : 0);
+            addLine(sheet, filled ? lines[next + i] : Line{{}, false}, y, filled ? next + i + 1 : 0,
+                    static_cast<int>(i) + 1);
         }
         next += counts[s];
         sheets.push_back(std::move(sheet));
@@ -256,7 +262,9 @@ void CardSheets::addCompany(FormSheet& sheet, const QRectF& cell) const {
         constexpr double most_mm = 24;
         const double wide = std::min(most_mm, (cell.height() - 0.8) * logo.width() / logo.height());
         sheet.pictures.push_back(
-            {{cell.left() + form::pad, cell.top() + 0.2, wide, cell.height() - 0.8}, logo});
+            {{cell.left() + form::pad, cell.top() + 0.2, wide, cell.height() - 0.8},
+             logo,
+             m_head.maker()});
         rest.setLeft(cell.left() + wide + form::pad);
     }
     value(sheet, rest, m_head.maker());
@@ -273,17 +281,20 @@ void CardSheets::addFoot(FormSheet& sheet, const form::Kind& kind) {
     const QRectF name(form::left + symbolWidth, form::footTop, form::width - symbolWidth, height);
     sheet.frame(name, form::thin);
     value(sheet, name, form::text(kind.name), Qt::AlignLeft, 10);
+    sheet.texts.back().isHeading = true;
     value(sheet, {form::left, form::footBottom, form::width, form::bottom - form::footBottom},
           form::text(kind.note), Qt::AlignLeft, form::captionPoints);
 }
 
-void CardSheets::addLine(FormSheet& sheet, const Line& line, double y, std::size_t number) {
+void CardSheets::addLine(FormSheet& sheet, const Line& line, double y, std::size_t number,
+                         int tableRow) {
     const CardRow& row = line.row;
     sheet.lines.push_back(
         {QLineF(form::left, y + form::pitch, form::right, y + form::pitch), form::thin});
     double x = form::left;
     for (std::size_t i = 0; i < form::columns.size(); ++i) {
         const QRectF cell(x, y, form::columns.at(i).width_mm, form::pitch);
+        const TablePlace place{tableRow, static_cast<int>(i)};
         const bool joined =
             row.cells.isEmpty() && number > 0 && i > form::firstValue - 1 && i < form::mainColumn;
         if (!joined) { // of a text the cells are one
@@ -292,21 +303,26 @@ void CardSheets::addLine(FormSheet& sheet, const Line& line, double y, std::size
         if (i == 0 && number > 0) {
             const QString count = QStringLiteral("%1").arg(number, 2, 10, QChar(u'0'));
             value(sheet, {cell.topLeft(), QSizeF(cell.width() / 2, form::pitch)}, row.symbol,
-                  Qt::AlignLeft, form::valuePoints);
+                  Qt::AlignLeft, form::valuePoints, place);
             value(sheet, cell.adjusted(cell.width() / 2 - form::pad, 0, 0, 0), count,
-                  Qt::AlignRight, form::smallPoints);
+                  Qt::AlignRight, form::smallPoints, place);
         } else if (i == form::contentColumn && !row.text.isEmpty()) {
             sheet.texts.push_back(
                 {{x + form::pad, y, contentWidth(!row.cells.isEmpty()) - 2 * form::pad,
                   form::pitch},
                  row.text,
                  form::valuePoints,
-                 Qt::AlignLeft});
+                 Qt::AlignLeft,
+                 TablePlace{
+                     tableRow, place.column,
+                     static_cast<int>((row.cells.isEmpty() ? form::mainColumn : form::firstValue)
+                                      - form::contentColumn)}});
         } else if (i >= form::firstValue && i < form::mainColumn) {
             value(sheet, cell, row.cells.value(static_cast<qsizetype>(i - form::firstValue)),
-                  Qt::AlignHCenter);
+                  Qt::AlignHCenter, form::valuePoints, place);
         } else if (i >= form::mainColumn) {
-            value(sheet, cell, i == form::mainColumn ? row.main : row.auxiliary, Qt::AlignHCenter);
+            value(sheet, cell, i == form::mainColumn ? row.main : row.auxiliary, Qt::AlignHCenter,
+                  form::valuePoints, place);
         }
         x += form::columns.at(i).width_mm;
     }

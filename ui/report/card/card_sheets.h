@@ -55,7 +55,8 @@ private:
     void addDesignations(FormSheet& sheet) const;
     void addCompany(FormSheet& sheet, const QRectF& cell) const;
     static void addFoot(FormSheet& sheet, const form::Kind& kind);
-    static void addLine(FormSheet& sheet, const Line& line, double y, std::size_t number);
+    static void addLine(FormSheet& sheet, const Line& line, double y, std::size_t number,
+                        int tableRow);
 
     CardHead m_head;
 };

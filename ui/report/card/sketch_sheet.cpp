@@ -43,12 +43,20 @@ QString lengthText(double value_mm) {
 
 void SketchSheet::draw(FormSheet& sheet, const QRectF& room, const Setup& setup) {
     SketchSheet drawing(sheet, room, setup);
+    SheetDrawing& drawn = sheet.drawing;
+    drawn = {description(setup),
+             {sheet.lines.size(), 0},
+             {sheet.shapes.size(), 0},
+             {sheet.texts.size(), 0}};
     drawing.drawOuter();
     drawing.drawBores();
     drawing.drawGround();
     drawing.drawSupports();
     drawing.m_hasTable ? drawing.drawTable() : drawing.drawCallouts();
     drawing.drawLengths();
+    drawn.lines.to = sheet.lines.size();
+    drawn.shapes.to = sheet.shapes.size();
+    drawn.texts.to = sheet.texts.size();
     drawing.drawLegend();
 }
 

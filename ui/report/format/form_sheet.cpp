@@ -65,16 +65,25 @@ void FormSheet::frame(const QRectF& box, double width_mm) {
     }
 }
 
-void FormSheet::paint(QPainter& painter) const {
-    for (const SheetPicture& picture : pictures) {
-        const QRectF cell = scaled(picture.cell);
-        QSizeF size = picture.image.size();
-        size.scale(cell.size(), Qt::KeepAspectRatio);
-        painter.drawImage(
-            QRectF(cell.left(), cell.center().y() - size.height() / 2, size.width(), size.height()),
-            picture.image);
-    }
-    for (const SheetLine& line : lines) {
+void SheetText::paint(QPainter& painter) const {
+    const TextBox wrapped = box();
+    const QRectF at = scaled(cell);
+    painter.setPen(formInk);
+    wrapped.paint(painter, at.left(), at.center().y() - wrapped.height() / 2);
+}
+
+void FormSheet::paintPicture(QPainter& painter, const SheetPicture& picture) {
+    const QRectF cell = scaled(picture.cell);
+    QSizeF size = picture.image.size();
+    size.scale(cell.size(), Qt::KeepAspectRatio);
+    painter.drawImage(
+        QRectF(cell.left(), cell.center().y() - size.height() / 2, size.width(), size.height()),
+        picture.image);
+}
+
+void FormSheet::paintLines(QPainter& painter, SheetDrawing::Range range) const {
+    for (std::size_t i = range.from; i < range.to; ++i) {
+        const SheetLine& line = lines[i];
         QPen pen(formInk, line.width_mm * unitsPerMm, Qt::SolidLine, Qt::SquareCap);
         if (line.style == Qt::DashDotLine) { // of pen widths: a centre line
             constexpr double dash_mm = 8, gap_mm = 1.2, dot_mm = 0.6;
@@ -85,17 +94,26 @@ void FormSheet::paint(QPainter& painter) const {
         painter.setPen(pen);
         painter.drawLine(QLineF(line.line.p1() * unitsPerMm, line.line.p2() * unitsPerMm));
     }
-    for (const SheetShape& shape : shapes) {
+}
+
+void FormSheet::paintShapes(QPainter& painter, SheetDrawing::Range range) const {
+    for (std::size_t i = range.from; i < range.to; ++i) {
+        const SheetShape& shape = shapes[i];
         painter.setPen(shape.width_mm > 0 ? QPen(formInk, shape.width_mm * unitsPerMm)
                                           : QPen(Qt::NoPen));
         painter.setBrush(shape.isFilled ? QBrush(formInk) : QBrush());
         painter.drawPath(QTransform::fromScale(unitsPerMm, unitsPerMm).map(shape.path));
     }
-    painter.setPen(formInk);
+}
+
+void FormSheet::paint(QPainter& painter) const {
+    for (const SheetPicture& picture : pictures) {
+        paintPicture(painter, picture);
+    }
+    paintLines(painter, {0, lines.size()});
+    paintShapes(painter, {0, shapes.size()});
     for (const SheetText& text : texts) {
-        const TextBox box = text.box();
-        const QRectF cell = scaled(text.cell);
-        box.paint(painter, cell.left(), cell.center().y() - box.height() / 2);
+        text.paint(painter);
     }
 }
 

@@ -10,6 +10,8 @@
 #include <QRectF>
 #include <QString>
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 class QPainter;
@@ -22,14 +24,25 @@ inline constexpr double unitsPerMm = 720 / 25.4; ///< of the page
 /// The narrow type of a form, so many points high.
 [[nodiscard]] QFont sheetFont(double points);
 
+/// Of a cell in the table of a sheet; row 0 is the head.
+struct TablePlace {
+    int row = 0, column = 0;
+    int span = 1; ///< columns that it takes
+};
+
 /// A text within its cell, in the middle of its height.
 struct SheetText {
     QRectF cell;
     QString text;
     double points = 9;
     Qt::Alignment align = Qt::AlignLeft;
+    /// What it is to who hears it read: a text by itself unless it is said to be a cell of the
+    /// sheet's table, or its heading.
+    std::optional<TablePlace> place = {};
+    bool isHeading = false;
 
     [[nodiscard]] TextBox box() const; ///< as wrapped to the cell
+    void paint(QPainter& painter) const;
 };
 
 /// The text in the largest type up to that many points in which it fits into the cell, wrapped if
@@ -52,6 +65,16 @@ struct SheetShape {
 struct SheetPicture {
     QRectF cell;
     QImage image;
+    QString description; ///< in words
+};
+
+/// The drawing on a sheet: which of its lines, shapes and texts, from one up to another.
+struct SheetDrawing {
+    struct Range {
+        std::size_t from = 0, to = 0;
+    };
+    QString description; ///< in words
+    Range lines, shapes, texts;
 };
 
 struct FormSheet {
@@ -60,9 +83,15 @@ struct FormSheet {
     std::vector<SheetLine> lines;
     std::vector<SheetShape> shapes;
     std::vector<SheetPicture> pictures;
+    SheetDrawing drawing; ///< empty where there is none
+    int columns = 0;      ///< of the table, where there is one
 
     void frame(const QRectF& box, double width_mm);
-    void paint(QPainter& painter) const; ///< at 720 units an inch, from the paper's corner
+    // At 720 units an inch, from the paper's corner.
+    void paint(QPainter& painter) const;
+    static void paintPicture(QPainter& painter, const SheetPicture& picture);
+    void paintLines(QPainter& painter, SheetDrawing::Range range) const;
+    void paintShapes(QPainter& painter, SheetDrawing::Range range) const;
 };
 
 } // namespace sparkout::report

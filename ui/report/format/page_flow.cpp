@@ -2,6 +2,7 @@
 #include "ui/report/format/page_flow.h"
 
 #include "ui/report/format/formula_box.h"
+#include "ui/report/format/formula_markup.h"
 #include "ui/report/format/text_box.h"
 
 #include <QCoreApplication>
@@ -330,7 +331,7 @@ void PageFlow::mark(Pages::Box::Kind kind, double height, std::vector<TextBox> c
 void PageFlow::addTitle() {
     const TextBox title(m_report.title, reportFont(titleSize, true), m_area.width());
     mark(Pages::Box::Kind::title, title.height(), {title});
-    add([title, y = m_y](QPainter& p) { title.paint(p, 0, y); });
+    add(m_structure.add({"H1"}), [title, y = m_y](QPainter& p) { title.paint(p, 0, y); });
     m_y += title.height() + gap / 2;
 }
 
@@ -339,13 +340,14 @@ void PageFlow::operator()(const Heading& heading) {
     m_y += m_y > m_top ? gap : 0;
     m_marks.push_back({heading.text, static_cast<int>(m_pages.size()) - 1, m_y});
     mark(Pages::Box::Kind::heading, box.height(), {box});
-    add([box, y = m_y](QPainter& p) { box.paint(p, 0, y); });
+    add(m_structure.add({"H2"}), [box, y = m_y](QPainter& p) { box.paint(p, 0, y); });
     m_y += box.height() + gap / 3;
 }
 
 void PageFlow::operator()(const Paragraph& paragraph) {
     const TextBox box = boxOf(paragraph);
     const double lineHeight = box.height() / box.lines();
+    const Element element = m_structure.add({"P"});
     for (int first = 0; first < box.lines();) {
         need(lineHeight);
         const int left = box.lines() - first;
@@ -355,7 +357,7 @@ void PageFlow::operator()(const Paragraph& paragraph) {
         }
         const TextBox part = box.part(first, std::min(fitting, left));
         mark(Pages::Box::Kind::text, part.height(), {part});
-        add([part, y = m_y](QPainter& p) { part.paint(p, 0, y); });
+        add(element, [part, y = m_y](QPainter& p) { part.paint(p, 0, y); });
         m_y += part.height();
         first += part.lines();
         if (first < box.lines()) {
@@ -408,6 +410,7 @@ std::size_t PageFlow::rowsThatFit(const std::vector<Row>& rows, std::size_t firs
 void PageFlow::operator()(const Facts& facts) {
     const double half = m_area.width() / 2;
     const std::vector<Row> rows = rowsOf(facts);
+    const Element list = m_structure.add({"L"});
     for (std::size_t r = 0, end = 0; r < rows.size(); ++r) {
         if (r == end) {
             need(rows[r].height);
@@ -415,20 +418,25 @@ void PageFlow::operator()(const Facts& facts) {
         }
         const Row& row = rows[r];
         mark(Pages::Box::Kind::facts, row.height, row.boxes);
-        add([row, y = m_y, half](QPainter& p) {
-            for (std::size_t k = 0; k < 2; ++k) {
-                const double x = double(k) * half;
-                p.setPen(QPen(rule, ruleWidth));
-                p.drawRect(QRectF(x, y, half, row.height));
-                if (2 * k < row.boxes.size()) {
-                    const TextBox& name = row.boxes[2 * k];
-                    p.setPen(printFaint);
-                    name.paint(p, x + cellPad, y + rowPad);
-                    p.setPen(printInk);
-                    row.boxes[2 * k + 1].paint(p, x + cellPad, y + rowPad + name.height());
-                }
-            }
+        add(PdfStructure::artifact, [height = row.height, y = m_y, half](QPainter& p) {
+            p.setPen(QPen(rule, ruleWidth));
+            p.drawRect(QRectF(0, y, half, height));
+            p.drawRect(QRectF(half, y, half, height));
         });
+        for (std::size_t k = 0; k < row.boxes.size(); k += 2) {
+            const Element item = m_structure.add({"LI", list});
+            const TextBox& name = row.boxes[k];
+            const double x = static_cast<double>(k / 2) * half + cellPad, y = m_y + rowPad;
+            add(m_structure.add({"Lbl", item}), [name, x, y](QPainter& p) {
+                p.setPen(printFaint);
+                name.paint(p, x, y);
+            });
+            add(m_structure.add({"LBody", item}),
+                [value = row.boxes[k + 1], x, y = y + name.height()](QPainter& p) {
+                    p.setPen(printInk);
+                    value.paint(p, x, y);
+                });
+        }
         m_y += row.height;
         if (r + 1 == end && end < rows.size()) {
             newPage();
@@ -437,32 +445,54 @@ void PageFlow::operator()(const Facts& facts) {
     m_y += gap / 2;
 }
 
+std::vector<PageFlow::Element> PageFlow::addCells(Element table, const Row& row, const char* type) {
+    const Element line = m_structure.add({"TR", table});
+    std::vector<Element> cells;
+    for (std::size_t c = 0; c < row.boxes.size(); ++c) {
+        cells.push_back(m_structure.add({type, line}));
+    }
+    return cells;
+}
+
+void PageFlow::addHead(const LaidOutTable& table, std::vector<Element>& cells) {
+    addRow(table.head, table.columns, shade, Pages::Box::Kind::head, cells);
+    std::ranges::fill(cells, PdfStructure::pagination);
+}
+
 void PageFlow::addRow(const Row& row, const Columns& columns, const QColor& ground,
-                      Pages::Box::Kind kind) {
+                      Pages::Box::Kind kind, const std::vector<Element>& cells) {
     mark(kind, row.height, row.boxes);
-    add([row, widths = columns.widths, y = m_y, ground](QPainter& p) {
-        double x = 0;
-        for (std::size_t c = 0; c < row.boxes.size(); ++c) {
+    add(PdfStructure::artifact,
+        [height = row.height, widths = columns.widths, y = m_y, ground](QPainter& p) {
             p.setPen(QPen(rule, ruleWidth));
             p.setBrush(ground.isValid() ? QBrush(ground) : QBrush(Qt::NoBrush));
-            p.drawRect(QRectF(x, y, widths[c], row.height));
+            double x = 0;
+            for (const double width : widths) {
+                p.drawRect(QRectF(x, y, width, height));
+                x += width;
+            }
+        });
+    double x = 0;
+    for (std::size_t c = 0; c < row.boxes.size(); ++c) {
+        add(cells[c], [box = row.boxes[c], x = x + cellPad, y = m_y + rowPad](QPainter& p) {
             p.setPen(printInk);
-            row.boxes[c].paint(p, x + cellPad, y + rowPad);
-            x += widths[c];
-        }
-    });
+            box.paint(p, x, y);
+        });
+        x += columns.widths[c];
+    }
     m_y += row.height;
 }
 
 /// A row that no page can hold goes on over the next ones, line by line.
-void PageFlow::addLongRow(const Row& row, const Row& head, const Columns& columns,
-                          const QColor& ground) {
+void PageFlow::addLongRow(const Row& row, const LaidOutTable& table, const QColor& ground,
+                          const std::vector<Element>& cells) {
     const int lines = std::ranges::max_element(row.boxes, {}, &TextBox::lines)->lines();
     const double lineHeight = row.boxes.front().height() / row.boxes.front().lines();
+    std::vector<Element> head(row.boxes.size(), PdfStructure::pagination);
     for (int first = 0; first < lines;) {
         if (room() < std::min(leastLines, lines - first) * lineHeight + 2 * rowPad) {
             newPage();
-            addRow(head, columns, shade, Pages::Box::Kind::head);
+            addHead(table, head);
         }
         const int fitting = std::max(1, static_cast<int>((room() - 2 * rowPad) / lineHeight));
         Row piece{{}, 0};
@@ -471,30 +501,35 @@ void PageFlow::addLongRow(const Row& row, const Row& head, const Columns& column
             piece.height = std::max(piece.height, piece.boxes.back().height());
         }
         piece.height += 2 * rowPad;
-        addRow(piece, columns, ground, Pages::Box::Kind::row);
+        addRow(piece, table.columns, ground, Pages::Box::Kind::row, cells);
         first += fitting;
     }
 }
 
 void PageFlow::operator()(const Table& table) {
-    const auto& [of, columns, head, rows] = laidOut(table);
-    const double wholePage = m_bottom - m_top - head.height;
+    const LaidOutTable& made = laidOut(table);
+    const std::vector<Row>& rows = made.rows;
+    const double headHeight = made.head.height;
+    const double wholePage = m_bottom - m_top - headHeight;
+    const Element element = m_structure.add({"Table"});
+    std::vector<Element> head = addCells(element, made.head, "TH");
     for (std::size_t r = 0, end = 0; r < rows.size() && goesOn(); ++r) {
         const bool isLong = rows[r].height > wholePage;
         if (r == end) {
             const double least =
                 isLong ? leastLines * rows[r].boxes.front().height() : rows[r].height;
-            need(head.height + std::min(least, wholePage));
-            addRow(head, columns, shade, Pages::Box::Kind::head);
+            need(headHeight + std::min(least, wholePage));
+            addHead(made, head);
             end = std::max(r + 1, rowsThatFit(rows, r, noteBelow(m_block)));
         }
+        const std::vector<Element> cells = addCells(element, rows[r], "TD");
         const bool sum = table.lastIsSum && r + 1 == rows.size();
         const QColor ground = sum ? shade : QColor();
         if (isLong) {
-            addLongRow(rows[r], head, columns, ground);
+            addLongRow(rows[r], made, ground, cells);
             end = std::max(r + 1, rowsThatFit(rows, r + 1, noteBelow(m_block)));
         } else {
-            addRow(rows[r], columns, ground, Pages::Box::Kind::row);
+            addRow(rows[r], made.columns, ground, Pages::Box::Kind::row, cells);
         }
         if (r + 1 == end && end < rows.size()) {
             newPage();
@@ -575,13 +610,17 @@ void PageFlow::operator()(const Figure& figure) {
     const TextBox caption(figure.caption, reportFont(smallSize), m_area.width(), Qt::AlignHCenter);
     const double scale = scaleOf(figure);
     mark(Pages::Box::Kind::figure, heightOf(figure), {caption});
-    add([figure, scale, y = m_y](QPainter& p) {
+    const QRectF box(QPointF(0, m_y), figure.size * scale);
+    const Element element = m_structure.add(
+        {"Figure", PdfStructure::document,
+         figure.description.isEmpty() ? figure.caption : figure.description, 1, box});
+    add(element, [figure, scale, y = m_y](QPainter& p) {
         p.translate(0, y);
         p.scale(scale, scale);
         figure.paint(p);
     });
     m_y += figure.size.height() * scale;
-    add([caption, y = m_y](QPainter& p) {
+    add(m_structure.add({"Caption", element}), [caption, y = m_y](QPainter& p) {
         p.setPen(printFaint);
         caption.paint(p, 0, y);
     });
@@ -651,13 +690,16 @@ double PageFlow::heightOf(const Formula& formula) const {
 void PageFlow::operator()(const Formula& formula) {
     const TextBox label(formula.label, reportFont(bodySize), labelRoom, Qt::AlignRight);
     const double width = m_area.width() - formulaIndent - labelRoom;
+    const Element element =
+        m_structure.add({"Formula", PdfStructure::document,
+                         QStringList{inOneLine(formula), formula.label}.join(u' ').trimmed()});
     bool first = true;
     for (const std::vector<FormulaBox>& boxes : formulaLines(formula, width)) {
         const double x = indentOf(first);
         const FormulaLine size(boxes, width + formulaIndent - x);
         need(size.height);
         mark(Pages::Box::Kind::formula, size.height);
-        add([=, y = m_y + size.ascent, right = m_area.width() - labelRoom](QPainter& p) {
+        add(element, [=, y = m_y + size.ascent, right = m_area.width() - labelRoom](QPainter& p) {
             p.setPen(printInk);
             if (first) {
                 label.paint(p, right, y - label.height() * 0.8);
@@ -695,7 +737,7 @@ void PageFlow::addMargins() {
     for (std::size_t i = 0; i < m_pages.size(); ++i) {
         const QString number =
             PageText::number(static_cast<int>(i) + 1, static_cast<int>(m_pages.size()));
-        m_pages[i].push_back([=, bottom = m_bottom, top = m_top](QPainter& p) {
+        const Paint margins = [=, bottom = m_bottom, top = m_top](QPainter& p) {
             const QFontMetricsF metrics(font);
             const auto elided = [&](const QString& text, double room) {
                 return metrics.elidedText(text, Qt::ElideRight, room);
@@ -710,7 +752,8 @@ void PageFlow::addMargins() {
             p.setPen(QPen(rule, ruleWidth));
             p.drawLine(QPointF(0, top - gap / 2), QPointF(width, top - gap / 2));
             p.drawLine(QPointF(0, bottom + gap / 2), QPointF(width, bottom + gap / 2));
-        });
+        };
+        m_pages[i].push_back({margins, PdfStructure::pagination});
     }
 }
 

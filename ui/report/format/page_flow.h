@@ -9,6 +9,7 @@
 #include <QRectF>
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace sparkout::report {
@@ -16,11 +17,11 @@ namespace sparkout::report {
 /// Lays the blocks of a report out one below the other, page by page [units: tenths of a point].
 class PageFlow {
 public:
-    using Paint = std::function<void(QPainter&)>;
     PageFlow(const Report& report, QSizeF area, const KeepGoing& keepGoing);
-    [[nodiscard]] std::vector<std::vector<Paint>> takePages() { return std::move(m_pages); }
+    [[nodiscard]] std::vector<std::vector<Pages::Piece>> takePages() { return std::move(m_pages); }
     [[nodiscard]] std::vector<Pages::Mark> takeMarks() { return std::move(m_marks); }
     [[nodiscard]] std::vector<Pages::Box> takeBoxes() { return std::move(m_boxes); }
+    [[nodiscard]] PdfStructure takeStructure() { return std::move(m_structure); }
 
     void operator()(const Heading& heading);
     void operator()(const Paragraph& paragraph);
@@ -32,6 +33,8 @@ public:
     void operator()(const PageBreak&);
 
 private:
+    using Paint = std::function<void(QPainter&)>;
+    using Element = PdfStructure::Id;
     /// Widths of a table's columns, and the size of its type [points]: smaller where a number would
     /// not fit into its cell else.
     struct Columns {
@@ -78,12 +81,19 @@ private:
     [[nodiscard]] bool introduces(std::size_t block, const TextBox& box) const;
     /// Height of the note below a table.
     [[nodiscard]] double noteBelow(std::size_t table) const;
-    void add(Paint paint) { m_pages.back().push_back(std::move(paint)); }
+    void add(Element element, Paint paint) {
+        m_pages.back().push_back({std::move(paint), element});
+    }
     void mark(Pages::Box::Kind kind, double height, std::vector<TextBox> cells = {});
     void addTitle();
-    void addRow(const Row& row, const Columns& columns, const QColor& ground,
-                Pages::Box::Kind kind);
-    void addLongRow(const Row& row, const Row& head, const Columns& columns, const QColor& ground);
+    /// A row of a table as elements: its cells.
+    [[nodiscard]] std::vector<Element> addCells(Element table, const Row& row, const char* type);
+    /// The head is of the table where it first stands, repeated it is none of its elements.
+    void addHead(const LaidOutTable& table, std::vector<Element>& cells);
+    void addRow(const Row& row, const Columns& columns, const QColor& ground, Pages::Box::Kind kind,
+                const std::vector<Element>& cells);
+    void addLongRow(const Row& row, const LaidOutTable& table, const QColor& ground,
+                    const std::vector<Element>& cells);
     void addMargins(); ///< head and foot of every page
 
     const Report& m_report;
@@ -94,9 +104,10 @@ private:
     double m_top, m_bottom;
     double m_y = 0;
     std::size_t m_block = 0; ///< which is laid out
-    std::vector<std::vector<Paint>> m_pages;
+    std::vector<std::vector<Pages::Piece>> m_pages;
     std::vector<Pages::Mark> m_marks;
     std::vector<Pages::Box> m_boxes;
+    PdfStructure m_structure;
 };
 
 } // namespace sparkout::report

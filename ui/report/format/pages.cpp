@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/format/pages.h"
 
+#include "ui/pdf/pdf_details.h"
 #include "ui/report/format/page_flow.h"
-#include "ui/report/format/pdf_details.h"
+#include "ui/report/format/sheet_pieces.h"
 
 #include <QBuffer>
 #include <QMarginsF>
@@ -47,7 +48,7 @@ QByteArray xmp(const Report& report) {
 constexpr double layoutShare = 0.3; ///< of the time a PDF takes, about
 
 bool paintRange(const Pages& pages, QPagedPaintDevice& device, int first, int last,
-                const KeepGoing& keepGoing = {}) {
+                bool marks = false, const KeepGoing& keepGoing = {}) {
     QPainter painter;
     if (!painter.begin(&device)) {
         return false;
@@ -60,7 +61,7 @@ bool paintRange(const Pages& pages, QPagedPaintDevice& device, int first, int la
         }
         painter.save();
         painter.scale(scale, scale);
-        pages.paint(painter, page);
+        pages.paint(painter, page, marks);
         painter.restore();
     }
     return painter.end();
@@ -71,7 +72,7 @@ Pages::Pages(const Report& report, QSizeF area_units, const KeepGoing& keepGoing
     if (!report.sheets.empty()) {
         for (const FormSheet& sheet : report.sheets) {
             m_marks.push_back({sheet.title, count(), 0});
-            m_pages.push_back({[sheet](QPainter& painter) { sheet.paint(painter); }});
+            m_pages.push_back(sheetPieces(sheet, m_structure));
         }
         return;
     }
@@ -81,13 +82,17 @@ Pages::Pages(const Report& report, QSizeF area_units, const KeepGoing& keepGoing
     m_pages = flow.takePages();
     m_marks = flow.takeMarks();
     m_boxes = flow.takeBoxes();
+    m_structure = flow.takeStructure();
 }
 
-void Pages::paint(QPainter& painter, int page) const {
+void Pages::paint(QPainter& painter, int page, bool marks) const {
     painter.setRenderHint(QPainter::Antialiasing);
-    for (const Paint& paint : m_pages.at(static_cast<std::size_t>(page))) {
+    for (const Piece& piece : m_pages.at(static_cast<std::size_t>(page))) {
+        if (marks) {
+            PdfStructure::mark(painter, piece.element);
+        }
         painter.save();
-        paint(painter);
+        piece.paint(painter);
         painter.restore();
     }
 }
@@ -126,6 +131,7 @@ QByteArray pdf(const Report& report, const KeepGoing& keepGoing) {
                        report.program,
                        report.language,
                        report.date,
+                       {},
                        {}};
     bool painted = false;
     {
@@ -134,12 +140,15 @@ QByteArray pdf(const Report& report, const KeepGoing& keepGoing) {
         setUpPaper(writer, report);
         writer.setDocumentXmpMetadata(xmp(report));
         const Pages pages(report, areaOf(writer), keepGoing);
-        const double top_pt = writer.pageLayout().paintRect(QPageLayout::Point).top();
+        const QPointF corner_pt = writer.pageLayout().paintRect(QPageLayout::Point).topLeft();
+        constexpr double pointsPerUnit = pointsPerInch / Pages::unitsPerInch;
         for (const Pages::Mark& mark : pages.marks()) {
             details.outline.push_back(
-                {mark.text, mark.page, top_pt + mark.y * pointsPerInch / Pages::unitsPerInch});
+                {mark.text, mark.page, corner_pt.y() + mark.y * pointsPerUnit});
         }
-        painted = paintRange(pages, writer, 0, pages.count() - 1, keepGoing);
+        details.structure = pages.structure();
+        details.structure.placeBoxes(pointsPerUnit, corner_pt);
+        painted = paintRange(pages, writer, 0, pages.count() - 1, true, keepGoing);
     }
     return painted ? withDetails(bytes, details) : QByteArray();
 }

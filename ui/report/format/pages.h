@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/pdf/pdf_structure.h"
 #include "ui/report/format/report.h"
 #include "ui/report/format/text_box.h"
 #include "ui/tables/sheet.h"
@@ -45,12 +46,21 @@ public:
     };
     [[nodiscard]] const std::vector<Box>& boxes() const { return m_boxes; }
     [[nodiscard]] int count() const { return static_cast<int>(m_pages.size()); }
-    void paint(QPainter& painter, int page) const; ///< from 0; at 720 units an inch
+    /// From 0; at 720 units an inch. A PDF that is tagged afterwards has the structure's marks.
+    void paint(QPainter& painter, int page, bool marks = false) const;
+
+    /// What stands on the pages, in the order of reading; boxes in units of the area.
+    [[nodiscard]] const PdfStructure& structure() const { return m_structure; }
+
+    /// What is painted at once, of one element of the structure.
+    struct Piece {
+        std::function<void(QPainter&)> paint;
+        PdfStructure::Id element = PdfStructure::artifact;
+    };
 
 private:
-    friend class PageFlow;
-    using Paint = std::function<void(QPainter&)>;
-    std::vector<std::vector<Paint>> m_pages;
+    std::vector<std::vector<Piece>> m_pages;
+    PdfStructure m_structure;
     std::vector<Mark> m_marks;
     std::vector<Box> m_boxes;
 };

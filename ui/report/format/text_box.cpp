@@ -18,7 +18,7 @@ constexpr double unitsPerPoint = 10;
 constexpr QChar wordJoiner(0x2060);
 const QString keptSlash = u'/' + QString(wordJoiner);
 
-QStringList wrapped(const QString& text, const QFont& font, double width) {
+QStringList wrapped(const QString& text, const QFont& font, double width, QList<bool>& goesOn) {
     QStringList lines;
     for (QString paragraph : text.split(u'\n')) {
         paragraph.replace(u'/', keptSlash); // a unit stays whole
@@ -29,13 +29,18 @@ QStringList wrapped(const QString& text, const QFont& font, double width) {
         layout.beginLayout();
         for (QTextLine row = layout.createLine(); row.isValid(); row = layout.createLine()) {
             row.setLineWidth(width);
-            lines += paragraph.mid(row.textStart(), row.textLength()).remove(wordJoiner).trimmed();
+            const QString line = paragraph.mid(row.textStart(), row.textLength());
+            lines += QString(line).remove(wordJoiner).trimmed();
+            goesOn += line.back().isSpace();
         }
         layout.endLayout();
         if (paragraph.isEmpty()) {
             lines += QString();
+            goesOn += false;
         }
+        goesOn.back() = true;
     }
+    goesOn.back() = false;
     return lines;
 }
 } // namespace
@@ -45,12 +50,13 @@ TextBox::TextBox(QString text, QFont font, double width, Qt::Alignment align)
     const QFontMetricsF metrics(m_font);
     m_lineHeight = metrics.height();
     m_ascent = metrics.ascent();
-    m_lines = wrapped(text, m_font, width);
+    m_lines = wrapped(text, m_font, width, m_goesOn);
 }
 
 TextBox TextBox::part(int first, int count) const {
     TextBox box = *this;
     box.m_lines = m_lines.mid(first, count);
+    box.m_goesOn = m_goesOn.mid(first, count);
     return box;
 }
 
@@ -67,7 +73,8 @@ void TextBox::paint(QPainter& painter, double x, double y) const {
             formulaBox(leafNode(m_lines[i], 0), m_font.pixelSize() / unitsPerPoint)
                 .paint(painter, at.x(), at.y());
         } else {
-            painter.drawText(at, m_lines[i]);
+            // With the space between its words: who hears it read hears two of them.
+            painter.drawText(at, m_goesOn[i] ? m_lines[i] + u' ' : m_lines[i]);
         }
     }
 }

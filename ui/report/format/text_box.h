@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QFont>
+#include <QList>
 #include <QString>
 #include <QStringList>
 
@@ -36,6 +37,7 @@ private:
     double m_lineHeight;
     double m_ascent;
     QStringList m_lines;
+    QList<bool> m_goesOn; ///< by line: a word ends with it, and the text has more
     bool m_indices = false;
 };
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/report/format/pdf_details.h"
+#include "ui/pdf/pdf_details.h"
+
+#include "ui/pdf/pdf_tags.h"
 
 #define POINTERHOLDER_TRANSITION 4 // libqpdf with std::shared_ptr alone
 #include <qpdf/Buffer.hh>
@@ -12,7 +14,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace sparkout::report {
+namespace sparkout {
 
 namespace {
 
@@ -84,6 +86,30 @@ void putOutline(QPDF& document, const std::vector<Bookmark>& bookmarks) {
     document.getRoot().replaceKey("/PageMode", QPDFObjectHandle::newName("/UseOutlines"));
 }
 
+/// Qt says of the glyph of the space that it is a tabulator, which has the same one: the first of
+/// the characters in its table. What is copied or read aloud has spaces.
+void putSpaces(QPDF& document) {
+    for (QPDFObjectHandle& object : document.getAllObjects()) {
+        if (!object.isDictionary() || !object.hasKey("/ToUnicode")) {
+            continue;
+        }
+        QPDFObjectHandle map = object.getKey("/ToUnicode");
+        const auto data = map.getStreamData();
+        std::string text(reinterpret_cast<const char*>(data->getBuffer()), data->getSize());
+        std::size_t place = std::string::npos;
+        // Lists of characters, each in brackets.
+        for (auto from = text.find('['); from != std::string::npos && place == std::string::npos;
+             from = text.find('[', from + 1)) {
+            const auto found = text.find("<0009>", from);
+            place = found < text.find(']', from) ? found : std::string::npos;
+        }
+        if (place != std::string::npos) {
+            text.replace(place, 6, "<0020>");
+            map.replaceStreamData(text, QPDFObjectHandle::newNull(), QPDFObjectHandle::newNull());
+        }
+    }
+}
+
 } // namespace
 
 QByteArray withDetails(const QByteArray& pdf, const PdfDetails& details) {
@@ -95,9 +121,14 @@ QByteArray withDetails(const QByteArray& pdf, const PdfDetails& details) {
         putProperties(document, details);
         putLanguage(document, details.language);
         putOutline(document, details.outline);
+        putSpaces(document);
+        if (!details.structure.isEmpty()) {
+            putTags(document, details.structure);
+        }
         QPDFWriter writer(document);
         writer.setOutputMemory();
         writer.setDeterministicID(true);
+        writer.setObjectStreamMode(qpdf_o_generate); // an element is a small object: packed
         writer.write();
         const auto bytes = writer.getBufferSharedPointer();
         return {reinterpret_cast<const char*>(bytes->getBuffer()),
@@ -107,4 +138,4 @@ QByteArray withDetails(const QByteArray& pdf, const PdfDetails& details) {
     }
 }
 
-} // namespace sparkout::report
+} // namespace sparkout

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/pdf/pdf_structure.h"
+
 #include <QByteArray>
 #include <QDate>
 #include <QString>
 
 #include <vector>
 
-/// What a PDF by Qt lacks: an outline, and the author and the subject among its properties.
-namespace sparkout::report {
+/// What a PDF by Qt lacks: an outline, tags, and the author and the subject among its properties.
+namespace sparkout {
 
 /// An entry of the outline.
 struct Bookmark {
@@ -22,10 +24,11 @@ struct PdfDetails {
     QString language;                        ///< of the whole document: "ru"
     QDate date;
     std::vector<Bookmark> outline; ///< in the order of the pages
+    PdfStructure structure = {};   ///< its marks are painted; empty: the document is not tagged
 };
 
 /// The same document with its details; the same bytes for the same details. Empty when `pdf` is no
 /// whole document.
 [[nodiscard]] QByteArray withDetails(const QByteArray& pdf, const PdfDetails& details);
 
-} // namespace sparkout::report
+} // namespace sparkout

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+class QPDF;
+
+namespace sparkout {
+
+class PdfStructure;
+
+/// Tags a document whose pages were painted with the structure's marks: the marks become marked
+/// content, the elements a structure tree. Throws where a mark does not stand as Qt paints it, and
+/// what libqpdf throws.
+void putTags(QPDF& document, const PdfStructure& structure);
+
+} // namespace sparkout
