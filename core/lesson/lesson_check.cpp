@@ -43,6 +43,9 @@ public:
         if (m_lesson.variants) {
             checkVariants(*m_lesson.variants);
         }
+        if (m_lesson.guide) {
+            checkGuide(*m_lesson.guide);
+        }
         return std::move(m_issues);
     }
 
@@ -271,6 +274,17 @@ private:
         }
         checkStage(moment.stage, false, project, path + "/stage");
         checkStrokeStep(moment.step, project, path + "/step");
+    }
+
+    void checkGuide(const TeachingGuide& guide) {
+        for (std::size_t i = 0; i < guide.questions.size(); ++i) {
+            const std::string at = "/guide/questions/" + std::to_string(i);
+            needText(guide.questions[i].question, at + "/question");
+            needText(guide.questions[i].answer, at + "/answer");
+        }
+        for (std::size_t i = 0; i < guide.mistakes.size(); ++i) {
+            needText(guide.mistakes[i].text, "/guide/mistakes/" + std::to_string(i) + "/text");
+        }
     }
 
     // --- variants -------------------------------------------------------------------------------

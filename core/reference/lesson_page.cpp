@@ -24,8 +24,8 @@ and a figure that the project does not have are errors that name the place.
 
 A goal holds exactly one of its keys. Inputs are named by their paths in a project file.
 
-A student's work, described below, holds the lesson without `variants`, without what says which options
-are right, and without kept runs and measurements.
+A student's work, described below, holds the lesson without `variants` and `guide`, without what says
+which options are right, and without kept runs and measurements.
 )";
 
 const char* scopeText(FigureScope scope) {

@@ -139,6 +139,9 @@ private slots:
         const std::string text = writeLesson(forStudents(lesson));
         QVERIFY(text.find("\"right\"") == std::string::npos);
         QVERIFY(text.find("\"variants\"") == std::string::npos);
+        QVERIFY(lesson.guide && lesson.guide->questions.size() > 2);
+        QVERIFY(text.find(lesson.guide->questions.front().answer.en) == std::string::npos);
+        QVERIFY(!readLesson(text, LessonOf::student).lesson->guide);
         QVERIFY(writeLesson(lesson).find("\"right\"") != std::string::npos);
         QVERIFY(!readLesson(text).lesson); // a teacher's has its answers
         const ReadLesson read = readLesson(text, LessonOf::student);
@@ -306,6 +309,13 @@ private:
         row("tag in theory", "/theory/ru", "\"<img src='x'>\"", IssueCode::notOneOf, "/theory/ru");
         row("tag in a hint", "/steps/0/hints/0/text/en", "\"<script>\"", IssueCode::notOneOf,
             "/steps/0/hints/0/text/en");
+        row("question without an answer", "/guide/questions/1/answer", "{}", IssueCode::missingKey,
+            "/guide/questions/1/answer");
+        row("no question", "/guide/questions/0/question", "", IssueCode::missingKey,
+            "/guide/questions/0/question");
+        row("mistake without a text", "/guide/mistakes/0/text", "{}", IssueCode::missingKey,
+            "/guide/mistakes/0/text");
+        row("no time at all", "/guide/minutes", "0", IssueCode::outOfRange, "/guide/minutes");
     }
 
     static void stepRows() {
