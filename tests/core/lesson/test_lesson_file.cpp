@@ -403,6 +403,17 @@ private:
             IssueCode::variedTwice, "/variants/inputs/1/path");
         row("no such input in a set", "/variants/inputs/3/sets/1/values/2/path", "\"/wheel/x\"",
             IssueCode::noSuchNumber, "/variants/inputs/3/sets/1/values/2/path");
+        row("bound of a step that is not there", "/variants/figures",
+            R"([{"figure": {"name": "steps"}, "step": 9, "least": 1}])", IssueCode::outOfRange,
+            "/variants/figures/0/step");
+        row("bound without an end", "/variants/figures", R"([{"figure": {"name": "steps"}}])",
+            IssueCode::missingKey, "/variants/figures/0/least");
+        row("bound without a place", "/variants/figures",
+            R"([{"figure": {"name": "roundness_um"}, "least": 1}])", IssueCode::missingKey,
+            "/variants/figures/0/figure/place");
+        row("bound of a batch that is not there", "/variants/figures",
+            R"([{"figure": {"name": "batch_ppk", "place": "nz"}, "least": 1}])",
+            IssueCode::missingKey, "/project/batch");
         row("other surface", "/variants/surface", "3", IssueCode::outOfRange, "/variants/surface");
     }
 };
