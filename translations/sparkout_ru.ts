@@ -9550,6 +9550,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>1/mm</source>
             <translation>1/мм</translation>
         </message>
+        <message>
+            <source>N/mm²</source>
+            <translation>Н/мм²</translation>
+        </message>
     </context>
     <context>
         <name>VerdictText</name>
@@ -18918,6 +18922,74 @@ s</source>
             <source>Normal force</source>
             <translation>Нормальная сила</translation>
         </message>
+        <message>
+            <source>Equivalent diameter Dₑ</source>
+            <translation>Эквивалентный диаметр Dₑ</translation>
+        </message>
+        <message>
+            <source>Shear term of the force law, k_s</source>
+            <translation>Коэффициент срезания в законе силы, k_s</translation>
+        </message>
+        <message>
+            <source>Wear-flat term of the force law, k_r</source>
+            <translation>Коэффициент трения площадок износа в законе силы, k_r</translation>
+        </message>
+        <message>
+            <source>Largest actual feed without burn at the finished size</source>
+            <translation>Наибольшая фактическая подача без прижога на готовом размере</translation>
+        </message>
+        <message>
+            <source>Largest less smallest radius after the pass</source>
+            <translation>Разность наибольшего и наименьшего радиусов после прохода</translation>
+        </message>
+        <message>
+            <source>Deepest layer damaged by heat</source>
+            <translation>Наибольшая глубина повреждённого нагревом слоя</translation>
+        </message>
+        <message>
+            <source>Largest actual feed without burn at the stock left</source>
+            <translation>Наибольшая фактическая подача без прижога при оставшемся припуске</translation>
+        </message>
+        <message>
+            <source>Parts of the batch that are not good</source>
+            <translation>Доля негодных деталей партии</translation>
+        </message>
+        <message>
+            <source>Mean over the batch, mean diameter, deviation</source>
+            <translation>Среднее по партии отклонение среднего диаметра</translation>
+        </message>
+        <message>
+            <source>Standard deviation over the batch, mean diameter</source>
+            <translation>Стандартное отклонение среднего диаметра по партии</translation>
+        </message>
+        <message>
+            <source>Half of the Student interval of the mean, 95 %</source>
+            <translation>Половина интервала Стьюдента для среднего, 95 %</translation>
+        </message>
+        <message>
+            <source>Pp of the mean diameter</source>
+            <translation>Pp среднего диаметра</translation>
+        </message>
+        <message>
+            <source>Ppk of the mean diameter</source>
+            <translation>Ppk среднего диаметра</translation>
+        </message>
+        <message>
+            <source>Time of the quickest cycle of the search, proved</source>
+            <translation>Время доказанного самого быстрого цикла поиска</translation>
+        </message>
+        <message>
+            <source>Time of the quickest cycle of whole levels of stock, proved</source>
+            <translation>Время доказанного самого быстрого цикла с целыми уровнями припуска</translation>
+        </message>
+        <message>
+            <source>Time of the cycle of dynamic programming</source>
+            <translation>Время цикла динамического программирования</translation>
+        </message>
+        <message>
+            <source>Excess of the cycle of dynamic programming over the quickest one</source>
+            <translation>Превышение времени цикла динамического программирования над самым быстрым</translation>
+        </message>
     </context>
     <context>
         <name>Finding</name>
@@ -19062,6 +19134,10 @@ s</source>
         <message>
             <source>no cycle of the grid of the lesson&apos;s own project holds every requirement</source>
             <translation>ни один цикл сетки исходного проекта работы не выполняет все требования</translation>
+        </message>
+        <message>
+            <source>a figure is outside the bounds that the lesson sets</source>
+            <translation>величина вне границ, заданных в работе</translation>
         </message>
     </context>
 <context>

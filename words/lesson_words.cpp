@@ -18,7 +18,7 @@ constexpr std::array<const char*, findings> findingKeys{
     "forbidden", "refused", "does_not_end", "no_such_figure"};
 
 constexpr std::array<const char*, variantFaults> variantFaultKeys{
-    "alike",    "invalid",    "no_figure", "solved_as_given", "no_answer",
+    "alike",    "invalid",    "no_figure", "solved_as_given", "other_figure", "no_answer",
     "not_free", "unattained", "too_quick", "too_slow",        "other_margin"};
 
 std::string decimals(double value, int digits) {
@@ -174,6 +174,8 @@ const char* variantFaultText(VariantFault fault) {
     case VariantFault::noFigure:
         return SPARKOUT_NOOP("Variants", "the run has no figure that a step asks for");
     case VariantFault::solved: return SPARKOUT_NOOP("Variants", "a step is solved as given");
+    case VariantFault::otherFigure:
+        return SPARKOUT_NOOP("Variants", "a figure is outside the bounds that the lesson sets");
     case VariantFault::noAnswer:
         return SPARKOUT_NOOP("Variants", "no cycle of the grid does what is asked");
     case VariantFault::notFree:

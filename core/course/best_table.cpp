@@ -82,7 +82,7 @@ std::string engineAnswer(const Lesson& lesson, std::size_t step) {
     if (goal.time) {
         return "<= " + numberOr(goal.time->below_min) + " min";
     }
-    if (!isPrediction(goal.kind())) {
+    if (!isAnsweredByEngine(goal.kind())) {
         return goal.figure ? numberText(goal.figure->value) : std::string();
     }
     const GoalResult result = checkStep(lesson, step, {});

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/course/variant_check.h"
 
+#include "core/lesson/figure_value.h"
 #include "core/lesson/goal_check.h"
 #include "core/optimisation/optimise.h"
 #include "core/project/number_input.h"
 #include "core/project/validate.h"
 #include "core/setup/setup_file.h"
+#include "core/setup/worn_project.h"
 
 #include <algorithm>
 #include <array>
@@ -35,6 +37,92 @@ double inMillionths(double value) {
     constexpr double perUnit = 1e6;
     return std::round(value * perUnit) / perUnit;
 }
+
+/// Looks for a value of one free input at which a figure is as a step asks.
+class FigureSearch {
+public:
+    FigureSearch(const Lesson& timed, std::size_t step, std::stop_token stop)
+        : m_lesson(timed)
+        , m_step(step)
+        , m_surface(static_cast<std::size_t>(timed.steps[step].surface) - 1)
+        , m_given(setupOf(timed, step))
+        , m_stop(std::move(stop)) {}
+
+    std::optional<Setup> run() {
+        for (const NumberInput& input : numberInputs(m_given.surfaces[m_surface].project)) {
+            if (input.value && isFree(input.path) && isAttained(input)) {
+                return std::move(m_found);
+            }
+        }
+        return std::nullopt;
+    }
+
+private:
+    [[nodiscard]] bool isFree(const std::string& path) const {
+        return std::any_of(m_lesson.steps.begin(),
+                           m_lesson.steps.begin() + static_cast<std::ptrdiff_t>(m_step) + 1,
+                           [&](const LessonStep& each) {
+                               return each.surface == m_lesson.steps[m_step].surface
+                                      && accessTo(each, path) == Access::free;
+                           });
+    }
+
+    /// The figure less its value asked for, at a value of an input; nothing where there is none.
+    std::optional<double> offset(const NumberInput& input, double value) {
+        Setup changed = m_given;
+        if (!input.allowed.contains(value)
+            || !putInput(changed, m_surface, {input.path, value, {}})) {
+            return std::nullopt;
+        }
+        const GoalResult result = checkStep(m_lesson, m_step, answerOf(changed), m_stop);
+        if (result.passed()) {
+            m_found = std::move(changed);
+        }
+        return result.value ? std::optional(*result.value - *result.asked) : std::nullopt;
+    }
+
+    bool isAttained(const NumberInput& input) {
+        constexpr std::array factors{0.1,  0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 1.1,
+                                     1.25, 1.5, 2.0,  3.0, 5.0,  8.0, 12.0};
+        struct Tried {
+            double value = 0, offset = 0;
+            bool isKnown = false;
+        } before;
+        for (const double factor : factors) {
+            const double value = *input.value * factor;
+            const auto at = offset(input, value);
+            const bool isAcross =
+                at && before.isKnown && (*at > 0) != (before.offset > 0) && !m_found;
+            if (isAcross) {
+                halve(input, before.value, value, before.offset > 0);
+            }
+            if (m_found) {
+                return true;
+            }
+            before = {value, at.value_or(0), at.has_value()};
+        }
+        return false;
+    }
+
+    /// Between two values with the figure on either side.
+    void halve(const NumberInput& input, double low, double high, bool isLowAbove) {
+        constexpr int halvings = 24;
+        for (int i = 0; i < halvings && !m_found && !m_stop.stop_requested(); ++i) {
+            const double middle = (low + high) / 2;
+            const auto there = offset(input, middle);
+            if (!there) {
+                return;
+            }
+            ((*there > 0) == isLowAbove ? low : high) = middle;
+        }
+    }
+
+    const Lesson& m_lesson;
+    std::size_t m_step, m_surface;
+    Setup m_given;
+    std::stop_token m_stop;
+    std::optional<Setup> m_found;
+};
 
 /// Decides on one set of levels.
 class VariantCheck {
@@ -85,6 +173,32 @@ private:
             }
             if (isMetBySetting(goal.kind()) && result.passed()) {
                 return VariantFault::solved;
+            }
+        }
+        return faultOfBounds();
+    }
+
+    /// Figures that the rules set bounds to, as the steps begin.
+    [[nodiscard]] std::optional<VariantFault> faultOfBounds() const {
+        const auto bounds =
+            m_lesson.variants ? m_lesson.variants->figures : std::vector<FigureBound>();
+        for (const FigureBound& bound : bounds) {
+            const auto step = static_cast<std::size_t>(bound.step) - 1;
+            const WornProject worn =
+                wornProject(setupOf(m_lesson, step),
+                            static_cast<std::size_t>(m_lesson.steps[step].surface) - 1, m_stop);
+            if (!worn.issues.empty()) {
+                return VariantFault::invalid;
+            }
+            const StudiedRun run = studyRun(worn.project, needsTrajectory(bound.figure), m_stop);
+            const auto value =
+                run.isCompleted() ? figureValue(bound.figure, run.figures()) : std::nullopt;
+            if (!value) {
+                return VariantFault::noFigure;
+            }
+            const double rounded = inMillionths(*value);
+            if ((bound.least && rounded < *bound.least) || (bound.most && rounded > *bound.most)) {
+                return VariantFault::otherFigure;
             }
         }
         return std::nullopt;
@@ -161,75 +275,8 @@ private:
 
     /// A value of one free input at which the figure is as asked: a proof by example.
     std::optional<VariantFault> faultOfFigure(const Lesson& timed, std::size_t step) const {
-        const auto surface = static_cast<std::size_t>(timed.steps[step].surface) - 1;
-        const Setup setup = setupOf(timed, step);
-        const Project& project = setup.surfaces[surface].project;
-        for (const NumberInput& input : numberInputs(project)) {
-            if (input.value && isFree(timed, step, input.path)
-                && isAttained(timed, step, setup, surface, input)) {
-                return std::nullopt;
-            }
-        }
-        return VariantFault::unattained;
-    }
-
-    static bool isFree(const Lesson& timed, std::size_t step, const std::string& path) {
-        return std::any_of(timed.steps.begin(),
-                           timed.steps.begin() + static_cast<std::ptrdiff_t>(step) + 1,
-                           [&](const LessonStep& each) {
-                               return each.surface == timed.steps[step].surface
-                                      && accessTo(each, path) == Access::free;
-                           });
-    }
-
-    /// The figure less its value asked for, at a value of an input; nothing where there is none.
-    [[nodiscard]] std::optional<double> offset(const Lesson& timed, std::size_t step,
-                                               const Setup& setup, std::size_t surface,
-                                               const NumberInput& input, double value,
-                                               bool& attained) const {
-        Setup changed = setup;
-        if (!input.allowed.contains(value)
-            || !putInput(changed, surface, {input.path, value, {}})) {
-            return std::nullopt;
-        }
-        const GoalResult result = checkStep(timed, step, answerOf(changed), m_stop);
-        attained = attained || result.passed();
-        return result.value ? std::optional(*result.value - *result.asked) : std::nullopt;
-    }
-
-    [[nodiscard]] bool isAttained(const Lesson& timed, std::size_t step, const Setup& setup,
-                                  std::size_t surface, const NumberInput& input) const {
-        constexpr std::array factors{0.1,  0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 1.1,
-                                     1.25, 1.5, 2.0,  3.0, 5.0,  8.0, 12.0};
-        constexpr int halvings = 24;
-        bool attained = false;
-        struct Tried {
-            double value = 0, offset = 0;
-            bool isKnown = false;
-        } before;
-        for (const double factor : factors) {
-            double high = *input.value * factor;
-            const auto at = offset(timed, step, setup, surface, input, high, attained);
-            if (attained) {
-                return true;
-            }
-            if (at && before.isKnown && (*at > 0) != (before.offset > 0)) {
-                double low = before.value;
-                for (int i = 0; i < halvings && !attained && !m_stop.stop_requested(); ++i) {
-                    const double middle = (low + high) / 2;
-                    const auto there = offset(timed, step, setup, surface, input, middle, attained);
-                    if (!there) {
-                        break;
-                    }
-                    ((*there > 0) == (before.offset > 0) ? low : high) = middle;
-                }
-                if (attained) {
-                    return true;
-                }
-            }
-            before = {high, at.value_or(0), at.has_value()};
-        }
-        return false;
+        return attainingSetup(timed, step, m_stop) ? std::nullopt
+                                                   : std::optional(VariantFault::unattained);
     }
 
     Difficulty m_rules;
@@ -239,6 +286,11 @@ private:
 };
 
 } // namespace
+
+std::optional<Setup> attainingSetup(const Lesson& lesson, std::size_t step,
+                                    const std::stop_token& stop) {
+    return FigureSearch(lesson, step, stop).run();
+}
 
 bool needsSearch(const Lesson& lesson) {
     return std::any_of(lesson.steps.begin(), lesson.steps.end(), [](const LessonStep& step) {

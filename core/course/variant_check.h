@@ -14,6 +14,7 @@ enum class VariantFault {
     invalid,     ///< the project has errors, or its cycle does not end
     noFigure,    ///< the run has no figure that a step asks for
     solved,      ///< a step is solved as given
+    otherFigure, ///< a figure is outside the bounds that the rules set
     noAnswer,    ///< no cycle of the grid holds what is asked
     notFree,     ///< the best answer changes inputs that are not free
     unattained,  ///< no value of a free input was found at which a figure is as asked
@@ -32,6 +33,11 @@ struct CheckedVariant {
 
 /// Whether a step asks for what a search answers.
 [[nodiscard]] bool needsSearch(const Lesson& lesson);
+
+/// A set-up with another value of one free input, at which the figure is as a step asks that is met
+/// by one; nothing: none was found.
+[[nodiscard]] std::optional<Setup> attainingSetup(const Lesson& lesson, std::size_t step,
+                                                  const std::stop_token& stop = {});
 
 /// Decides on levels, all but whether they are alike; `reference` is the best answer of the lesson
 /// as it stands. A stop refuses them as invalid.

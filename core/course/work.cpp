@@ -34,7 +34,7 @@ Work newWork(const Lesson& lesson, const VariantLevels& levels,
 
 StepRecord recordOf(const Work& work, std::size_t step) {
     StepRecord record;
-    const bool predicts = isPrediction(work.lesson.steps[step].goal.kind());
+    const bool predicts = isPrediction(work.lesson.steps[step].goal);
     bool isSeen = false;
     for (const WorkEntry& entry : work.entries) {
         if (static_cast<std::size_t>(entry.step) != step + 1) {

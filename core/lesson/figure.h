@@ -25,6 +25,11 @@ enum class FigureName {
     burnMargin,
     removalRate,
     specificEnergy,
+    // of what is ground with what, and how fast: of the project
+    equivalentDiameter,
+    shearCoefficient,
+    flatCoefficient,
+    burnFreeFeed,
     // of a stage
     stageSteps,
     stageTime,
@@ -47,11 +52,26 @@ enum class FigureName {
     accumulatedFeed,
     stockLeft,
     force,
+    runoutAfter,
+    damagedLayer,
+    burnLimit,
+    // of the batch, and of the mean diameter of a zone or section over it
+    batchBad,
+    batchMean,
+    batchDeviation,
+    batchMeanHalf,
+    batchPp,
+    batchPpk,
+    // of the search
+    bestTime,
+    levelsBestTime,
+    levelsRuleTime,
+    levelsRuleGap,
     count_
 };
 
 /// What a figure is of.
-enum class FigureScope { cycle, stage, place, step };
+enum class FigureScope { cycle, stage, place, step, batch, batchPlace, search };
 
 /// A figure as a lesson asks for it. What its scope does not need is not given.
 struct Figure {
@@ -74,6 +94,12 @@ struct FigureRow {
 };
 
 [[nodiscard]] const FigureRow& rowOf(FigureName name);
+
+/// Whether it is of one zone or section.
+[[nodiscard]] constexpr bool isOfPlace(FigureScope scope) {
+    return scope == FigureScope::place || scope == FigureScope::step
+           || scope == FigureScope::batchPlace;
+}
 
 /// Whether a run has to be recorded for it.
 [[nodiscard]] inline bool needsTrajectory(const Figure& figure) {

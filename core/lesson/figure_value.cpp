@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lesson/figure_value.h"
 
+#include "core/lesson/study_figure.h"
+#include "core/limits/burn.h"
+#include "core/process/force.h"
 #include "core/process/profile.h"
+#include "core/project/material.h"
 #include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/quality/finished_surface.h"
 #include "core/quality/roughness.h"
 #include "core/simulation/progress.h"
@@ -33,6 +38,22 @@ std::optional<double> leastMarginOf(const FigureSource& run, std::optional<Const
     return least ? std::optional(*least * wholePercent) : std::nullopt;
 }
 
+/// What the force law and the limit of burn are made of; of the project alone.
+std::optional<double> ofProject(FigureName name, const Project& project) {
+    switch (name) {
+    case FigureName::equivalentDiameter:
+        return equivalentDiameter(project.part->diameter_mm, project.wheel->diameter_mm,
+                                  project.part->surface);
+    case FigureName::shearCoefficient: return forceLaw(project).ks;
+    case FigureName::flatCoefficient: return forceLaw(project).kr;
+    case FigureName::burnFreeFeed:
+        return project.material->burn_rise_k ? std::optional(
+                   BurnModel(project).burnFreeDepth(*project.material->burn_rise_k) * umPerMm)
+                                             : std::nullopt;
+    default: return std::nullopt;
+    }
+}
+
 double diameterSpread_um(const SimulationResult& result) {
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (const SectionResult& section : result.sections) {
@@ -58,7 +79,7 @@ std::optional<double> ofCycle(FigureName name, const FigureSource& run) {
     case FigureName::burnMargin: return leastMarginOf(run, ConstraintKind::burn);
     case FigureName::removalRate: return run.shop.cycle.removalRate_mm2_s;
     case FigureName::specificEnergy: return run.shop.cycle.energy_j_mm3;
-    default: return std::nullopt;
+    default: return ofProject(name, result.project);
     }
 }
 
@@ -157,6 +178,31 @@ public:
         return most;
     }
 
+    [[nodiscard]] double mostDepth_mm() const {
+        double most = 0;
+        for (const Pass* pass : m_passes) {
+            for (std::size_t k = 0; k < m_radii; ++k) {
+                most = std::max(most, m_run.visits[pass->firstVisit + k].actual_mm);
+            }
+        }
+        return most;
+    }
+    struct Radii {
+        double least_mm = std::numeric_limits<double>::infinity(), most_mm = -least_mm;
+    };
+    /// Those that the last pass leaves.
+    [[nodiscard]] Radii radiiAtEnd() const {
+        Radii radii;
+        for (std::size_t k = 0; k < m_radii; ++k) {
+            const Visit& visit = m_run.visits[m_passes.back()->firstVisit + k];
+            if (!visit.isGap()) {
+                radii.least_mm = std::min(radii.least_mm, visit.radius_mm);
+                radii.most_mm = std::max(radii.most_mm, visit.radius_mm);
+            }
+        }
+        return radii;
+    }
+
 private:
     /// The last one of the stage, or of the cycle.
     static int lastCount(const Figure& figure, const FigureSource& run) {
@@ -187,6 +233,23 @@ private:
     const Pass* m_last = nullptr;
 };
 
+/// Burn in the passes of a step; nothing where it is not limited.
+std::optional<double> burnOf(FigureName name, const StepPasses& passes, const Project& project) {
+    const auto& U = project.material->burn_rise_k;
+    if (!U) {
+        return std::nullopt;
+    }
+    const BurnModel model(project);
+    if (name == FigureName::damagedLayer) {
+        return model.damagedDepth(passes.mostDepth_mm(), *U) * umPerMm;
+    }
+    const bool isExternal = project.part->surface == Surface::external;
+    const StepPasses::Radii radii = passes.radiiAtEnd();
+    const double stock_mm = isExternal ? radii.least_mm - targetRadius(*project.part)
+                                       : targetRadius(*project.part) - radii.most_mm;
+    return model.limitDepth(*U, std::max(0.0, stock_mm)) * umPerMm;
+}
+
 std::optional<double> ofStep(const Figure& figure, const FigureSource& run) {
     if (run.trajectory.passes.empty() || !hasPlace(run.result.project, figure.place)) {
         return std::nullopt;
@@ -213,6 +276,12 @@ std::optional<double> ofStep(const Figure& figure, const FigureSource& run) {
                 - targetRadius(part))
                * outwards * umPerMm;
     case FigureName::force: return passes.mostForce_n();
+    case FigureName::runoutAfter: {
+        const StepPasses::Radii radii = passes.radiiAtEnd();
+        return (radii.most_mm - radii.least_mm) * umPerMm;
+    }
+    case FigureName::damagedLayer:
+    case FigureName::burnLimit: return burnOf(figure.name, passes, run.result.project);
     default: return std::nullopt;
     }
 }
@@ -249,6 +318,9 @@ std::optional<double> figureValue(const Figure& figure, const FigureSource& run)
     case FigureScope::stage: value = ofStage(figure, run); break;
     case FigureScope::place: value = ofPlace(figure, run); break;
     case FigureScope::step: value = ofStep(figure, run); break;
+    case FigureScope::batch:
+    case FigureScope::batchPlace: value = batchFigure(figure, run.result.project); break;
+    case FigureScope::search: value = searchFigure(figure, run.result.project); break;
     }
     return value && std::isfinite(*value) ? value : std::nullopt;
 }

@@ -46,6 +46,10 @@ const Figure* Goal::asked() const {
                         : nullptr;
 }
 
+bool isPrediction(const Goal& goal) {
+    return isAnsweredByEngine(goal.kind()) && !(goal.prediction && goal.prediction->after_run);
+}
+
 const char* goalKey(GoalKind kind) {
     return tableOf<Goal>().fields[static_cast<std::size_t>(kind)].key;
 }
@@ -107,6 +111,8 @@ const StructInfo& tableOf<NumberPrediction>() {
         SPARKOUT_FIELD(NumberPrediction, tolerance_percent, .label = "Tolerance, relative",
                        .unit = "%", .hard = {0, 100},
                        .hint = "Of the engine's value. The greater of both tolerances holds."),
+        SPARKOUT_FIELD(NumberPrediction, after_run, .label = "Read off the run", .sparse = true,
+                       .hint = "Else it is said before the run, and nothing is shown until then."),
     };
     static const StructInfo info = makeTable<NumberPrediction>("Number predicted", rows);
     return info;

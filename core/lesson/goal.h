@@ -31,11 +31,12 @@ struct FigureGoal {
     double tolerance = 0; ///< either way
 };
 
-/// A number said before the run; the engine has the right one.
+/// A number said before the run, or read off it; the engine has the right one.
 struct NumberPrediction {
     Figure figure;
     double tolerance = 0;         ///< either way, in the figure's unit
     double tolerance_percent = 0; ///< the same, of the engine's value; the greater holds
+    bool after_run = false;       ///< read off the run, or computed from what is
 };
 
 /// What a predicted curve runs along.
@@ -93,7 +94,9 @@ struct Goal {
 [[nodiscard]] const char* goalKey(GoalKind kind);
 
 /// Whether the answer is said before the run.
-[[nodiscard]] constexpr bool isPrediction(GoalKind kind) {
+[[nodiscard]] bool isPrediction(const Goal& goal);
+/// Whether the engine has the answer, said before the run or after it.
+[[nodiscard]] constexpr bool isAnsweredByEngine(GoalKind kind) {
     return kind == GoalKind::prediction || kind == GoalKind::curve || kind == GoalKind::order;
 }
 /// Whether it is met by what the student sets.

@@ -77,6 +77,7 @@ double Lesson::points() const {
 
 Lesson forStudents(Lesson lesson) {
     lesson.variants.reset();
+    lesson.guide.reset();
     for (LessonStep& step : lesson.steps) {
         if (step.goal.choice) {
             for (ChoiceOption& option : step.goal.choice->options) {
@@ -227,6 +228,8 @@ const StructInfo& tableOf<LessonSheet>() {
         SPARKOUT_FIELD(LessonSheet, variants, .label = "Variants",
                        .nullMeaning = "all students have the same project",
                        .hint = "In the teacher's file alone."),
+        SPARKOUT_FIELD(LessonSheet, guide, .label = "Guide for the teacher",
+                       .nullMeaning = "none is printed", .hint = "In the teacher's file alone."),
     };
     static const StructInfo info = makeTable<LessonSheet>("Lesson", rows);
     return info;

@@ -5,6 +5,7 @@
 #include "core/lesson/goal.h"
 #include "core/lesson/hideable.h"
 #include "core/lesson/input_value.h"
+#include "core/lesson/teaching_guide.h"
 #include "core/lesson/variant_rules.h"
 #include "core/setup/setup.h"
 
@@ -61,6 +62,7 @@ struct LessonSheet {
     Bilingual theory;
     std::vector<LessonStep> steps;
     std::optional<VariantRules> variants;
+    std::optional<TeachingGuide> guide;
 };
 
 struct Lesson : LessonSheet {
@@ -69,8 +71,9 @@ struct Lesson : LessonSheet {
     [[nodiscard]] double points() const; ///< of all steps
 };
 
-/// The lesson as a student may have it: without the rules of the variants, without what says which
-/// options are right, and without kept runs and measurements, which may show an answer.
+/// The lesson as a student may have it: without the rules of the variants and the guide for the
+/// teacher, without what says which options are right, and without kept runs and measurements,
+/// which may show an answer.
 [[nodiscard]] Lesson forStudents(Lesson lesson);
 
 /// The set-up that a step begins with.

@@ -43,6 +43,9 @@ public:
         if (m_lesson.variants) {
             checkVariants(*m_lesson.variants);
         }
+        if (m_lesson.guide) {
+            checkGuide(*m_lesson.guide);
+        }
         return std::move(m_issues);
     }
 
@@ -183,10 +186,15 @@ private:
         const bool alongPlaces =
             goal.order || (goal.curve && goal.curve->along == CurveAlong::place);
         const bool alongStages = goal.curve && goal.curve->along == CurveAlong::stage;
-        const bool needsPlace =
-            (scope == FigureScope::place || scope == FigureScope::step) && !alongPlaces;
+        const bool needsPlace = isOfPlace(scope) && !alongPlaces;
         if (figure.place.isGiven() ? !hasPlace(project, figure.place) : needsPlace) {
             addPlace(figure.place, project, path + "/place");
+        }
+        const bool ofBatch = scope == FigureScope::batch || scope == FigureScope::batchPlace;
+        if ((ofBatch && !project.batch)
+            || (scope == FigureScope::search && !project.optimisation)) {
+            add(IssueCode::missingKey, ofBatch ? "/project/batch" : "/project/optimisation", {},
+                Phrase::object);
         }
         checkStage(figure.stage, scope == FigureScope::stage && !alongStages, project,
                    path + "/stage");
@@ -273,6 +281,17 @@ private:
         checkStrokeStep(moment.step, project, path + "/step");
     }
 
+    void checkGuide(const TeachingGuide& guide) {
+        for (std::size_t i = 0; i < guide.questions.size(); ++i) {
+            const std::string at = "/guide/questions/" + std::to_string(i);
+            needText(guide.questions[i].question, at + "/question");
+            needText(guide.questions[i].answer, at + "/answer");
+        }
+        for (std::size_t i = 0; i < guide.mistakes.size(); ++i) {
+            needText(guide.mistakes[i].text, "/guide/mistakes/" + std::to_string(i) + "/text");
+        }
+    }
+
     // --- variants -------------------------------------------------------------------------------
 
     void checkVariants(const VariantRules& rules) {
@@ -283,6 +302,27 @@ private:
         std::set<std::string> varied;
         for (std::size_t i = 0; i < rules.inputs.size(); ++i) {
             checkVaried(rules.inputs[i], *project, "/variants/inputs/" + std::to_string(i), varied);
+        }
+        for (std::size_t i = 0; i < rules.figures.size(); ++i) {
+            checkBound(rules.figures[i], "/variants/figures/" + std::to_string(i));
+        }
+    }
+
+    void checkBound(const FigureBound& bound, const std::string& path) {
+        const auto steps = m_lesson.steps.size();
+        if (bound.step < 1 || static_cast<std::size_t>(bound.step) > steps) {
+            add(IssueCode::outOfRange, path + "/step", Count{bound.step},
+                boundsTo(1, static_cast<double>(steps)));
+            return;
+        }
+        if (!bound.least && !bound.most) {
+            add(IssueCode::missingKey, path + "/least", {}, Phrase::number);
+        }
+        const int number = m_lesson.steps[static_cast<std::size_t>(bound.step) - 1].surface;
+        if (number >= 1 && static_cast<std::size_t>(number) <= m_lesson.base.surfaces.size()) {
+            checkFigure(bound.figure, {},
+                        m_lesson.base.surfaces[static_cast<std::size_t>(number) - 1].project,
+                        path + "/figure");
         }
     }
 

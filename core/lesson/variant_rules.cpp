@@ -95,12 +95,31 @@ const StructInfo& tableOf<Difficulty>() {
 }
 
 template <>
+const StructInfo& tableOf<FigureBound>() {
+    constexpr double largest = 1e9;
+    static const std::array rows{
+        SPARKOUT_FIELD(FigureBound, figure, .label = "Figure", .required = conditions::always),
+        SPARKOUT_FIELD(FigureBound, step, .label = "Step", .hard = {1, 100}, .sparse = true,
+                       .hint = "As it begins; counted from 1."),
+        SPARKOUT_FIELD(FigureBound, least, .label = "Least", .hard = {-largest, largest},
+                       .nullMeaning = "no least value", .hint = "In the unit of the figure."),
+        SPARKOUT_FIELD(FigureBound, most, .label = "Greatest", .hard = {-largest, largest},
+                       .nullMeaning = "no greatest value", .hint = "Likewise."),
+    };
+    static const StructInfo info = makeTable<FigureBound>("Bounds of a figure", rows);
+    return info;
+}
+
+template <>
 const StructInfo& tableOf<VariantRules>() {
     static const std::array rows{
         SPARKOUT_FIELD(VariantRules, inputs, .label = "Inputs varied", .hard = {1, 20},
                        .required = conditions::always),
         SPARKOUT_FIELD(VariantRules, difficulty, .label = "Difficulty",
                        .hint = "What the best answers may differ by."),
+        SPARKOUT_FIELD(VariantRules, figures, .label = "Figures", .hard = {0, 100}, .sparse = true,
+                       .hint = "What every variant has within bounds as given, so that the "
+                               "questions are true of it."),
         SPARKOUT_FIELD(VariantRules, surface, .label = "Surface", .hard = {1, 20},
                        .hint = "Whose inputs are varied, from 1."),
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/lesson/figure.h"
 #include "core/lesson/input_value.h"
 
 #include <cstddef>
@@ -47,9 +48,17 @@ struct Difficulty {
         10; ///< of the least relative margin, either way [percentage points]
 };
 
+/// A figure that every variant has within bounds as a step begins: what the questions rest on.
+struct FigureBound {
+    Figure figure;
+    int step = 1; ///< from 1
+    std::optional<double> least, most;
+};
+
 struct VariantRules {
     std::vector<VariedInput> inputs;
     Difficulty difficulty;
+    std::vector<FigureBound> figures;
     int surface = 1; ///< whose inputs are varied, from 1
 };
 
@@ -59,6 +68,8 @@ template <>
 const StructInfo& tableOf<VariedInput>();
 template <>
 const StructInfo& tableOf<Difficulty>();
+template <>
+const StructInfo& tableOf<FigureBound>();
 template <>
 const StructInfo& tableOf<VariantRules>();
 

@@ -22,10 +22,12 @@ as a project file of either version has it; the keys below follow in any order. 
 as a project file: an unknown key, a wrong type, a value outside its range, a path that names no input
 and a figure that the project does not have are errors that name the place.
 
+`lesson.schema.json`, in the folder above this page, says the same to editors and programs.
+
 A goal holds exactly one of its keys. Inputs are named by their paths in a project file.
 
-A student's work, described below, holds the lesson without `variants`, without what says which options
-are right, and without kept runs and measurements.
+A student's work, described below, holds the lesson without `variants` and `guide`, without what says
+which options are right, and without kept runs and measurements.
 )";
 
 const char* scopeText(FigureScope scope) {
@@ -35,6 +37,9 @@ const char* scopeText(FigureScope scope) {
     case FigureScope::place: return "a zone or section";
     case FigureScope::step:
         return "a double stroke or revolution, or one of its steps, in a zone or section";
+    case FigureScope::batch: return "the batch";
+    case FigureScope::batchPlace: return "a zone or section, over the batch";
+    case FigureScope::search: return "the search";
     }
     return "";
 }

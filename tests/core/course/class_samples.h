@@ -94,7 +94,7 @@ inline Answer scripted(const GivenOut& out, std::size_t student, std::size_t ste
 }
 
 inline void handIn(Work& work, std::size_t step, Answer answer, const std::string& when) {
-    const bool predicts = isPrediction(work.lesson.steps[step].goal.kind());
+    const bool predicts = isPrediction(work.lesson.steps[step].goal);
     WorkEntry entry;
     entry.event = predicts ? WorkEvent::prediction : WorkEvent::attempt;
     entry.step = static_cast<int>(step) + 1;

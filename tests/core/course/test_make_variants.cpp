@@ -50,7 +50,7 @@ private slots:
     void everyVariantIsSolvableAndUnsolved() {
         QFETCH(QString, file);
         const Lesson lesson = readLesson(samples::readText(file.toStdString())).lesson.value();
-        const auto count = static_cast<std::size_t>(samples::sized(25, 4, 1000));
+        const auto count = static_cast<std::size_t>(samples::sized(6, 2, 1000));
         QElapsedTimer timer;
         timer.start();
         const MadeVariants made = makeVariants(lesson, count, 2026);
@@ -140,6 +140,15 @@ private slots:
             VariantFault::solved);
         row("nothing is free", "/steps/6/inputs", "[]", VariantFault::notFree);
         row("no figure", "/steps/1/goal/prediction/figure/count", "5000", VariantFault::noFigure);
+        row("figure below its bound", "/variants/figures",
+            R"([{"figure": {"name": "diameter_spread_um"}, "least": 500}])",
+            VariantFault::otherFigure);
+        row("figure above its bound", "/variants/figures",
+            R"([{"figure": {"name": "diameter_spread_um"}, "step": 3, "most": 0.1}])",
+            VariantFault::otherFigure);
+        row("no figure to bound", "/variants/figures",
+            R"([{"figure": {"name": "lag_um", "place": "nz", "count": 5000}, "most": 1}])",
+            VariantFault::noFigure);
         row("figure out of reach", "/steps/5/goal/figure/value", "500", VariantFault::unattained);
         row("no answer", "/variants/inputs",
             R"([{"path": "/part/tolerance/radial_runout_um", "list": [1e-6, 2e-6]}])",

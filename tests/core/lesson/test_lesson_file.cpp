@@ -140,6 +140,9 @@ private slots:
         const std::string text = writeLesson(forStudents(lesson));
         QVERIFY(text.find("\"right\"") == std::string::npos);
         QVERIFY(text.find("\"variants\"") == std::string::npos);
+        QVERIFY(lesson.guide && lesson.guide->questions.size() > 2);
+        QVERIFY(text.find(lesson.guide->questions.front().answer.en) == std::string::npos);
+        QVERIFY(!readLesson(text, LessonOf::student).lesson->guide);
         QVERIFY(writeLesson(lesson).find("\"right\"") != std::string::npos);
         QVERIFY(!readLesson(text).lesson); // a teacher's has its answers
         const ReadLesson read = readLesson(text, LessonOf::student);
@@ -254,6 +257,13 @@ private:
         row("tag in theory", "/theory/ru", "\"<img src='x'>\"", IssueCode::notOneOf, "/theory/ru");
         row("tag in a hint", "/steps/0/hints/0/text/en", "\"<script>\"", IssueCode::notOneOf,
             "/steps/0/hints/0/text/en");
+        row("question without an answer", "/guide/questions/1/answer", "{}", IssueCode::missingKey,
+            "/guide/questions/1/answer");
+        row("no question", "/guide/questions/0/question", "", IssueCode::missingKey,
+            "/guide/questions/0/question");
+        row("mistake without a text", "/guide/mistakes/0/text", "{}", IssueCode::missingKey,
+            "/guide/mistakes/0/text");
+        row("no time at all", "/guide/minutes", "0", IssueCode::outOfRange, "/guide/minutes");
     }
 
     static void stepRows() {
@@ -341,6 +351,17 @@ private:
             IssueCode::variedTwice, "/variants/inputs/1/path");
         row("no such input in a set", "/variants/inputs/3/sets/1/values/2/path", "\"/wheel/x\"",
             IssueCode::noSuchNumber, "/variants/inputs/3/sets/1/values/2/path");
+        row("bound of a step that is not there", "/variants/figures",
+            R"([{"figure": {"name": "steps"}, "step": 9, "least": 1}])", IssueCode::outOfRange,
+            "/variants/figures/0/step");
+        row("bound without an end", "/variants/figures", R"([{"figure": {"name": "steps"}}])",
+            IssueCode::missingKey, "/variants/figures/0/least");
+        row("bound without a place", "/variants/figures",
+            R"([{"figure": {"name": "roundness_um"}, "least": 1}])", IssueCode::missingKey,
+            "/variants/figures/0/figure/place");
+        row("bound of a batch that is not there", "/variants/figures",
+            R"([{"figure": {"name": "batch_ppk", "place": "nz"}, "least": 1}])",
+            IssueCode::missingKey, "/project/batch");
         row("other surface", "/variants/surface", "3", IssueCode::outOfRange, "/variants/surface");
     }
 };

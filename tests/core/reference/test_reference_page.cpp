@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/course/work_file.h"
 #include "core/reference/json_schema.h"
 #include "core/reference/lesson_page.h"
+#include "core/reference/lesson_schema.h"
 #include "core/reference/reference_page.h"
+#include "tests/core/lesson/lesson_samples.h"
 #include "tests/core/setup/setup_samples.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
@@ -129,6 +132,33 @@ private slots:
         QVERIFY2(readText(sourcePath("resources/help/en/lesson-file.md")) == lessonPage(), refresh);
         QVERIFY2(readText(sourcePath("resources/help/project.schema.json")) == projectSchema(),
                  refresh);
+        QVERIFY2(readText(sourcePath("resources/help/lesson.schema.json")) == lessonSchema(),
+                 refresh);
+    }
+
+    void theSchemaTakesTheShippedLessonsAndRefusesTheirFaults() {
+        const json schema = json::parse(lessonSchema());
+        for (const auto& file : samples::lessonFiles()) {
+            const json lesson = json::parse(samples::readText(file));
+            const auto faultWith = [&](const char* pointer, const json& value) {
+                json changed = lesson;
+                changed[json::json_pointer(pointer)] = value;
+                return SchemaCheck::fault(schema, changed);
+            };
+            QCOMPARE(SchemaCheck::fault(schema, lesson), std::string());
+            QCOMPARE(faultWith("/guide/minutes", 0), std::string("/guide/minutes: range"));
+            QCOMPARE(faultWith("/steps/0/colour", 1), std::string("/steps/0: knows no colour"));
+            QCOMPARE(faultWith("/steps/0/others", "open"),
+                     std::string("/steps/0/others: not in the enum"));
+            QCOMPARE(faultWith("/title/en", nullptr), std::string("/title/en: type"));
+            QCOMPARE(faultWith("/version", 2), std::string("/version: not the const"));
+            const Work work = newWork(readLesson(samples::readText(file)).lesson.value(), {}, {}, 1,
+                                      "A student", "ТМ-31");
+            json handedIn = json::parse(writeWork(work));
+            QCOMPARE(SchemaCheck::fault(schema, handedIn), std::string());
+            handedIn["variant"] = 0;
+            QCOMPARE(SchemaCheck::fault(schema, handedIn), std::string("/variant: range"));
+        }
     }
 
     void pageNamesEveryKeyWithUnitAndHint() {

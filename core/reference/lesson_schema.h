@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace sparkout {
+
+/// The JSON Schema (draft 2020-12) of a lesson and of a student's work, made from the tables as
+/// projectSchema() is; their project is that of project.schema.json.
+[[nodiscard]] std::string lessonSchema();
+
+} // namespace sparkout

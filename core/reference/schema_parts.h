@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/field.h"
+
+#include <nlohmann/json.hpp>
+
+/// What JSON Schemas of the program's files are made of.
+namespace sparkout {
+
+/// Whether a key must stand in every file.
+[[nodiscard]] bool alwaysRequired(const Field& field);
+
+/// An object with these keys and no others.
+[[nodiscard]] nlohmann::ordered_json closedObject(nlohmann::ordered_json properties,
+                                                  nlohmann::ordered_json required);
+
+/// An object as a table describes it: every key with type, range, choices and default.
+[[nodiscard]] nlohmann::ordered_json objectSchema(const StructInfo& table);
+
+} // namespace sparkout
