@@ -12,8 +12,10 @@
 #include "app/io/cli_options.h"
 #include "app/io/cli_report.h"
 #include "app/io/cli_surfaces.h"
+#include "app/io/console.h"
 #include "app/manual/help_text.h"
 #include "app/measured/cli_measured.h"
+#include "core/files/file_system.h"
 #include "core/files/safe_file.h"
 #include "core/format/project_file.h"
 #include "core/printable.h"
@@ -24,7 +26,6 @@
 #include "core/version.h"
 
 #include <cerrno>
-#include <csignal>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -120,7 +121,7 @@ int runSimulate(const Options& options) {
 enum class Standing { nothing, sameExample, another };
 
 Standing standingAt(const std::string& file, const std::string& example) {
-    const auto content = readFile(file, limits::fileBytes);
+    const auto content = readFile(pathFromUtf8(file), limits::fileBytes);
     if (const auto* error = std::get_if<FileError>(&content)) {
         const bool absent = error->systemError == ENOENT || error->systemError == ENOTDIR;
         return absent ? Standing::nothing : Standing::another;
@@ -130,7 +131,7 @@ Standing standingAt(const std::string& file, const std::string& example) {
 
 int runExamples(const std::string& folder, bool force) {
     std::error_code error; // a folder that cannot be made is reported by the first file
-    std::filesystem::create_directory(folder, error);
+    std::filesystem::create_directory(pathFromUtf8(folder), error);
     std::vector<std::pair<std::string, const Example*>> absent;
     bool edited = false; // all are looked at before the first is written
     for (const Example& example : examples()) {
@@ -218,7 +219,7 @@ int run(const std::vector<std::string>& arguments) {
 } // namespace sparkout::cli
 
 int main(int argc, char** argv) {
-    std::signal(SIGPIPE, SIG_IGN); // a closed pipe is a write error, reported as one
-    const int status = sparkout::cli::run({argv + (argc > 0 ? 1 : 0), argv + argc});
+    sparkout::cli::prepareConsole();
+    const int status = sparkout::cli::run(sparkout::cli::argumentsOf(argc, argv));
     return sparkout::cli::outputTaken() ? status : sparkout::cli::refused;
 }

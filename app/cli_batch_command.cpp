@@ -8,6 +8,7 @@
 #include "app/io/stop_signals.h"
 #include "core/batch/batch_check.h"
 #include "core/batch/batch_state_reader.h"
+#include "core/files/file_system.h"
 #include "core/files/safe_file_writer.h"
 #include "core/format/blanks_csv.h"
 #include "core/format/project_file.h"
@@ -114,7 +115,7 @@ int runBatchOf(Project project, const std::string& name, const Options& options)
     std::optional<SobolIndices> indices;
     std::optional<PartRowsFile> rows;
     if (!options.rows.empty()) {
-        rows.emplace(options.rows,
+        rows.emplace(pathFromUtf8(options.rows),
                      options.force ? SafeFileWriter::Existing::replaced
                                    : SafeFileWriter::Existing::refused,
                      PartRowsFile::Form{});

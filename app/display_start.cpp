@@ -15,7 +15,11 @@ namespace sparkout {
 
 namespace {
 
+#ifdef SIGBUS
 constexpr int crashSignals[] = {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL};
+#else // Windows
+constexpr int crashSignals[] = {SIGSEGV, SIGABRT, SIGFPE, SIGILL};
+#endif
 
 constexpr char crashWords[] =
     "sparkout: the display cannot be used: its plug-in crashed. Look at DISPLAY and\n"

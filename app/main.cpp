@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/display_start.h"
 #include "app/export_command.h"
+#include "app/io/console.h"
 #include "app/manual/help_text.h"
 #include "app/portable_folder.h"
 #include "app/report_command.h"
@@ -15,6 +16,7 @@
 #include "ui/session/program_log.h"
 #include "ui/session/remedy_finder.h"
 #include "ui/text/language.h"
+#include "ui/text/system_text.h"
 #include "ui/text/texts.h"
 #include "ui/views/batch/batch_view.h"
 #include "ui/views/sweep/sweep_view.h"
@@ -35,6 +37,7 @@
 #include <clocale>
 #include <cstdio>
 #include <optional>
+#include <string>
 
 using namespace sparkout;
 
@@ -232,8 +235,12 @@ Options readOptions(const QStringList& words) {
 }
 
 bool displayMissing() {
+#ifdef Q_OS_WIN
+    return false;
+#else
     const auto set = [](const char* name) { return !qEnvironmentVariableIsEmpty(name); };
     return !set("DISPLAY") && !set("WAYLAND_DISPLAY") && !set("QT_QPA_PLATFORM");
+#endif
 }
 
 void openFirstExample(Document& document) {
@@ -356,17 +363,18 @@ bool showWantedView(MainWindow& window, const QString& name) {
 } // namespace
 
 int main(int argc, char** argv) {
+    cli::useConsoleOfCaller();
     QStringList words;
-    QByteArray unreadable;
-    for (int i = 1; i < argc; ++i) {
-        words += QFile::decodeName(argv[i]);
-        if (QFile::encodeName(words.last()) != argv[i]) {
-            unreadable = argv[i];
+    std::string unreadable;
+    for (const std::string& word : cli::argumentsOf(argc, argv)) {
+        words += fromSystemText(word);
+        if (systemText(words.last()) != word) {
+            unreadable = word;
         }
     }
-    if (!unreadable.isEmpty()) { // another file would be read, or written
+    if (!unreadable.empty()) { // another file would be read, or written
         say(stderr, QStringLiteral("sparkout: “%1” is not UTF-8; sparkout-cli takes such names")
-                        .arg(QString::fromStdString(printable(unreadable.toStdString()))));
+                        .arg(QString::fromStdString(printable(unreadable))));
         return exitUsage;
     }
     const Options options = readOptions(words);
@@ -398,6 +406,7 @@ int main(int argc, char** argv) {
     QApplication app(noArguments, argv);
     DisplayStart::checkScreen();
     display.reset();
+    PortableFolder::addItsFonts();
     std::setlocale(LC_NUMERIC, "C"); // QApplication took the environment's
     const ProgramLog log;
     ProgramLog::note(QStringLiteral("Sparkout %1, Qt %2, %3")

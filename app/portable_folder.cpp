@@ -2,11 +2,14 @@
 #include "app/portable_folder.h"
 
 #include "app/window_io.h"
+#include "core/files/file_system.h"
+#include "ui/text/system_text.h"
 #include "ui/text/texts.h"
 
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QFontDatabase>
 
 namespace sparkout {
 
@@ -14,7 +17,7 @@ namespace {
 
 /// There is no application object yet that would know.
 QString programFolder() {
-    return QFileInfo(QFile::symLinkTarget(QStringLiteral("/proc/self/exe"))).absolutePath();
+    return QFileInfo(fromSystemText(utf8(ownProgram()))).absolutePath();
 }
 
 QString ownFolder() {
@@ -28,6 +31,15 @@ void PortableFolder::useItsFonts() {
     if (qEnvironmentVariableIsEmpty("FONTCONFIG_FILE") && QFileInfo::exists(fonts)) {
         qputenv("FONTCONFIG_FILE", QFile::encodeName(fonts));
     }
+}
+
+void PortableFolder::addItsFonts() {
+#ifdef Q_OS_WIN
+    const QDir fonts(programFolder() + QStringLiteral("/fonts"));
+    for (const QString& name : fonts.entryList({QStringLiteral("*.ttf")}, QDir::Files)) {
+        QFontDatabase::addApplicationFont(fonts.filePath(name));
+    }
+#endif
 }
 
 QString PortableFolder::settingsFile() {

@@ -10,6 +10,8 @@ class PortableFolder {
 public:
     /// Before any font is looked for: fonts that stand beside the program come first.
     static void useItsFonts();
+    /// The same where Qt looks for none: on Windows, once the application is there.
+    static void addItsFonts();
 
     /// Where the program keeps what it remembers with --portable.
     [[nodiscard]] static QString settingsFile();

@@ -9,9 +9,9 @@
 #include "ui/session/document.h"
 #include "ui/session/project_io.h"
 #include "ui/text/file_error_text.h"
+#include "ui/text/system_text.h"
 #include "ui/text/texts.h"
 
-#include <QFile>
 #include <QStringList>
 
 #include <string>
@@ -49,7 +49,7 @@ void passOverPlatformNotices() {
 }
 
 void say(std::FILE* stream, const QString& text) {
-    std::fputs((text + u'\n').toLocal8Bit().constData(), stream);
+    std::fputs(systemText(text + u'\n').c_str(), stream);
 }
 
 int refuse(const Issues& issues) {
@@ -60,7 +60,7 @@ int refuse(const Issues& issues) {
 }
 
 bool writeBytes(const QByteArray& bytes, const QString& path) {
-    const auto error = writeFileSafely(QFile::encodeName(path).toStdString(),
+    const auto error = writeFileSafely(systemPath(path),
                                        {bytes.constData(), static_cast<std::size_t>(bytes.size())});
     if (error) {
         say(stderr, QStringLiteral("sparkout: %1").arg(saveErrorText(*error)));

@@ -1,12 +1,32 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Options every target of the tree shares.
+
+# Of a list of sources, drops those of the other system: NAME_posix.cpp and NAME_windows.cpp are the two
+# sources of NAME.h.
+function(sparkout_sources_of_system VARIABLE)
+    set(SOURCES ${${VARIABLE}})
+    if(WIN32)
+        list(FILTER SOURCES EXCLUDE REGEX "_posix\\.cpp$")
+    else()
+        list(FILTER SOURCES EXCLUDE REGEX "_windows\\.cpp$")
+    endif()
+    set(${VARIABLE} ${SOURCES} PARENT_SCOPE)
+endfunction()
+
 add_library(sparkout_options INTERFACE)
 # No contraction: results must not differ between processors with and without FMA.
 target_compile_options(sparkout_options INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -ffp-contract=off)
 target_compile_definitions(sparkout_options INTERFACE _GLIBCXX_ASSERTIONS)
 target_include_directories(sparkout_options INTERFACE ${PROJECT_SOURCE_DIR})
-target_link_options(sparkout_options INTERFACE -Wl,-z,relro,-z,now)
+if(WIN32)
+    # Sources joined have more sections than objects have by default. The stack of a function is not
+    # aligned for AVX (bug 54412 of GCC): its moves are to ask for no alignment.
+    target_compile_options(sparkout_options INTERFACE -Wa,-mbig-obj -Wa,-muse-unaligned-vector-move)
+    target_compile_definitions(sparkout_options INTERFACE NOMINMAX WIN32_LEAN_AND_MEAN UNICODE)
+else()
+    target_link_options(sparkout_options INTERFACE -Wl,-z,relro,-z,now)
+endif()
 if(SPARKOUT_WERROR)
     target_compile_options(sparkout_options INTERFACE -Werror)
 endif()
@@ -18,6 +38,9 @@ if(SPARKOUT_SANITIZE)
         -fno-sanitize=null,alignment,object-size -fno-sanitize-recover=all
         -fno-omit-frame-pointer -w) # the release build and the preset `lint` warn
     target_link_options(sparkout_options INTERFACE -fsanitize=address,undefined)
+elseif(WIN32)
+    target_compile_options(sparkout_options INTERFACE -fstack-protector-strong)
+    target_link_options(sparkout_options INTERFACE -fstack-protector-strong)
 else()
     target_compile_options(sparkout_options INTERFACE -fstack-protector-strong -fcf-protection)
 endif()

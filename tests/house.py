@@ -37,9 +37,10 @@ def main():
     files = tracked("core", "words", "ui", "app", "python")
     headers = set(files)
     alone = [f for f in files if f.startswith(("core/", "words/", "ui/")) and f.endswith(".cpp")
-             and f[:-3] + "h" not in headers]
+             and re.sub(r"(_posix|_windows)?\.cpp$", ".h", f) not in headers]
     folders = collections.Counter(
-        str(pathlib.PurePath(stem).parent) for stem in {f.rsplit(".", 1)[0] for f in files})
+        str(pathlib.PurePath(stem).parent)
+        for stem in {re.sub(r"(_posix|_windows)?\.(h|cpp)$", "", f) for f in files})
     full, most = folders.most_common(1)[0]
     found = {
         "files that know a kind of operation": knowing(files, KIND),

@@ -5,6 +5,7 @@
 #include "app/io/cli_io.h"
 #include "app/io/cli_report.h"
 #include "core/course/grading.h"
+#include "core/files/file_system.h"
 #include "core/format/project_file.h"
 #include "core/printable.h"
 #include "core/project/validate.h"
@@ -29,10 +30,10 @@ constexpr std::size_t mostTableBytes = 8u << 20;
 std::optional<std::vector<std::string>> worksIn(const std::string& folder) {
     std::error_code error;
     std::vector<std::string> files;
-    for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
-         at.increment(error)) {
+    for (std::filesystem::directory_iterator at(pathFromUtf8(folder), error), end;
+         !error && at != end; at.increment(error)) {
         if (at->path().extension() == ".sparkout-work") {
-            files.push_back(at->path().string());
+            files.push_back(utf8(at->path()));
         }
     }
     if (error) {
@@ -52,7 +53,7 @@ std::optional<std::vector<std::string>> worksIn(const std::string& folder) {
 std::vector<HandedIn> readWorks(const std::vector<std::string>& files) {
     std::vector<HandedIn> works;
     for (const std::string& file : files) {
-        works.push_back({std::filesystem::path(file).filename().string(),
+        works.push_back({utf8(pathFromUtf8(file).filename()),
                          readOrSay(file, limits::fileBytes).value_or(std::string())});
     }
     return works;

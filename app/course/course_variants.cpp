@@ -8,6 +8,7 @@
 #include "core/course/best_table.h"
 #include "core/course/make_variants.h"
 #include "core/course/work_file.h"
+#include "core/files/file_system.h"
 #include "core/printable.h"
 #include "words/lesson_words.h"
 
@@ -59,10 +60,10 @@ std::vector<OutputFile> outputs(const Lesson& lesson, const MadeVariants& made,
 /// Works that were handed in may stand there: none is written over by a slip.
 int writeAll(const std::vector<OutputFile>& files, const CourseOptions& options) {
     std::error_code error; // a folder that cannot be made is reported by the first file
-    std::filesystem::create_directory(options.folder, error);
+    std::filesystem::create_directory(pathFromUtf8(options.folder), error);
     bool stands = false;
     for (const OutputFile& file : files) {
-        if (!options.force && std::filesystem::exists(file.path, error)) {
+        if (!options.force && std::filesystem::exists(pathFromUtf8(file.path), error)) {
             print(stderr, printable(file.path) + ": is there already and is kept\n");
             stands = true;
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/io/batch_watch.h"
 
+#include "app/io/console.h"
 #include "app/io/stop_signals.h"
 
 #include <cmath>
@@ -8,8 +9,6 @@
 #include <cstdio>
 #include <mutex>
 #include <string>
-
-#include <unistd.h>
 
 namespace sparkout::cli {
 
@@ -22,10 +21,7 @@ void tellStderr(const std::string& text) {
 } // namespace
 
 BatchWatch::BatchWatch(std::int64_t parts, bool tells, const char* what)
-    : m_parts(parts)
-    , m_terminal(isatty(STDERR_FILENO) == 1)
-    , m_tells(tells || m_terminal)
-    , m_what(what) {
+    : m_parts(parts), m_terminal(isTerminal(stderr)), m_tells(tells || m_terminal), m_what(what) {
     catchStopSignals();
     m_thread = std::jthread([this](const std::stop_token& over) { watch(over); });
 }

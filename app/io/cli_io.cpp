@@ -3,6 +3,7 @@
 
 #include "app/io/cli_report.h"
 #include "core/files/file_step_text.h"
+#include "core/files/file_system.h"
 #include "core/format/project_file.h"
 #include "core/printable.h"
 #include "core/setup/setup_file.h"
@@ -79,7 +80,7 @@ void printFaults(const std::string& file, const CellFaults& faults) {
 }
 
 std::optional<std::string> readOrSay(const std::string& file, std::size_t most) {
-    auto content = readFile(file, most);
+    auto content = readFile(pathFromUtf8(file), most);
     if (const auto* error = std::get_if<FileError>(&content)) {
         print(stderr, describe(*error));
         return std::nullopt;
@@ -101,7 +102,7 @@ std::optional<Setup> loadSetup(const std::string& file) {
 }
 
 int save(const std::string& file, const std::string& content) {
-    if (const auto error = writeFileSafely(file, content)) {
+    if (const auto error = writeFileSafely(pathFromUtf8(file), content)) {
         print(stderr, describe(*error));
         return refused;
     }
@@ -110,11 +111,11 @@ int save(const std::string& file, const std::string& content) {
 
 bool isSameFile(const std::string& a, const std::string& b) {
     std::error_code ignored;
-    return std::filesystem::equivalent(a, b, ignored);
+    return std::filesystem::equivalent(pathFromUtf8(a), pathFromUtf8(b), ignored);
 }
 
 bool replacesProject(const std::string& file, const std::string& project) {
-    return std::filesystem::path(file).extension() == ".sparkout" || isSameFile(file, project);
+    return pathFromUtf8(file).extension() == ".sparkout" || isSameFile(file, project);
 }
 
 } // namespace sparkout::cli

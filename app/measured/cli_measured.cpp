@@ -12,6 +12,7 @@
 #include "app/measured/cli_trial.h"
 #include "core/adequacy/adequacy.h"
 #include "core/batch/batch_check.h"
+#include "core/files/file_system.h"
 #include "core/identification/identification.h"
 #include "core/measured/measured_table.h"
 #include "core/printable.h"
@@ -54,8 +55,8 @@ bool readInto(Project& project, const std::string& file) {
     if (!text) {
         return false;
     }
-    const MeasuredContext context{std::filesystem::path(file).filename().string(),
-                                  project.part->diameter_mm, 0};
+    const MeasuredContext context{utf8(pathFromUtf8(file).filename()), project.part->diameter_mm,
+                                  0};
     ReadMeasured read = readMeasured(*text, proposeTable(*text), context);
     printFaults(file, read.faults);
     if (!read.faults.empty()) {

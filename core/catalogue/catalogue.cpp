@@ -6,6 +6,7 @@
 #include "core/format/strict_json.h"
 #include "core/format/table_reader.h"
 #include "core/format/table_writer.h"
+#include "core/natural_order.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -185,7 +186,7 @@ std::vector<Entry> mergedEntries(const std::vector<Entry>& shipped, const std::v
         }
     }
     std::sort(all.begin(), all.end(), [](const Entry& a, const Entry& b) {
-        return strverscmp(a.name.c_str(), b.name.c_str()) < 0; // 50×… before 400×…
+        return naturalOrder(a.name, b.name) < 0; // 50×… before 400×…
     });
     return all;
 }

@@ -2,76 +2,66 @@
 #include "core/files/safe_file.h"
 
 #include "core/files/save_steps.h"
+#include "core/files/temporary_file.h"
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdio> // RENAME_EXCHANGE
 #include <new>
 #include <utility>
-
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 namespace sparkout {
 
 namespace {
 
 /// Whether the file holds exactly these bytes: 0, EILSEQ if not, or why it cannot be read.
-int compareWith(int fd, std::string_view bytes) {
+int compareWith(const Descriptor& file, std::string_view bytes) {
     std::array<char, 65536> block;
     for (std::size_t at = 0;;) {
-        const ssize_t n = uninterrupted(
-            [&] { return ::pread(fd, block.data(), block.size(), static_cast<off_t>(at)); });
-        if (n < 0)
-            return errno;
-        const auto length = static_cast<std::size_t>(n);
+        std::size_t length = 0;
+        if (const int error = readAt(file, at, block.data(), block.size(), length))
+            return error;
         if (length == 0 && at == bytes.size())
             return 0;
         if (length == 0 || length > bytes.size() - at
-            || !std::equal(block.begin(), block.begin() + n, bytes.data() + at))
+            || !std::equal(block.data(), block.data() + length, bytes.data() + at))
             return EILSEQ;
         at += length;
     }
 }
 
 /// Writes, syncs and reads back; `old` is null for a new file.
-StepOutcome fill(int fd, std::string_view bytes, const struct stat* old) {
-    if (StepOutcome failed = writeAll(fd, bytes))
-        return failed;
+StepOutcome fill(const Descriptor& file, std::string_view bytes, const FileFacts* old) {
+    if (const int error = writeAll(file, bytes))
+        return StepFailure{FileStep::write, error};
     if (old != nullptr)
-        if (StepOutcome failed = copyOwnerAndMode(fd, *old))
-            return failed;
-    if (StepOutcome failed = syncFile(fd))
-        return failed;
-    if (const int error = compareWith(fd, bytes))
-        return StepFailure{FileStep::verify, error};
-    return {};
+        if (const int error = copyOwnerAndMode(file, *old))
+            return StepFailure{FileStep::permissions, error};
+    if (const int error = syncFile(file))
+        return StepFailure{FileStep::sync, error};
+    return outcomeOf(FileStep::verify, compareWith(file, bytes));
 }
 
 /// Copies the old file to NAME.bak by way of a temporary file.
 StepOutcome copyToBackup(const SaveTarget& target, const std::string& backup) {
-    std::string bytes(static_cast<std::size_t>(target.oldStat.st_size), '\0');
+    std::string bytes(static_cast<std::size_t>(target.oldFacts.size), '\0');
     for (std::size_t at = 0; at < bytes.size();) {
-        const ssize_t n = uninterrupted([&] {
-            return ::pread(target.old.get(), bytes.data() + at, bytes.size() - at,
-                           static_cast<off_t>(at));
-        });
-        if (n <= 0)
-            return StepFailure{FileStep::backup, n < 0 ? errno : EIO};
-        at += static_cast<std::size_t>(n);
+        std::size_t n = 0;
+        const int error = readAt(target.old, at, bytes.data() + at, bytes.size() - at, n);
+        if (error != 0 || n == 0)
+            return StepFailure{FileStep::backup, error != 0 ? error : EIO};
+        at += n;
     }
-    const int folder = target.folder.get();
     Descriptor copy;
     std::string name;
-    if (const int error = createTemporary(folder, temporaryPrefix(target.name), 0600, copy, name))
+    if (const int error =
+            createTemporary(target.folder, temporaryPrefix(target.name), 0600, copy, name))
         return StepFailure{FileStep::backup, error};
-    TemporaryName temporary(folder, name);
-    if (StepOutcome failed = fill(copy.get(), bytes, &target.oldStat))
+    TemporaryName temporary(target.folder, name);
+    if (StepOutcome failed = fill(copy, bytes, &target.oldFacts))
         return StepFailure{FileStep::backup, failed->systemError};
-    if (::renameat(folder, name.c_str(), folder, backup.c_str()) != 0)
-        return StepFailure{FileStep::backup, errno};
+    if (const int error = renameIn(target.folder, name, backup))
+        return StepFailure{FileStep::backup, error};
     temporary.release();
     return {};
 }
@@ -82,7 +72,7 @@ StepOutcome confirm(const SaveTarget& target, const Descriptor& written, std::st
     Descriptor placed;
     if (StepOutcome failed = openPlaced(target, placed))
         return failed;
-    const int error = compareWith(placed.get(), bytes);
+    const int error = compareWith(placed, bytes);
     if (error != 0 && (error != EILSEQ || sameFile(placed, written)))
         return StepFailure{FileStep::verify, error, true};
     return {};
@@ -91,44 +81,39 @@ StepOutcome confirm(const SaveTarget& target, const Descriptor& written, std::st
 /// Puts the temporary file in place and keeps the old one as NAME.bak: the two are exchanged and
 /// the old one renamed, or exchanged back if that fails. Where files cannot be exchanged the old
 /// one is copied first.
-StepOutcome moveIntoPlaceKeepingOld(const SaveTarget& target, const std::string& temporary) {
-    const int folder = target.folder.get();
+StepOutcome moveIntoPlaceKeepingOld(SaveTarget& target, const std::string& temporary) {
+    const Folder& folder = target.folder;
     const std::string backup = target.name + ".bak";
-    struct stat found {};
-    if (::fstatat(folder, backup.c_str(), &found, AT_SYMLINK_NOFOLLOW) == 0) {
-        if (!S_ISREG(found.st_mode))
-            return StepFailure{FileStep::backup, EEXIST};
-    } else if (errno != ENOENT) {
-        return StepFailure{FileStep::backup, errno};
-    }
-    const auto exchange = [&] {
-        return ::renameat2(folder, temporary.c_str(), folder, target.name.c_str(), RENAME_EXCHANGE);
-    };
+    FileFacts found;
+    const int missing = factsIn(folder, backup, found);
+    if (missing == 0 && found.kind != FileKind::regular)
+        return StepFailure{FileStep::backup, EEXIST};
+    if (missing != 0 && missing != ENOENT)
+        return StepFailure{FileStep::backup, missing};
+    const auto exchange = [&] { return exchangeIn(folder, temporary, target.name); };
     if (exchange() == 0) {
-        if (::renameat(folder, temporary.c_str(), folder, backup.c_str()) == 0)
-            return {};
-        const int error = errno;
-        return StepFailure{FileStep::backup, error, exchange() != 0};
+        const int error = renameIn(folder, temporary, backup);
+        return error == 0 ? StepOutcome{} : StepFailure{FileStep::backup, error, exchange() != 0};
     }
     if (StepOutcome failed = copyToBackup(target, backup))
         return failed;
     return moveIntoPlace(target, temporary);
 }
 
-StepOutcome save(const SaveTarget& target, std::string_view bytes, WriteOptions options) {
+StepOutcome save(SaveTarget& target, std::string_view bytes, WriteOptions options) {
     const bool exists = static_cast<bool>(target.old);
     if (exists) // another save shall not take the old file for a leftover while it is exchanged
-        (void)::flock(target.old.get(), LOCK_EX | LOCK_NB);
+        (void)lockFile(target.old);
 
     Descriptor file;
     std::string name;
     if (StepOutcome failed = beginTemporary(target, file, name))
         return failed;
-    TemporaryName temporary(target.folder.get(), name);
-    if (StepOutcome failed = fill(file.get(), bytes, exists ? &target.oldStat : nullptr))
+    TemporaryName temporary(target.folder, name);
+    if (StepOutcome failed = fill(file, bytes, exists ? &target.oldFacts : nullptr))
         return failed;
-    if (StepOutcome failed = closeKeepingLock(file))
-        return failed;
+    if (const int error = closeKeepingLock(file))
+        return StepFailure{FileStep::close, error};
     const StepOutcome failed = exists && options.keepBackup ? moveIntoPlaceKeepingOld(target, name)
                                                             : moveIntoPlace(target, name);
     if (failed)
@@ -139,30 +124,29 @@ StepOutcome save(const SaveTarget& target, std::string_view bytes, WriteOptions 
 
 StepOutcome readAll(const std::filesystem::path& path, std::size_t maxBytes, std::string& bytes) {
     // Asked before opening: opening a device may already do something.
-    struct stat found {};
-    if (::stat(path.c_str(), &found) != 0)
-        return StepFailure{FileStep::inspect, errno};
-    if (!S_ISREG(found.st_mode))
+    FileFacts found;
+    if (const int error = factsAt(path, Links::followed, found))
+        return StepFailure{FileStep::inspect, error};
+    if (found.kind != FileKind::regular)
         return StepFailure{FileStep::notRegular, 0};
-    const Descriptor file = openAt(AT_FDCWD, path.string(), O_RDONLY | O_NONBLOCK);
-    if (!file)
-        return StepFailure{FileStep::open, errno};
-    if (::fstat(file.get(), &found) != 0)
-        return StepFailure{FileStep::inspect, errno};
-    if (!S_ISREG(found.st_mode))
+    Descriptor file;
+    if (const int error = openToRead(path, file))
+        return StepFailure{FileStep::open, error};
+    if (const int error = factsOf(file, found))
+        return StepFailure{FileStep::inspect, error};
+    if (found.kind != FileKind::regular)
         return StepFailure{FileStep::notRegular, 0};
-    if (std::cmp_greater(found.st_size, maxBytes))
+    if (std::cmp_greater(found.size, maxBytes))
         return StepFailure{FileStep::tooLarge, 0};
-    bytes.reserve(static_cast<std::size_t>(found.st_size));
+    bytes.reserve(static_cast<std::size_t>(found.size));
     std::array<char, 65536> block;
     for (;;) {
-        const ssize_t n =
-            uninterrupted([&] { return ::read(file.get(), block.data(), block.size()); });
-        if (n < 0)
-            return StepFailure{FileStep::read, errno};
+        std::size_t n = 0;
+        if (const int error = readOn(file, block.data(), block.size(), n))
+            return StepFailure{FileStep::read, error};
         if (n == 0)
             return {};
-        bytes.append(block.data(), static_cast<std::size_t>(n));
+        bytes.append(block.data(), n);
         if (bytes.size() > maxBytes) // it grew meanwhile, or its size was not known
             return StepFailure{FileStep::tooLarge, 0};
     }
@@ -180,17 +164,17 @@ std::optional<FileError> writeFileSafely(const std::filesystem::path& path, std:
         return {};
     return errorOf(*failed, path, target);
 } catch (const std::bad_alloc&) {
-    return FileError{path.string(), FileStep::create, ENOMEM, {}, false};
+    return FileError{utf8(path), FileStep::create, ENOMEM, {}, false};
 }
 
 std::variant<std::string, FileError> readFile(const std::filesystem::path& path,
                                               std::size_t maxBytes) try {
     std::string bytes;
     if (const StepOutcome failed = readAll(path, maxBytes, bytes))
-        return FileError{path.string(), failed->step, failed->systemError, {}, false};
+        return FileError{utf8(path), failed->step, failed->systemError, {}, false};
     return bytes;
 } catch (const std::bad_alloc&) {
-    return FileError{path.string(), FileStep::read, ENOMEM, {}, false};
+    return FileError{utf8(path), FileStep::read, ENOMEM, {}, false};
 }
 
 } // namespace sparkout

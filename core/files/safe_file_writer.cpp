@@ -2,17 +2,14 @@
 #include "core/files/safe_file_writer.h"
 
 #include "core/files/save_steps.h"
+#include "core/files/temporary_file.h"
 
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio> // RENAME_NOREPLACE
 #include <optional>
 #include <string>
 #include <utility>
-
-#include <fcntl.h>
-#include <unistd.h>
 
 namespace sparkout {
 
@@ -28,25 +25,24 @@ std::uint64_t sumOf(std::string_view bytes, std::uint64_t sum) {
 }
 
 /// Whether the file holds so many bytes of that sum: 0, EILSEQ if not, or why it cannot be read.
-int compareSum(int fd, std::uint64_t length, std::uint64_t wanted) {
+int compareSum(const Descriptor& file, std::uint64_t length, std::uint64_t wanted) {
     std::string block(blockBytes, '\0');
     std::uint64_t at = 0, sum = firstSum;
     for (;;) {
-        const ssize_t n = uninterrupted(
-            [&] { return ::pread(fd, block.data(), block.size(), static_cast<off_t>(at)); });
-        if (n < 0)
-            return errno;
+        std::size_t n = 0;
+        if (const int code = readAt(file, at, block.data(), block.size(), n))
+            return code;
         if (n == 0)
             return at == length && sum == wanted ? 0 : EILSEQ;
-        at += static_cast<std::uint64_t>(n);
-        sum = sumOf(std::string_view(block).substr(0, static_cast<std::size_t>(n)), sum);
+        at += n;
+        sum = sumOf(std::string_view(block).substr(0, n), sum);
     }
 }
 
 } // namespace
 
 struct SafeFileWriter::State {
-    std::string path;
+    std::filesystem::path path;
     Existing existing;
     SaveTarget target;
     Descriptor file;
@@ -69,29 +65,21 @@ struct SafeFileWriter::State {
             return StepFailure{FileStep::create, EEXIST};
         if (StepOutcome failed = beginTemporary(target, file, name))
             return failed;
-        temporary.emplace(target.folder.get(), name);
+        temporary.emplace(target.folder, name);
         return {};
     }
 
     StepOutcome flush() {
-        StepOutcome failed = writeAll(file.get(), block);
+        const int code = writeAll(file, block);
         length += block.size();
         sum = sumOf(block, sum);
         block.clear();
-        return failed;
+        return outcomeOf(FileStep::write, code);
     }
 
     StepOutcome moveIn() {
-        const int folder = target.folder.get();
-        const unsigned int flags = existing == Existing::refused ? RENAME_NOREPLACE : 0;
-        if (::renameat2(folder, name.c_str(), folder, target.name.c_str(), flags) == 0)
-            return {};
-        if (errno != EINVAL && errno != ENOSYS)
-            return StepFailure{FileStep::rename, errno};
-        // The file system does not know the flag.
-        if (existing == Existing::refused
-            && ::faccessat(folder, target.name.c_str(), F_OK, AT_SYMLINK_NOFOLLOW) == 0)
-            return StepFailure{FileStep::rename, EEXIST};
+        if (existing == Existing::refused)
+            return outcomeOf(FileStep::rename, renameToFree(target.folder, name, target.name));
         return moveIntoPlace(target, name);
     }
 
@@ -107,14 +95,14 @@ struct SafeFileWriter::State {
         if (StepOutcome failed = flush())
             return failed;
         if (target.old)
-            if (StepOutcome failed = copyOwnerAndMode(file.get(), target.oldStat))
-                return failed;
-        if (StepOutcome failed = syncFile(file.get()))
-            return failed;
-        if (const int code = compareSum(file.get(), length, sum))
+            if (const int code = copyOwnerAndMode(file, target.oldFacts))
+                return StepFailure{FileStep::permissions, code};
+        if (const int code = syncFile(file))
+            return StepFailure{FileStep::sync, code};
+        if (const int code = compareSum(file, length, sum))
             return StepFailure{FileStep::verify, code};
-        if (StepOutcome failed = closeKeepingLock(file))
-            return failed;
+        if (const int code = closeKeepingLock(file))
+            return StepFailure{FileStep::close, code};
         if (StepOutcome failed = moveIn())
             return failed;
         temporary->release();
@@ -124,7 +112,7 @@ struct SafeFileWriter::State {
 
 SafeFileWriter::SafeFileWriter(const std::filesystem::path& path, Existing existing)
     : m_state(std::make_unique<State>()) {
-    m_state->path = path.string();
+    m_state->path = path;
     m_state->existing = existing;
     m_state->fail(m_state->open());
 }

@@ -4,15 +4,12 @@
 // The steps that saving a file whole (safe_file.cpp) and writing one bit by bit
 // (safe_file_writer.cpp) have in common.
 
+#include "core/files/file_system.h"
 #include "core/files/safe_file.h"
-#include "core/files/temporary_file.h"
 
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
-
-#include <sys/stat.h>
 
 namespace sparkout {
 
@@ -27,34 +24,25 @@ using StepOutcome = std::optional<StepFailure>;
 
 /// The file a save replaces: its folder, its name there and, if it exists, the opened old file.
 struct SaveTarget {
-    Descriptor folder;
+    Folder folder;
     std::string name;
     Descriptor old;
-    struct stat oldStat {};
+    FileFacts oldFacts;
 };
 
 /// Finds the target behind a path, symbolic links followed, and opens what it needs.
 [[nodiscard]] StepOutcome openTarget(std::filesystem::path path, SaveTarget& target);
+
+/// A step whose call gave an error, or none.
+[[nodiscard]] StepOutcome outcomeOf(FileStep step, int error, bool replaced = false);
 
 /// Removes what killed saves of the target left, then makes its temporary file. A new file gets
 /// its mode from the umask, a replaced one stays private until it is whole.
 [[nodiscard]] StepOutcome beginTemporary(const SaveTarget& target, Descriptor& file,
                                          std::string& name);
 
-[[nodiscard]] StepOutcome writeAll(int fd, std::string_view bytes);
-
-/// Gives the temporary file owner, group and mode of the old one. A group that cannot be kept
-/// gets no more rights than everybody.
-[[nodiscard]] StepOutcome copyOwnerAndMode(int fd, const struct stat& old);
-
-[[nodiscard]] StepOutcome syncFile(int fd);
-
-/// Closes one descriptor of two, since close() may be where a network file system reports that
-/// a write failed; the other keeps the lock. On Linux an interrupted close has closed.
-[[nodiscard]] StepOutcome closeKeepingLock(Descriptor& file);
-
 /// Renames the temporary file to the target's name.
-[[nodiscard]] StepOutcome moveIntoPlace(const SaveTarget& target, const std::string& temporary);
+[[nodiscard]] StepOutcome moveIntoPlace(SaveTarget& target, const std::string& temporary);
 
 /// After the rename: makes it durable and opens the file that stands under the target's name.
 [[nodiscard]] StepOutcome openPlaced(const SaveTarget& target, Descriptor& placed);

@@ -2,26 +2,20 @@
 #include "core/files/temporary_file.h"
 
 #include <array>
-#include <cstdint>
+#include <cerrno>
 #include <cstdio>
-#include <memory>
 #include <string_view>
-
-#include <dirent.h>
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/random.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace sparkout {
 namespace {
 
 /// Removes the name. Tried again on any error: a temporary file must not stay behind.
-void removeName(int folder, const std::string& name) {
-    for (int attempt = 0; attempt < 3; ++attempt)
-        if (::unlinkat(folder, name.c_str(), 0) == 0 || errno == ENOENT)
+void removeName(const Folder& folder, const std::string& name) {
+    for (int attempt = 0; attempt < 3; ++attempt) {
+        const int failed = removeIn(folder, name);
+        if (failed == 0 || failed == ENOENT)
             return;
+    }
 }
 
 std::string hex(std::uint64_t value) {
@@ -33,10 +27,7 @@ std::string hex(std::uint64_t value) {
 constexpr std::string_view temporarySuffix = ".tmp";
 
 std::string temporaryName(const std::string& prefix) {
-    std::uint64_t random = 0;
-    if (uninterrupted([&] { return ::getrandom(&random, sizeof random, 0); }) < 0)
-        random = static_cast<std::uint64_t>(::getpid());
-    return prefix + hex(random) + std::string(temporarySuffix);
+    return prefix + hex(randomNumber()) + std::string(temporarySuffix);
 }
 
 bool isTemporaryName(std::string_view name, std::string_view prefix) {
@@ -47,37 +38,22 @@ bool isTemporaryName(std::string_view name, std::string_view prefix) {
     return random.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
-bool sameFile(const struct stat& a, const struct stat& b) {
-    return a.st_dev == b.st_dev && a.st_ino == b.st_ino;
-}
-
 /// Removes one leftover: a regular file of ours that no running save holds locked.
-void removeLeftover(int folder, const std::string& name) {
-    const Descriptor file = openAt(folder, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
-    struct stat opened {};
-    struct stat named {};
-    if (file && ::fstat(file.get(), &opened) == 0 && S_ISREG(opened.st_mode)
-        && opened.st_uid == ::geteuid() && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0
-        && ::fstatat(folder, name.c_str(), &named, AT_SYMLINK_NOFOLLOW) == 0
-        && sameFile(opened, named))
+void removeLeftover(const Folder& folder, const std::string& name) {
+    Descriptor file;
+    FileFacts opened;
+    FileFacts named;
+    if (openIn(folder, name, Opening::read, file) == 0 && factsOf(file, opened) == 0
+        && opened.kind == FileKind::regular && opened.ofThisUser && lockFile(file) == Locking::taken
+        && factsIn(folder, name, named) == 0 && sameFile(opened, named))
         removeName(folder, name);
 }
 
 } // namespace
 
-Descriptor::~Descriptor() {
-    if (m_fd >= 0)
-        ::close(m_fd);
-}
-
-Descriptor openAt(int folder, const std::string& name, int flags, mode_t mode) {
-    return Descriptor(uninterrupted(
-        [&] { return ::openat(folder, name.c_str(), flags | O_CLOEXEC | O_NOCTTY, mode); }));
-}
-
 TemporaryName::~TemporaryName() {
     if (!m_name.empty())
-        removeName(m_folder, m_name);
+        removeName(*m_folder, m_name);
 }
 
 std::string temporaryPrefix(const std::string& target) {
@@ -88,19 +64,19 @@ std::string temporaryPrefix(const std::string& target) {
     return ".sparkout-" + hex(hash) + "-";
 }
 
-int createTemporary(int folder, const std::string& prefix, mode_t mode, Descriptor& file,
-                    std::string& name) {
+int createTemporary(const Folder& folder, const std::string& prefix, std::uint32_t mode,
+                    Descriptor& file, std::string& name) {
     for (int attempt = 0; attempt < 16; ++attempt) {
         name = temporaryName(prefix);
-        file = openAt(folder, name, O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW, mode);
-        if (!file && errno == EEXIST)
+        const int failed = createIn(folder, name, mode, file);
+        if (failed == EEXIST)
             continue;
-        if (!file)
-            return errno;
-        const bool locked = ::flock(file.get(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
-        struct stat made {};
-        const int error = ::fstat(file.get(), &made) == 0 ? 0 : errno;
-        if (error == 0 && locked && made.st_nlink > 0)
+        if (failed != 0)
+            return failed;
+        const bool locked = lockFile(file) != Locking::heldElsewhere;
+        FileFacts made;
+        const int error = factsOf(file, made);
+        if (error == 0 && locked && made.links > 0)
             return 0;
         removeName(folder, name);
         if (error != 0)
@@ -110,19 +86,11 @@ int createTemporary(int folder, const std::string& prefix, mode_t mode, Descript
     return EEXIST;
 }
 
-void removeLeftovers(int folder, const std::string& prefix) {
-    // A descriptor of its own: reading moves the position. fdopendir takes it over.
-    const int fd = ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    DIR* const opened = fd >= 0 ? ::fdopendir(fd) : nullptr;
-    if (opened == nullptr) {
-        if (fd >= 0)
-            ::close(fd);
-        return;
-    }
-    const std::unique_ptr<DIR, int (*)(DIR*)> entries(opened, ::closedir);
-    while (const dirent* entry = ::readdir(entries.get()))
-        if (isTemporaryName(entry->d_name, prefix))
-            removeLeftover(folder, entry->d_name);
+void removeLeftovers(const Folder& folder, const std::string& prefix) {
+    forEachNameIn(folder, [&](const std::string& name) {
+        if (isTemporaryName(name, prefix))
+            removeLeftover(folder, name);
+    });
 }
 
 } // namespace sparkout

@@ -6,12 +6,12 @@
 #include "ui/dialogs/watched_work.h"
 #include "ui/kit/file_dialog.h"
 #include "ui/session/background.h"
+#include "ui/session/project_io.h"
 #include "ui/session/settings.h"
 #include "ui/text/file_error_text.h"
 
 #include <QApplication>
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPointer>
@@ -52,7 +52,7 @@ bool SaveDialog::offerAnother(QWidget* window, const QString& text) {
 
 /// Nothing, or why the file was not saved; nothing at all: it was given up.
 std::optional<QString> save(QWidget* window, const QString& path, const SaveRequest& request) {
-    const std::string target = QFile::encodeName(path).toStdString();
+    const std::filesystem::path target = systemPath(path);
     bool made = false;
     std::optional<FileError> error;
     const auto write = [&](const QByteArray& bytes) {

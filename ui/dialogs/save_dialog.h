@@ -7,10 +7,10 @@
 #include <QByteArray>
 #include <QString>
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <stop_token>
-#include <string>
 
 class QWidget;
 
@@ -33,7 +33,7 @@ struct SaveRequest {
     /// In place of both, for more than the memory may hold: it writes the file itself, safely, in a
     /// thread of its own, and says whether it has, or why not. Stopped by what keepGoing says or by
     /// the token, it leaves none.
-    std::function<bool(const std::string& path, const KeepGoing&, const std::stop_token&,
+    std::function<bool(const std::filesystem::path& path, const KeepGoing&, const std::stop_token&,
                        std::optional<FileError>& error)>
         stream = {};
 };

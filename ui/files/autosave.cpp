@@ -3,6 +3,7 @@
 
 #include "ui/session/document.h"
 #include "ui/session/project_io.h"
+#include "ui/text/system_text.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -13,7 +14,7 @@ namespace {
 
 FileError noFolder(const RecoveryStore& store) {
     FileError error;
-    error.path = QFile::encodeName(store.folder()).toStdString();
+    error.path = systemText(store.folder());
     error.step = FileStep::create;
     return error;
 }

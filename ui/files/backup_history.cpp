@@ -4,6 +4,7 @@
 #include "ui/files/disk_state.h"
 #include "ui/files/recovery_store.h"
 #include "ui/session/project_io.h"
+#include "ui/text/system_text.h"
 
 #include <QDir>
 #include <QFile>
@@ -35,7 +36,7 @@ BackupHistory::BackupHistory(const QString& stateFolder, BackupCaps caps)
 /// The name is for people, the hash tells apart files of the same name.
 QString BackupHistory::folderOf(const QString& project) const {
     const QString real = realPath(project);
-    const QByteArray hash = contentHash(QFile::encodeName(real).toStdString()).toHex().left(16);
+    const QByteArray hash = contentHash(systemText(real)).toHex().left(16);
     return m_folder + u'/' + QFileInfo(real).completeBaseName().left(longestName) + u'-'
            + QString::fromLatin1(hash);
 }
@@ -66,7 +67,7 @@ std::optional<FileError> BackupHistory::keep(const QString& project, std::string
     const QString folder = folderOf(project);
     const QString file = folder + u'/' + now.toUTC().toString(timeFormat) + suffix;
     FileError noFolder;
-    noFolder.path = QFile::encodeName(folder).toStdString();
+    noFolder.path = systemText(folder);
     noFolder.step = FileStep::create;
     if (!makePrivateFolder(folder)) {
         return noFolder;

@@ -1,48 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/files/disk_state.h"
 
+#include "core/files/file_system.h"
 #include "core/format/project_file.h"
 #include "ui/session/project_io.h"
 
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 
 #include <cerrno>
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace sparkout {
 
 namespace {
 
-std::optional<struct stat> statOf(const QString& path) {
-    struct stat found {};
-    if (::stat(QFile::encodeName(path).constData(), &found) != 0) {
+std::optional<FileFacts> factsOf(const QString& path) {
+    FileFacts found;
+    if (factsAt(systemPath(path), Links::followed, found) != 0) {
         return {};
     }
     return found;
 }
 
-bool hasAccess(const QString& path, int rights) {
-    return ::faccessat(AT_FDCWD, QFile::encodeName(path).constData(), rights, AT_EACCESS) == 0;
-}
-
-std::int64_t nanoseconds(const timespec& time) {
-    return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
-}
-
 } // namespace
 
 std::optional<FileStamp> stampOf(const QString& path) {
-    const auto found = statOf(path);
+    const auto found = factsOf(path);
     if (!found) {
         return {};
     }
-    return FileStamp{found->st_dev, found->st_ino, found->st_size, nanoseconds(found->st_mtim),
-                     nanoseconds(found->st_ctim)};
+    return FileStamp{found->device, found->inode, found->size, found->modified_ns,
+                     found->changed_ns};
 }
 
 DiskState diskState(const QString& path) {
@@ -60,19 +48,18 @@ DiskState diskState(const QString& path) {
 }
 
 std::uint64_t linkCount(const QString& path) {
-    const auto found = statOf(path);
-    return found ? found->st_nlink : 1;
+    const auto found = factsOf(path);
+    return found ? found->links : 1;
 }
 
 bool mayBeWritten(const QString& path) {
     const QString real = realPath(path);
-    const auto found = statOf(real);
+    const auto found = factsOf(real);
     // The mode is asked too: the system lets root write anything.
-    if (found
-        && ((found->st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0 || !hasAccess(real, W_OK))) {
+    if (found && (found->writeProtected || !mayWriteFile(systemPath(real)))) {
         return false;
     }
-    return hasAccess(QFileInfo(real).absolutePath(), W_OK | X_OK);
+    return mayAddFiles(systemPath(QFileInfo(real).absolutePath()));
 }
 
 QString realPath(const QString& path) {

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/files/file_lock.h"
 
+#include "core/files/file_system.h"
+#include "ui/session/project_io.h"
+
+#include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
 #include <QLockFile>
 
-#include <cstdio>
+#include <cstdint>
 #include <utility>
-
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace sparkout {
 
 namespace {
 
-constexpr off_t largestLock = 4096; ///< in bytes; a lock has some hundred
+constexpr std::int64_t largestLock = 4096; ///< in bytes; a lock has some hundred
 
 /// QLockFile guards the removal of a dead lock by a helper file.
 QString helperOf(const QString& lock) {
@@ -41,9 +42,9 @@ bool sameLock(const FileStamp& a, const FileStamp& b) {
 
 QString strangeLock(const QString& lock) {
     for (const QString& path : {lock, helperOf(lock)}) {
-        struct stat found {};
-        if (::lstat(QFile::encodeName(path).constData(), &found) == 0
-            && (!S_ISREG(found.st_mode) || found.st_size > largestLock)) {
+        FileFacts found;
+        if (factsAt(systemPath(path), Links::notFollowed, found) == 0
+            && (found.kind != FileKind::regular || found.size > largestLock)) {
             return path;
         }
     }
@@ -141,11 +142,12 @@ bool FileLock::stillOurs() const {
 void FileLock::release() {
     if (m_state == State::held && !stillOurs()) {
         // QLockFile removes by name: the lock of whoever took over must outlive that.
-        const QByteArray lock = QFile::encodeName(m_path);
-        const QByteArray kept = lock + '.' + QByteArray::number(::getpid());
-        if (::link(lock.constData(), kept.constData()) == 0) {
+        const std::filesystem::path lock = systemPath(m_path);
+        const std::filesystem::path kept =
+            systemPath(m_path + u'.' + QString::number(QCoreApplication::applicationPid()));
+        if (linkPath(lock, kept) == 0) {
             m_lock.reset();
-            (void)std::rename(kept.constData(), lock.constData());
+            (void)renamePath(kept, lock);
         }
     }
     m_lock.reset();

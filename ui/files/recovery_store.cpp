@@ -10,17 +10,11 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QLockFile>
+#include <QStandardPaths>
 #include <QSysInfo>
 #include <QUuid>
 
 #include <algorithm>
-#include <cerrno>
-#include <csignal>
-#include <cstdio>
-#include <limits>
-
-#include <fcntl.h>
-#include <sys/file.h>
 
 namespace sparkout {
 
@@ -36,9 +30,7 @@ bool surelyDead(const QString& lock) {
     qint64 process = 0;
     QString host, program;
     return QLockFile(lock).getLockInfo(&process, &host, &program)
-           && host == QSysInfo::machineHostName() && process > 0
-           && process <= std::numeric_limits<pid_t>::max()
-           && ::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH;
+           && host == QSysInfo::machineHostName() && !isRunning(process);
 }
 
 /// The recovery files of a folder, also those that are pipes and the like: they are listed, and
@@ -69,10 +61,10 @@ void sortNewestFirst(std::vector<RecoveryItem>& items) {
 
 class RecoveryOffer {
 public:
-    explicit RecoveryOffer(Descriptor folder) : m_folder(std::move(folder)) {}
+    explicit RecoveryOffer(Descriptor lock) : m_lock(std::move(lock)) {}
 
 private:
-    Descriptor m_folder; ///< locked; the lock goes with the program, however it ends
+    Descriptor m_lock; ///< of the folder
 };
 
 RecoveryClaim::RecoveryClaim(QString file, std::unique_ptr<QLockFile> lock)
@@ -122,17 +114,15 @@ bool RecoveryStore::inUse(const QString& id) const {
 
 std::vector<RecoveryItem> RecoveryStore::left(bool* offeredElsewhere) const {
     std::vector<RecoveryItem> items;
-    Descriptor locked =
-        openAt(AT_FDCWD, QFile::encodeName(m_folder).toStdString(), O_RDONLY | O_DIRECTORY);
-    const bool elsewhere =
-        locked && ::flock(locked.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    Descriptor lock;
+    const bool elsewhere = lockFolder(systemPath(m_folder), lock) == Locking::heldElsewhere;
     if (offeredElsewhere) {
         *offeredElsewhere = elsewhere;
     }
     if (elsewhere) {
         return items;
     }
-    const auto offer = std::make_shared<const RecoveryOffer>(std::move(locked));
+    const auto offer = std::make_shared<const RecoveryOffer>(std::move(lock));
     const QDir folder(m_folder);
     for (const QString& name : recoveryNames(folder)) {
         if (inUse(idOf(name))) {
@@ -163,11 +153,9 @@ void RecoveryStore::tidy(const QString& id) const {
     if (!claimed && !(surelyDead(lock) && QFile::remove(lock))) {
         return;
     }
-    const Descriptor folder =
-        openAt(AT_FDCWD, QFile::encodeName(m_folder).toStdString(), O_RDONLY | O_DIRECTORY);
-    if (folder) {
-        removeLeftovers(folder.get(),
-                        temporaryPrefix(QFile::encodeName(id + recoverySuffix).toStdString()));
+    Folder folder;
+    if (openFolder(systemPath(m_folder), folder) == 0) {
+        removeLeftovers(folder, temporaryPrefix((id + recoverySuffix).toStdString()));
     }
 }
 
@@ -213,9 +201,7 @@ bool RecoveryStore::discard(const QString& file) const {
     const QString name = QDateTime::currentDateTimeUtc().toString(recoveryTimeFormat) + u'-'
                          + QUuid::createUuid().toString(QUuid::Id128) + recoverySuffix;
     // Not QFile::rename(): what it cannot rename it opens and copies.
-    return std::rename(QFile::encodeName(file).constData(),
-                       QFile::encodeName(m_discarded + u'/' + name).constData())
-           == 0;
+    return renamePath(systemPath(file), systemPath(m_discarded + u'/' + name)) == 0;
 }
 
 void RecoveryStore::removeOldDiscarded(const QDateTime& now) const {
@@ -229,11 +215,16 @@ void RecoveryStore::removeOldDiscarded(const QDateTime& now) const {
 }
 
 QString userStateFolder() {
+#ifdef Q_OS_WIN
+    return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation)
+           + QStringLiteral("/sparkout/state");
+#else
     QString folder = qEnvironmentVariable("XDG_STATE_HOME");
     if (!QDir::isAbsolutePath(folder)) {
         folder = QDir::homePath() + QStringLiteral("/.local/state");
     }
     return folder + QStringLiteral("/sparkout");
+#endif
 }
 
 bool makePrivateFolder(const QString& path) {

@@ -7,13 +7,13 @@
 #include "ui/kit/file_dialog.h"
 #include "ui/measured/import_dialog.h"
 #include "ui/session/document.h"
+#include "ui/session/project_io.h"
 #include "ui/session/settings.h"
 #include "ui/tables/pasted_cells.h"
 #include "ui/text/file_error_text.h"
 #include "ui/text/texts.h"
 
 #include <QClipboard>
-#include <QFile>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QMessageBox>
@@ -47,7 +47,7 @@ void MeasuredImport::importFile() {
     MeasuredSource source;
     const bool isRead =
         runWatched(m_window, tr("Reading %1").arg(printableText(name)), [&](const KeepGoing&) {
-            auto bytes = readFile(QFile::encodeName(path).toStdString(), limits::measuredBytes);
+            auto bytes = readFile(systemPath(path), limits::measuredBytes);
             if (const auto* fault = std::get_if<FileError>(&bytes)) {
                 error = *fault;
             } else {

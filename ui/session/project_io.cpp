@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/project_io.h"
 
+#include "core/files/file_system.h"
 #include "core/format/project_file.h"
 #include "core/setup/setup_file.h"
+#include "ui/text/system_text.h"
 
 #include <QCryptographicHash>
-#include <QFile>
 
 #include <cerrno>
 
@@ -22,7 +23,7 @@ bool readsBack(const std::string& text, const Setup& setup) {
 
 FileError verifyError(const QString& path, int systemError, bool replaced) {
     FileError error;
-    error.path = QFile::encodeName(path).toStdString();
+    error.path = systemText(path);
     error.step = FileStep::verify;
     error.systemError = systemError;
     error.replaced = replaced;
@@ -32,7 +33,7 @@ FileError verifyError(const QString& path, int systemError, bool replaced) {
 } // namespace
 
 std::filesystem::path systemPath(const QString& path) {
-    return {QFile::encodeName(path).toStdString()};
+    return pathFromUtf8(systemText(path));
 }
 
 QByteArray contentHash(std::string_view bytes) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/settings_file.h"
 
+#include "core/files/file_system.h"
 #include "ui/session/project_io.h"
+#include "ui/text/system_text.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -11,7 +13,6 @@
 #include <QJsonObject>
 
 #include <cerrno>
-#include <cstdio>
 
 namespace sparkout {
 
@@ -65,12 +66,12 @@ std::optional<QVariantMap> SettingsFile::read() {
 bool SettingsFile::putAside() {
     const QString aside = m_path + QStringLiteral(".damaged");
     // Not QFile::rename(): what it cannot rename it opens and copies.
-    if (std::rename(QFile::encodeName(m_path).constData(), QFile::encodeName(aside).constData())
-        == 0) {
+    const int failed = renamePath(systemPath(m_path), systemPath(aside));
+    if (failed == 0) {
         m_damaged = aside;
         return true;
     }
-    m_unreadable = FileError{QFile::encodeName(m_path).toStdString(), FileStep::backup, errno, {}};
+    m_unreadable = FileError{systemText(m_path), FileStep::backup, failed, {}};
     return false;
 }
 

@@ -5,12 +5,12 @@
 #include "core/study/operation.h"
 #include "ui/kit/file_dialog.h"
 #include "ui/session/document.h"
+#include "ui/session/project_io.h"
 #include "ui/tables/profile_csv.h"
 #include "ui/text/file_error_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
-#include <QFile>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
@@ -59,7 +59,7 @@ void RadiiEditor::askForFile() {
 
 void RadiiEditor::readFrom(const QString& path) {
     const QString name = printableText(QFileInfo(path).fileName());
-    const auto read = readFile({QFile::encodeName(path).toStdString()}, largestFile);
+    const auto read = readFile(systemPath(path), largestFile);
     if (const auto* error = std::get_if<FileError>(&read)) {
         m_refused = readErrorText(*error);
         emit remarkChanged();

@@ -14,13 +14,13 @@
 #include "ui/kit/file_dialog.h"
 #include "ui/kit/font_size.h"
 #include "ui/session/document.h"
+#include "ui/session/project_io.h"
 #include "ui/text/file_error_text.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
 #include <QCheckBox>
-#include <QFile>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -161,7 +161,7 @@ void FactorBox::readFrom(const QString& path) {
         m_fileFault = [name, reason] { return tr("“%1” was not taken: %2").arg(name, reason()); };
         showRemark();
     };
-    const auto read = readFile({QFile::encodeName(path).toStdString()}, largestTable);
+    const auto read = readFile(systemPath(path), largestTable);
     if (const auto* error = std::get_if<FileError>(&read)) {
         refuse([error = *error] { return readErrorText(error); });
         return;

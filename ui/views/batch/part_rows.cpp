@@ -53,7 +53,7 @@ std::vector<std::string> headOfParts(const PartColumns& columns) {
     return head;
 }
 
-bool writeRows(const Project& project, TableFormat format, const std::string& path,
+bool writeRows(const Project& project, TableFormat format, const std::filesystem::path& path,
                const KeepGoing& keepGoing, const std::stop_token& stop,
                std::optional<FileError>& error) {
     PartRowsFile file(path, SafeFileWriter::Existing::replaced, // the dialog has asked
@@ -74,8 +74,8 @@ bool savePartRows(QWidget* window, Settings* settings, const Project& project, T
     request.name = fileNameOf({exampleTitle(project.title), request.title});
     request.suffix = tableFormatSuffix(format);
     request.filter = tableFormatFilter(format);
-    request.stream = [&project, format](const std::string& path, const KeepGoing& keepGoing,
-                                        const std::stop_token& stop,
+    request.stream = [&project, format](const std::filesystem::path& path,
+                                        const KeepGoing& keepGoing, const std::stop_token& stop,
                                         std::optional<FileError>& error) {
         return writeRows(project, format, path, keepGoing, stop, error);
     };

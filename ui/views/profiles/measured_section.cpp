@@ -5,10 +5,10 @@
 #include "core/measured/closed_profile.h"
 #include "core/measured/measured_table.h"
 #include "ui/measured/measured_text.h"
+#include "ui/session/project_io.h"
 #include "ui/text/file_error_text.h"
 #include "ui/text/texts.h"
 
-#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -22,7 +22,7 @@ namespace sparkout {
 
 std::optional<MeasuredSection> MeasuredSection::read(const QString& path, double nominalRadius_mm,
                                                      QString& reason) {
-    auto bytes = readFile(QFile::encodeName(path).toStdString(), limits::measuredBytes);
+    auto bytes = readFile(systemPath(path), limits::measuredBytes);
     if (const auto* fault = std::get_if<FileError>(&bytes)) {
         reason = readErrorText(*fault);
         return std::nullopt;
