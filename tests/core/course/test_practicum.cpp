@@ -6,6 +6,11 @@
 #include "core/course/variant_check.h"
 #include "core/course/work_file.h"
 #include "core/lesson/goal_check.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
+#include "core/quality/constraints.h"
 #include "core/setup/setup_file.h"
 #include "tests/core/course/class_samples.h"
 #include "tests/registry.h"
@@ -89,6 +94,117 @@ Answer answerTo(const Lesson& given, std::size_t step, const std::optional<BestA
     }
     return answer;
 }
+
+/// What the right options of a work say of its variants, as the engine finds it.
+class Claims {
+public:
+    explicit Claims(Lesson given) : m_given(std::move(given)) {}
+
+    [[nodiscard]] bool hold(int work) const {
+        switch (work) {
+        case 1: return dullingDoublesTheFlats() && lagIsTheDeflection();
+        case 3: return zonesWithoutDwellsAreAlike();
+        case 4: return aDullWheelKeepsSeveralTimesTheLag();
+        case 5: return anEccentricBlankFadesAlike();
+        case 6: return theLayerIsDeeperThanTheStock();
+        case 7: return aStiffPlaceOfTheGaugeMakesAllLarger();
+        case 8: return theLastFeedSpreadsTheZones();
+        default: return aLargerLastFeedScattersMore();
+        }
+    }
+
+private:
+    /// Of the project that a step begins with, from 1.
+    [[nodiscard]] Project projectOf(std::size_t step) const {
+        return setupOf(m_given, step - 1).surfaces.front().project;
+    }
+    static double valueOf(const Project& project, const Figure& figure) {
+        return figureValue(figure, studyRun(project, needsTrajectory(figure)).figures()).value();
+    }
+    static Figure of(FigureName name, PlaceName place = {}, std::optional<int> stage = {},
+                     std::optional<int> count = {}, Step step = Step::none) {
+        return {name, place, stage, count, step};
+    }
+    static PlaceName zone(std::size_t index) { return PlaceName::ofWord(index); }
+    static PlaceName section(int index) { return PlaceName::ofNumber(index); }
+
+    [[nodiscard]] bool dullingDoublesTheFlats() const {
+        Project dull = projectOf(1);
+        const double ks = valueOf(dull, of(FigureName::shearCoefficient));
+        const double kr = valueOf(dull, of(FigureName::flatCoefficient));
+        dull.wheel->dullness *= 2;
+        return valueOf(dull, of(FigureName::shearCoefficient)) == ks
+               && std::abs(valueOf(dull, of(FigureName::flatCoefficient)) - 2 * kr) < 1e-9 * kr;
+    }
+    [[nodiscard]] bool lagIsTheDeflection() const {
+        const Project project = projectOf(9);
+        const double lag_um = valueOf(project, of(FigureName::lag, zone(1), 1, 5));
+        const double force_n = valueOf(project, of(FigureName::force, zone(1), 1, 5, Step::e2));
+        const double gamma = valueOf(project, of(FigureName::compliance, zone(1)));
+        return std::abs(lag_um - 1000 * gamma * force_n) < 0.005 * lag_um;
+    }
+    [[nodiscard]] bool zonesWithoutDwellsAreAlike() const {
+        const Project project = projectOf(7);
+        const auto deviation = [&](std::size_t place) {
+            return valueOf(project, of(FigureName::deviationMean, zone(place)));
+        };
+        return std::abs(deviation(1) - deviation(2)) < 0.005 && deviation(1) - deviation(0) > 0.05;
+    }
+    [[nodiscard]] bool aDullWheelKeepsSeveralTimesTheLag() const {
+        const Figure lag = of(FigureName::lag, section(0), 2, 60);
+        return valueOf(projectOf(6), lag) > 2.5 * valueOf(projectOf(5), lag);
+    }
+    [[nodiscard]] bool anEccentricBlankFadesAlike() const {
+        const Figure runout = of(FigureName::runoutAfter, section(0), {}, 10);
+        const double oval_um = valueOf(projectOf(4), runout);
+        const Project project = projectOf(1);
+        const double fed_um = 10 * *project.cycle->stages.front().radial_feed_mm_min
+                              / project.machine->work_speed_rpm * 1000;
+        return std::abs(valueOf(projectOf(7), runout) - oval_um) < 0.05 * oval_um
+               && fed_um > 1000 * project.part->initial_runout_mm; // of a rigid system, step 2
+    }
+    [[nodiscard]] bool theLayerIsDeeperThanTheStock() const {
+        const Project project = projectOf(5);
+        const Figure limit = of(FigureName::burnLimit, section(0), 1);
+        const Figure depth = of(FigureName::actualFeed, section(0), 1);
+        const Figure layer = of(FigureName::damagedLayer, section(0), 1);
+        const Figure stock = of(FigureName::stockLeft, section(0), 1);
+        const Figure free = of(FigureName::burnFreeFeed);
+        return valueOf(project, depth) > valueOf(project, limit)
+               && valueOf(project, layer) > valueOf(project, stock)
+               && valueOf(projectOf(6), free) < valueOf(project, free);
+    }
+    [[nodiscard]] bool aStiffPlaceOfTheGaugeMakesAllLarger() const {
+        for (int i = 0; i < 5; ++i) {
+            const Figure mean = of(FigureName::deviationMean, section(i));
+            if (valueOf(projectOf(4), mean) < valueOf(projectOf(3), mean) + 0.5) {
+                return false;
+            }
+        }
+        return true;
+    }
+    [[nodiscard]] bool theLastFeedSpreadsTheZones() const {
+        Project project = projectOf(5);
+        const Figure spread = of(FigureName::diameterSpread);
+        const double before_um = valueOf(project, spread);
+        project.cycle->stages.back().radial_feed_mm = 0.006;
+        project.cycle->stages.back().axial_feed_mm_min = 2500;
+        const StudiedRun run = studyRun(project, false);
+        return *figureValue(spread, run.figures()) > before_um + 2
+               && std::none_of(run.constraints.begin(), run.constraints.end(),
+                               [](const ConstraintResult& each) {
+                                   return each.kind == ConstraintKind::wheelPower && !each.holds;
+                               });
+    }
+    [[nodiscard]] bool aLargerLastFeedScattersMore() const {
+        const Figure s = of(FigureName::batchDeviation, zone(1));
+        const Figure mean = of(FigureName::batchMean, zone(1));
+        return valueOf(projectOf(7), s) > 1.2 * valueOf(projectOf(6), s)
+               && valueOf(projectOf(6), mean) < -8.5;
+    }
+
+    Lesson m_given;
+};
 
 std::set<GoalKind> kindsOf(const Lesson& lesson) {
     std::set<GoalKind> kinds;
@@ -194,6 +310,26 @@ private slots:
             if (QTest::currentTestFailed()) {
                 return;
             }
+        }
+    }
+
+    /// The choices say what becomes of a variant: the engine says the same of each.
+    void whatChoicesClaimIsSo_data() {
+        QTest::addColumn<int>("work");
+        for (const int work : {1, 3, 4, 5, 6, 7, 8, 9}) {
+            QTest::addRow("work %d", work) << work;
+        }
+    }
+    void whatChoicesClaimIsSo() {
+        QFETCH(int, work);
+        const auto file = samples::lessonFiles()[static_cast<std::size_t>(work) - 1];
+        const Lesson lesson = lessonIn(QString::fromStdString(file));
+        const auto count = static_cast<std::size_t>(samples::sized(3, 1, 25));
+        const MadeVariants made = makeVariants(lesson, count, 77);
+        QCOMPARE(made.variants.size(), count);
+        for (const MadeVariant& variant : made.variants) {
+            const Claims claims(withVariant(lesson, variant.levels, {}));
+            QVERIFY2(claims.hold(work), std::to_string(variant.levels.front()).c_str());
         }
     }
 
