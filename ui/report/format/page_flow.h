@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/report/format/page_metrics.h"
 #include "ui/report/format/pages.h"
 #include "ui/report/format/text_box.h"
 
@@ -30,6 +31,9 @@ public:
     void operator()(const Formula& formula);
     void operator()(const FormHead& head);
     void operator()(const PageBreak&);
+    void operator()(const Blank& blank);
+    void operator()(const TitlePage& title);
+    void operator()(const Contents& contents);
 
 private:
     /// Widths of a table's columns, and the size of its type [points]: smaller where a number would
@@ -64,6 +68,12 @@ private:
     [[nodiscard]] double heightOf(const Figure& figure) const; ///< with its caption
     [[nodiscard]] double heightOf(const Formula& formula) const;
     [[nodiscard]] TextBox boxOf(const Paragraph& paragraph) const;
+    [[nodiscard]] TextBox boxOf(const Heading& heading) const;
+    /// Whether it stands at the top of a page.
+    [[nodiscard]] bool beginsPage(const Heading& heading) const;
+    [[nodiscard]] TextBox
+    captionBox(const QString& caption) const; ///< without lines: there is none
+    void addCaption(const TextBox& caption);
     /// Asked row by row, for a table may fill hundreds of pages.
     [[nodiscard]] bool goesOn() const;
     void newPage();
@@ -84,19 +94,31 @@ private:
     void addRow(const Row& row, const Columns& columns, const QColor& ground,
                 Pages::Box::Kind kind);
     void addLongRow(const Row& row, const Row& head, const Columns& columns, const QColor& ground);
-    void addMargins(); ///< head and foot of every page
+    void addMargins();  ///< head and foot of every page
+    void addNumbers();  ///< of the pages, where that is all there is
+    void addContents(); ///< once the pages of the headings are known
+
+    /// A heading among the contents.
+    struct Entry {
+        TextBox text;
+        std::size_t page; ///< it stands on
+        double x, y;
+    };
 
     const Report& m_report;
     const KeepGoing& m_keepGoing;
     mutable bool m_stopped = false;
     mutable LaidOutTable m_laidOut;
     QSizeF m_area;
+    const PageMetrics& m_metrics;
     double m_top, m_bottom;
     double m_y = 0;
     std::size_t m_block = 0; ///< which is laid out
     std::vector<std::vector<Paint>> m_pages;
     std::vector<Pages::Mark> m_marks;
     std::vector<Pages::Box> m_boxes;
+    std::vector<Entry> m_entries;
+    bool m_hasTitlePage = false;
 };
 
 } // namespace sparkout::report
