@@ -10043,7 +10043,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Title page of la&amp;boratory reports…</source>
-            <translation>Титул&amp;ьный лист лабораторных отчётов…</translation>
+            <translation>Титульный &amp;лист лабораторных отчётов…</translation>
         </message>
     </context>
     <context>
@@ -19446,6 +19446,10 @@ s</source>
         <message>
             <source>Inputs</source>
             <translation>Исходные данные</translation>
+        </message>
+        <message>
+            <source>Inputs of the surface %1</source>
+            <translation>Исходные данные поверхности %1</translation>
         </message>
         <message>
             <source>Results</source>

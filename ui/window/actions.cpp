@@ -28,6 +28,7 @@ Actions::Actions(QMainWindow& window)
     , earlierVersions(make("earlierVersions", u""))
     , recoverWork(make("recoverWork", u""))
     , company(make("company", u""))
+    , titlePage(make("titlePage", u""))
     , importMeasured(make("importMeasured", u"", Qt::CTRL | Qt::Key_I))
     , exportResults(make("exportResults", u"export"))
     , quit(make("quit", u"", Qt::CTRL | Qt::Key_Q))
@@ -138,7 +139,7 @@ void Actions::buildMenus(QMenuBar& bar) {
         report.menu->addSeparator();
         report.menu->addActions({report.pdf, report.html, report.markdown, report.odt});
     }
-    m_file->addActions({company, exportResults});
+    m_file->addActions({company, titlePage, exportResults});
     m_file->addSeparator();
     m_file->addAction(quit);
     m_edit = bar.addMenu(QString());
@@ -310,6 +311,7 @@ void Actions::retranslate() {
     }
     examples->setIconText(tr("Examples"));
     company->setText(tr("Company and si&gnatures…"));
+    titlePage->setText(tr("Title page of la&boratory reports…"));
     importMeasured->setText(tr("&Import measurements…"));
     exportResults->setText(tr("Export resu&lts…"));
     quit->setText(tr("&Quit"));

@@ -35,6 +35,7 @@
 #include "ui/window/actions.h"
 #include "ui/window/dialogs/company_dialog.h"
 #include "ui/window/dialogs/file_questions.h"
+#include "ui/window/dialogs/title_page_dialog.h"
 #include "ui/window/export_commands.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_desk.h"
@@ -366,6 +367,7 @@ void MainWindow::connectReports() {
         });
     };
     on(m_actions->company, [this] { CompanyDialog(m_settings, this).exec(); });
+    on(m_actions->titlePage, [this] { TitlePageDialog(m_settings, this).exec(); });
     on(m_actions->exportResults, [exports] { exports->exportResults(); });
     for (const ReportActions& report : m_actions->reports) {
         const report::Kind kind = report.kind;
