@@ -2,6 +2,7 @@
 // The papers of the course: their sections, their numbers held against the engine, what no student
 // may find in them, and their pages.
 #include "core/process/recipe_force.h"
+#include "core/project/cycle.h"
 #include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/report/course_bench.h"
@@ -254,17 +255,24 @@ private slots:
             Lesson lesson = lessonIn(lessonFiles().front());
             Project& project = lesson.base.surfaces.front().project;
             setDullness(*project.wheel, 0.021371);
+            auto& feed = project.cycle->stages.front().*project.operation->radial().value;
+            feed = 0.005413;
             lesson.variants.reset();
-            lesson.steps.front().inputs.push_back({"/wheel/dullness", Access::hidden});
-            const QString number =
-                QString::number(0.021371).replace(u'.', QLocale().decimalPoint());
-            for (const Report& made :
-                 {report::worksheet(lesson, wish()), report::labReport(finished(lesson), wish())}) {
-                QVERIFY2(!hasNumber(textOf(made), number), qPrintable(made.title));
+            for (const auto& [path, value] :
+                 {std::pair("/wheel/dullness", 0.021371),
+                  std::pair("/cycle/stages/0/radial_feed_mm", 0.005413)}) {
+                const QString number =
+                    QString::number(value).replace(u'.', QLocale().decimalPoint());
+                QVERIFY(hasNumber(textOf(report::worksheet(lesson, wish())), number));
+                QVERIFY(hasNumber(textOf(report::labReport(finished(lesson), wish())), number));
+                Lesson hiding = lesson;
+                hiding.steps.front().inputs.push_back({path, Access::hidden});
+                for (const Report& made : {report::worksheet(hiding, wish()),
+                                           report::labReport(finished(hiding), wish())}) {
+                    QVERIFY2(!hasNumber(textOf(made), number), qPrintable(made.title));
+                }
+                QVERIFY(hasNumber(textOf(report::methodicalGuide(hiding, wish())), number));
             }
-            QVERIFY(hasNumber(textOf(report::methodicalGuide(lesson, wish())), number));
-            lesson.steps.front().inputs.pop_back();
-            QVERIFY(hasNumber(textOf(report::worksheet(lesson, wish())), number));
         }
     }
 
@@ -346,7 +354,7 @@ private slots:
             const QByteArray pdf = bytesOf(made, report::Format::pdf);
             const QString info = reading::told(QStringLiteral("pdfinfo"), {}, pdf);
             QVERIFY2(info.contains(QStringLiteral("(A4)")), qPrintable(info));
-            QVERIFY(!bytesOf(made, report::Format::odt).isEmpty());
+            checkOdt(bytesOf(made, report::Format::odt));
             QVERIFY(!textOf(made).isEmpty()); // the web page is well-formed
         }
     }
@@ -436,6 +444,55 @@ private slots:
     }
 
 private:
+    /// Well-formed, with every style and every mark that it names.
+    static void checkOdt(const QByteArray& odt) {
+        const QByteArray content = unzipped(odt, "content.xml");
+        const QString all = QString::fromUtf8(content + unzipped(odt, "styles.xml"));
+        QXmlStreamReader reader(content);
+        while (!reader.atEnd()) {
+            reader.readNext();
+        }
+        QVERIFY2(!content.isEmpty() && !reader.hasError(), qPrintable(reader.errorString()));
+        const auto named = [&all](const char* pattern) {
+            std::set<QString> names;
+            for (auto it = QRegularExpression(QString::fromLatin1(pattern)).globalMatch(all);
+                 it.hasNext();) {
+                names.insert(it.next().captured(1));
+            }
+            return names;
+        };
+        const std::set<QString> styles = named("style:name=\"([^\"]+)\"");
+        for (const char* use : {"text:style-name=\"([^\"]+)\"", "table:style-name=\"([^\"]+)\"",
+                                "master-page-name=\"([^\"]+)\""}) {
+            for (const QString& style : named(use)) {
+                QVERIFY2(styles.contains(style), qPrintable(style));
+            }
+        }
+        const std::set<QString> marks = named("bookmark-start text:name=\"([^\"]+)\"");
+        for (const QString& mark : named("text:ref-name=\"([^\"]+)\"")) {
+            QVERIFY2(marks.contains(mark), qPrintable(mark));
+        }
+    }
+
+    /// A file of an archive, as another program reads it.
+    static QByteArray unzipped(const QByteArray& archive, const char* name) {
+        const QTemporaryDir folder;
+        QFile file(folder.filePath(QStringLiteral("paper.odt")));
+        if (!file.open(QIODevice::WriteOnly) || file.write(archive) != archive.size()) {
+            return {};
+        }
+        file.close();
+        QProcess process;
+        process.start(QStringLiteral("/usr/bin/python3"),
+                      {QStringLiteral("-c"),
+                       QStringLiteral("import sys, zipfile\n"
+                                      "sys.stdout.buffer.write(zipfile.ZipFile(sys.argv[1])"
+                                      ".read(sys.argv[2]))"),
+                       file.fileName(), QString::fromLatin1(name)});
+        process.waitForFinished(60'000);
+        return process.readAllStandardOutput();
+    }
+
     /// Every result of the key is left out of the worksheet, whose formulas have the same numbers.
     static void checkApart(const Report& sheet, const Report& key) {
         const auto asked = formulasByLabel(sheet), answered = formulasByLabel(key);

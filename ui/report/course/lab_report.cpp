@@ -94,18 +94,22 @@ private:
 
     void writeData() {
         m_paper.section(tr("Data of the variant"));
-        const Project& project = m_work.lesson.base.surfaces.front().project;
+        const auto& surfaces = m_work.lesson.base.surfaces;
         m_paper.say(
             tr("Variant %1. The inputs of the cycle are those of table 1.").arg(m_work.variant));
         const OutcomePtr outcome = m_view.hidesAnyOf("/part") || m_view.hidesAnyOf("/gauge")
                                        ? nullptr
-                                       : evaluate(project, {});
+                                       : evaluate(surfaces.front().project, {});
         if (outcome && outcome->ran()) {
             Figure sketch = partSketch(outcome);
             sketch.caption = tr("The part");
             m_paper.figure(std::move(sketch));
         }
-        m_paper.table(m_view.inputs(project), tr("Inputs"));
+        for (const GroundSurface& surface : surfaces) {
+            const QString name = oneLine(surface.name);
+            m_paper.table(m_view.inputs(surface.project),
+                          name.isEmpty() ? tr("Inputs") : tr("Inputs of the surface %1").arg(name));
+        }
     }
 
     void writeResults() {

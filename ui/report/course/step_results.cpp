@@ -42,6 +42,19 @@ QString numberOrDash(const sparkout::Figure& figure, const std::optional<double>
 
 constexpr int saidDigits = 6; ///< of a number that a student typed
 
+/// What runs differ in, without the inputs that a step hides.
+std::vector<RunRow> shownRows(const StudentView& view, const std::vector<ComparedRun>& runs) {
+    const std::vector<ComparedRow> compared = compareRuns(runs);
+    const std::vector<RunRow> rows = differingRows(runs); // one for each of them
+    std::vector<RunRow> shown;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i].isResult || !view.hides(compared[i].path)) {
+            shown.push_back(rows[i]);
+        }
+    }
+    return shown;
+}
+
 /// A run that is compared, with what it points to.
 struct HeldRun {
     QString name;
@@ -103,7 +116,7 @@ Table StepResults::changes(std::size_t step, const Project& set) const {
     Project plain = set;
     plain.runs.clear();
     const Project& before = given(step);
-    for (const RunRow& row : differingRows({{&before, nullptr}, {&plain, nullptr}})) {
+    for (const RunRow& row : shownRows(m_view, {{&before, nullptr}, {&plain, nullptr}})) {
         table.rows.push_back({row.what, cell(row.unit), cell(row.shown[0]), cell(row.shown[1])});
     }
     return table;
@@ -124,7 +137,9 @@ void StepResults::writeFigures(PaperWriter& paper, std::size_t step, Run& run) c
             run.figures[key] = paper.figure(std::move(*figure));
         }
     };
-    add(HandoutView::cycle, Hideable::feeds, [&] { return feedsFigure(run.outcome); });
+    if (!m_view.hidesAnyOf("/cycle")) {
+        add(HandoutView::cycle, Hideable::feeds, [&] { return feedsFigure(run.outcome); });
+    }
     if (isMetBySetting(m_work.lesson.steps[step].goal.kind())) {
         add(HandoutView::profiles, Hideable::profiles,
             [&] { return std::optional(profilesFigure(run.outcome)); });
@@ -139,7 +154,9 @@ void StepResults::writeSetting(PaperWriter& paper, std::size_t step, Run& run) c
     } else {
         paper.table(std::move(set), tr("Inputs that were set"));
     }
-    paper.table(OperationSetup::stages(outcome), tr("Stages of the cycle"));
+    if (!m_view.hidesAnyOf("/cycle")) {
+        paper.table(OperationSetup::stages(outcome), tr("Stages of the cycle"));
+    }
     paper.table(CycleCard::accuracy(outcome), tr("Accuracy by zone or section"));
     if (!m_view.hides(step, Hideable::verdict)) {
         paper.table(CycleCard::requirements(outcome), tr("Requirements and margins"));
@@ -332,7 +349,7 @@ Table StepResults::keptRuns() const {
         table.head << run.name;
     }
     table.texts.assign(static_cast<std::size_t>(table.head.size()), true);
-    for (const RunRow& row : differingRows(runs)) {
+    for (const RunRow& row : shownRows(m_view, runs)) {
         QStringList cells{row.what, cell(row.unit)};
         for (const QString& shown : row.shown) {
             cells << cell(shown);

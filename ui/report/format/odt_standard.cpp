@@ -90,6 +90,13 @@ void OdtStandard::writeStyles(OdtXml& xml, const QString& language) {
     xml.end();
     xml.end();
     xml.end();
+    // Its first paragraph brings the page without a number with it.
+    xml.begin("style:style");
+    xml.attribute("style:name", QStringLiteral("TitleFirst"));
+    xml.attribute("style:family", QStringLiteral("paragraph"));
+    xml.attribute("style:master-page-name", QStringLiteral("First"));
+    xml.empty("style:paragraph-properties", {attribute("fo:text-align", "center")});
+    xml.end();
 }
 
 void OdtStandard::writeIndexStyle(OdtXml& xml) {
@@ -97,13 +104,6 @@ void OdtStandard::writeIndexStyle(OdtXml& xml) {
     xml.attribute("style:name", QStringLiteral("Index"));
     xml.attribute("style:family", QStringLiteral("text"));
     xml.empty("style:text-properties", {attribute("style:text-position", "sub 70%")});
-    xml.end();
-    // Its first paragraph brings the page without a number with it.
-    xml.begin("style:style");
-    xml.attribute("style:name", QStringLiteral("TitleFirst"));
-    xml.attribute("style:family", QStringLiteral("paragraph"));
-    xml.attribute("style:master-page-name", QStringLiteral("First"));
-    xml.empty("style:paragraph-properties", {attribute("fo:text-align", "center")});
     xml.end();
 }
 
