@@ -105,7 +105,7 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
         options.picture = words[++i];
     } else if (word == u"--report") {
         options.report = words[++i];
-        if (!report::kindOf(options.report)) {
+        if (!report::kindOf(options.report) && !report::paperOf(options.report)) {
             options.fault = QStringLiteral("there is no report “%1”; there are: %2")
                                 .arg(options.report, reportKeys());
         }
@@ -198,6 +198,13 @@ QString outputFault(const Options& options) {
                : QString();
 }
 
+/// Whether a report takes --at, --views or --answers.
+bool takesOption(const QString& kind, const QString& option) {
+    const auto paper = report::paperOf(kind);
+    return kind == u"handout" || (paper == report::Paper::labReport && option == u"--views")
+           || (paper && report::rowOf(*paper).takesStep && option == u"--at");
+}
+
 Options readOptions(const QStringList& words) {
     Options options;
     bool optionsOver = false;
@@ -221,7 +228,7 @@ Options readOptions(const QStringList& words) {
         && options.exported.part.isEmpty() && options.fault.isEmpty()) {
         options.fault = QStringLiteral("--surface needs --picture, --report or --export");
     }
-    if (!options.handoutOption.isEmpty() && options.report != u"handout"
+    if (!options.handoutOption.isEmpty() && !takesOption(options.report, options.handoutOption)
         && options.fault.isEmpty()) {
         options.fault = QStringLiteral("%1 needs --report handout").arg(options.handoutOption);
     }
@@ -424,11 +431,14 @@ int main(int argc, char** argv) {
     applyTheme(themeFrom(options.theme.isEmpty() ? settings.theme() : options.theme));
     if (!options.report.isEmpty()) {
         ReportRequest request = options.request;
-        request.kind = *report::kindOf(options.report);
+        request.paper = report::paperOf(options.report);
+        request.kind = report::kindOf(options.report).value_or(request.kind);
         request.file = options.file;
         request.surface = options.surface;
         request.output = options.output;
-        request.company = settingsFor(options).company(); // else nothing of the user's is read
+        const Settings own = settingsFor(options); // else nothing of the user's is read
+        request.company = own.company();
+        request.institution = report::Institution::fromKept(own.titlePage());
         return options.many.folder.isEmpty() ? writeReport(request)
                                              : writeReports(request, options.many);
     }

@@ -3,6 +3,7 @@
 
 #include "app/io/batch_watch.h"
 #include "app/io/stop_signals.h"
+#include "app/paper_command.h"
 #include "app/window_io.h"
 #include "core/adequacy/prediction.h"
 #include "core/project/batch.h"
@@ -47,6 +48,7 @@ QString readHandoutOption(const QString& option, const QString& value, ReportReq
     }
     if (option == u"--views") {
         const auto views = report::readHandoutViews(value);
+        request.viewsAsked = true;
         request.handout.views = views.value_or(std::set<report::HandoutView>());
         return views
                    ? QString()
@@ -135,6 +137,9 @@ bool isCompleted(const report::Subject& subject) {
 } // namespace
 
 int writeReport(const ReportRequest& request) {
+    if (request.paper) {
+        return writePaper(request);
+    }
     auto read = subjectOf(request);
     if (const int* status = std::get_if<int>(&read)) {
         return *status;
@@ -224,6 +229,9 @@ int writeReports(const ReportRequest& request, const ManyReports& many) {
 QString reportKeys() {
     QStringList keys;
     for (const report::KindRow& row : report::kinds()) {
+        keys += QString::fromLatin1(row.key);
+    }
+    for (const report::PaperRow& row : report::papers()) {
         keys += QString::fromLatin1(row.key);
     }
     return keys.join(QStringLiteral(", "));

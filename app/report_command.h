@@ -1,23 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/report/course/course_papers.h"
+#include "ui/report/course/institution.h"
 #include "ui/report/documents/report_kinds.h"
 #include "ui/session/company.h"
 
 #include <QString>
 #include <QStringList>
 
+#include <optional>
+
 namespace sparkout {
 
 /// What the command line asks for.
 struct ReportRequest {
     report::Kind kind = report::Kind::card;
+    std::optional<report::Paper> paper; ///< of the course, in place of a kind
+    report::Institution institution;    ///< of its title page
     QString file;
     QString output;
     Company company; ///< of the heads
     QString surface; ///< of a set-up, by its name or number; empty: all, or the one there is
     report::HandoutOptions handout;
-    bool stepAsked = false; ///< by --at
+    bool stepAsked = false;  ///< by --at
+    bool viewsAsked = false; ///< by --views
 };
 
 /// Reads --at, --views or --answers; what is wrong with its value, or empty.
@@ -39,7 +46,7 @@ struct ManyReports {
 };
 [[nodiscard]] int writeReports(const ReportRequest& request, const ManyReports& many);
 
-/// The keys of the kinds, "card, passport".
+/// The keys of the kinds and of the papers of the course, "card, passport".
 [[nodiscard]] QString reportKeys();
 
 } // namespace sparkout

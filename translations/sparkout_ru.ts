@@ -10073,6 +10073,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <source>&amp;Export a pack…</source>
         <translation>&amp;Экспорт набора…</translation>
     </message>
+        <message>
+            <source>Title page of la&amp;boratory reports…</source>
+            <translation>Титульный &amp;лист лабораторных отчётов…</translation>
+        </message>
 </context>
     <context>
         <name>sparkout::BatchFigures</name>
@@ -12021,6 +12025,26 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>The deepest cut of the cycle: %1, k = %2</source>
             <translation>Наибольшая подача цикла: %1, k = %2</translation>
+        </message>
+        <message>
+            <source>&amp;What is printed:</source>
+            <translation>&amp;Что печатается:</translation>
+        </message>
+        <message>
+            <source>What is printed</source>
+            <translation>Что печатается</translation>
+        </message>
+        <message>
+            <source>Hand-out with its results</source>
+            <translation>Раздаточный материал с результатами</translation>
+        </message>
+        <message>
+            <source>Worksheet: results are left to write</source>
+            <translation>Рабочий лист: результаты впишет студент</translation>
+        </message>
+        <message>
+            <source>Key to the worksheet</source>
+            <translation>Ключ к рабочему листу</translation>
         </message>
     </context>
     <context>
@@ -19417,5 +19441,708 @@ s</source>
         <source>shown: %1</source>
         <translation>показано: %1</translation>
     </message>
+    </context>
+    <context>
+        <name>TableText</name>
+        <message>
+            <source>Table %1 — %2</source>
+            <translation>Таблица %1 — %2</translation>
+        </message>
+        <message>
+            <source>Table %1 continued</source>
+            <translation>Продолжение таблицы %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>PaperWriter</name>
+        <message>
+            <source>Figure %1 — %2</source>
+            <translation>Рисунок %1 — %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>Institution</name>
+        <message>
+            <source>Ministry</source>
+            <translation>Министерство</translation>
+        </message>
+        <message>
+            <source>University</source>
+            <translation>Университет</translation>
+        </message>
+        <message>
+            <source>Faculty or institute</source>
+            <translation>Факультет или институт</translation>
+        </message>
+        <message>
+            <source>Department</source>
+            <translation>Кафедра</translation>
+        </message>
+        <message>
+            <source>Discipline</source>
+            <translation>Дисциплина</translation>
+        </message>
+        <message>
+            <source>Accepted by (post and name)</source>
+            <translation>Принял (должность, фамилия)</translation>
+        </message>
+        <message>
+            <source>Town</source>
+            <translation>Город</translation>
+        </message>
+    </context>
+    <context>
+        <name>GoalWords</name>
+        <message>
+            <source>double stroke %1</source>
+            <translation>двойной ход %1</translation>
+        </message>
+        <message>
+            <source>revolution %1</source>
+            <translation>оборот %1</translation>
+        </message>
+        <message>
+            <source>stage %1</source>
+            <translation>ступень %1</translation>
+        </message>
+        <message>
+            <source>Double stroke</source>
+            <translation>Двойной ход</translation>
+        </message>
+        <message>
+            <source>Revolution</source>
+            <translation>Оборот</translation>
+        </message>
+        <message>
+            <source>Stage</source>
+            <translation>Ступень</translation>
+        </message>
+        <message>
+            <source>Zone or section</source>
+            <translation>Зона или сечение</translation>
+        </message>
+        <message>
+            <source>Every requirement is to hold, with a margin of at least %1 %.</source>
+            <translation>Требуется выполнить все требования с запасом не менее %1 %.</translation>
+        </message>
+        <message>
+            <source>Every requirement is to hold.</source>
+            <translation>Требуется выполнить все требования.</translation>
+        </message>
+        <message>
+            <source>The cycle is to take at most %1 min.</source>
+            <translation>Время цикла — не более %1 мин.</translation>
+        </message>
+        <message>
+            <source>The cycle is to take at most %1 % more than the best one.</source>
+            <translation>Время цикла — не более чем на %1 % больше наименьшего возможного.</translation>
+        </message>
+        <message>
+            <source>The cycle is to be quick.</source>
+            <translation>Требуется быстрый цикл.</translation>
+        </message>
+        <message>
+            <source>To be reached: %1 of %2 ± %3.</source>
+            <translation>Требуется получить: %1 %2 ± %3.</translation>
+        </message>
+        <message>
+            <source>To be said before the run: %1.</source>
+            <translation>Предскажите до расчёта: %1.</translation>
+        </message>
+        <message>
+            <source>To be drawn before the run: %1.</source>
+            <translation>Нарисуйте до расчёта: %1.</translation>
+        </message>
+        <message>
+            <source>To be said before the run: the order by %1, the largest first.</source>
+            <translation>Предскажите до расчёта порядок по убыванию: %1.</translation>
+        </message>
+        <message>
+            <source>One or several answers are right.</source>
+            <translation>Верны один или несколько ответов.</translation>
+        </message>
+        <message>
+            <source>The answer is in words; the teacher reads it.</source>
+            <translation>Ответ словами; его проверяет преподаватель.</translation>
+        </message>
+    </context>
+    <context>
+        <name>StudentView</name>
+        <message>
+            <source>Symbol</source>
+            <translation>Обозначение</translation>
+        </message>
+        <message>
+            <source>Input</source>
+            <translation>Исходная величина</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Значение</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
+        </message>
+    </context>
+    <context>
+        <name>CurveFigure</name>
+        <message>
+            <source>Predicted</source>
+            <translation>Предсказано</translation>
+        </message>
+        <message>
+            <source>By the engine</source>
+            <translation>Рассчитано</translation>
+        </message>
+        <message>
+            <source>%1: what was predicted beside what the engine computes</source>
+            <translation>%1: предсказание и расчёт</translation>
+        </message>
+        <message>
+            <source>A grid to draw on: %1</source>
+            <translation>Сетка для построения: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>StepResults</name>
+        <message>
+            <source>yes</source>
+            <translation>да</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <translation>нет</translation>
+        </message>
+        <message>
+            <source>Input</source>
+            <translation>Исходная величина</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
+        </message>
+        <message>
+            <source>Given</source>
+            <translation>Дано</translation>
+        </message>
+        <message>
+            <source>Set</source>
+            <translation>Задано</translation>
+        </message>
+        <message>
+            <source>The course of this cycle is in figure %1.</source>
+            <translation>Ход этого цикла показан на рисунке %1.</translation>
+        </message>
+        <message>
+            <source>No input was changed.</source>
+            <translation>Исходные данные не изменены.</translation>
+        </message>
+        <message>
+            <source>Inputs that were set</source>
+            <translation>Заданные исходные данные</translation>
+        </message>
+        <message>
+            <source>Stages of the cycle</source>
+            <translation>Ступени цикла</translation>
+        </message>
+        <message>
+            <source>Accuracy by zone or section</source>
+            <translation>Точность по зонам или сечениям</translation>
+        </message>
+        <message>
+            <source>Requirements and margins</source>
+            <translation>Требования и запасы</translation>
+        </message>
+        <message>
+            <source>Quantity</source>
+            <translation>Величина</translation>
+        </message>
+        <message>
+            <source>Predicted</source>
+            <translation>Предсказано</translation>
+        </message>
+        <message>
+            <source>By the engine</source>
+            <translation>Рассчитано</translation>
+        </message>
+        <message>
+            <source>Allowed difference</source>
+            <translation>Допустимая разность</translation>
+        </message>
+        <message>
+            <source>Prediction and result</source>
+            <translation>Предсказание и результат</translation>
+        </message>
+        <message>
+            <source>Difference</source>
+            <translation>Разность</translation>
+        </message>
+        <message>
+            <source>Within the allowed difference</source>
+            <translation>В пределах допустимой разности</translation>
+        </message>
+        <message>
+            <source>%1: predicted and computed</source>
+            <translation>%1: предсказано и рассчитано</translation>
+        </message>
+        <message>
+            <source>Place in the order, the largest first</source>
+            <translation>Место по убыванию</translation>
+        </message>
+        <message>
+            <source>The order by %1</source>
+            <translation>Порядок по убыванию: %1</translation>
+        </message>
+        <message>
+            <source>Chosen: %1.</source>
+            <translation>Выбрано: %1.</translation>
+        </message>
+        <message>
+            <source>No answer was handed in.</source>
+            <translation>Ответ не сдан.</translation>
+        </message>
+        <message>
+            <source>Found: %1.</source>
+            <translation>Результат проверки: %1.</translation>
+        </message>
+        <message>
+            <source>The cycle takes %1 min.</source>
+            <translation>Время цикла — %1 мин.</translation>
+        </message>
+        <message>
+            <source>Attempts: %1.</source>
+            <translation>Попыток: %1.</translation>
+        </message>
+        <message>
+            <source>Hints taken: %1.</source>
+            <translation>Взято подсказок: %1.</translation>
+        </message>
+        <message>
+            <source>The prediction came after what it predicts.</source>
+            <translation>Предсказание сделано после расчёта.</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>Шаг</translation>
+        </message>
+        <message>
+            <source>Found</source>
+            <translation>Результат проверки</translation>
+        </message>
+        <message>
+            <source>curve</source>
+            <translation>кривая</translation>
+        </message>
+        <message>
+            <source>%1 of %2 points within the allowed difference</source>
+            <translation>в пределах допустимой разности точек: %1 из %2</translation>
+        </message>
+        <message>
+            <source>As given</source>
+            <translation>Как дано</translation>
+        </message>
+    </context>
+    <context>
+        <name>LabReport</name>
+        <message>
+            <source>Report on a laboratory work</source>
+            <translation>Отчёт по лабораторной работе</translation>
+        </message>
+        <message>
+            <source>Contents</source>
+            <translation>Содержание</translation>
+        </message>
+        <message>
+            <source>Introduction</source>
+            <translation>Введение</translation>
+        </message>
+        <message>
+            <source>Aim of the work.</source>
+            <translation>Цель работы.</translation>
+        </message>
+        <message>
+            <source>The work was done with the program %1. The results below are computed by it from the inputs that were handed in.</source>
+            <translation>Работа выполнена в программе %1. Приведённые результаты рассчитаны ею по сданным исходным данным.</translation>
+        </message>
+        <message>
+            <source>Theory in brief</source>
+            <translation>Краткая теория</translation>
+        </message>
+        <message>
+            <source>Conclusion</source>
+            <translation>Заключение</translation>
+        </message>
+        <message>
+            <source>List of sources used</source>
+            <translation>Список использованных источников</translation>
+        </message>
+        <message>
+            <source>Report</source>
+            <translation>Отчёт</translation>
+        </message>
+        <message>
+            <source>on a laboratory work</source>
+            <translation>по лабораторной работе</translation>
+        </message>
+        <message>
+            <source>on laboratory work No. %1</source>
+            <translation>по лабораторной работе № %1</translation>
+        </message>
+        <message>
+            <source>in the discipline “%1”</source>
+            <translation>по дисциплине «%1»</translation>
+        </message>
+        <message>
+            <source>“%1”</source>
+            <translation>«%1»</translation>
+        </message>
+        <message>
+            <source>Variant %1</source>
+            <translation>Вариант %1</translation>
+        </message>
+        <message>
+            <source>Done by the student:</source>
+            <translation>Выполнил студент:</translation>
+        </message>
+        <message>
+            <source>Done by the student of group %1:</source>
+            <translation>Выполнил студент группы %1:</translation>
+        </message>
+        <message>
+            <source>Accepted by:</source>
+            <translation>Принял:</translation>
+        </message>
+        <message>
+            <source>Data of the variant</source>
+            <translation>Исходные данные варианта</translation>
+        </message>
+        <message>
+            <source>Variant %1. The inputs of the cycle are those of table 1.</source>
+            <translation>Вариант %1. Исходные данные цикла приведены в таблице 1.</translation>
+        </message>
+        <message>
+            <source>The part</source>
+            <translation>Деталь</translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation>Исходные данные</translation>
+        </message>
+        <message>
+            <source>Inputs of the surface %1</source>
+            <translation>Исходные данные поверхности %1</translation>
+        </message>
+        <message>
+            <source>Results</source>
+            <translation>Результаты работы</translation>
+        </message>
+        <message>
+            <source>The results are printed once every prediction is handed in; still open: step %1.</source>
+            <translation>Результаты печатаются, когда сданы все предсказания; не сдано: шаг %1.</translation>
+        </message>
+        <message>
+            <source>Step %1</source>
+            <translation>Шаг %1</translation>
+        </message>
+        <message>
+            <source>The answer is the conclusion of the work.</source>
+            <translation>Ответ приведён в заключении.</translation>
+        </message>
+        <message>
+            <source>Predictions and results</source>
+            <translation>Предсказания и результаты</translation>
+        </message>
+        <message>
+            <source>Predictions beside results</source>
+            <translation>Предсказания рядом с результатами</translation>
+        </message>
+        <message>
+            <source>Kept runs compared</source>
+            <translation>Сравнение запомненных расчётов</translation>
+        </message>
+        <message>
+            <source>The runs that were kept differ in these inputs and results; the numbers are those of the engine.</source>
+            <translation>Запомненные расчёты различаются следующими исходными данными и результатами; числа пересчитаны программой.</translation>
+        </message>
+        <message>
+            <source>Kept runs</source>
+            <translation>Запомненные расчёты</translation>
+        </message>
+        <message>
+            <source>%1: calculation of cylindrical grinding cycles: a computer program and the description of its model</source>
+            <translation>%1: расчёт циклов круглого шлифования: программа для ЭВМ и описание её модели</translation>
+        </message>
+    </context>
+    <context>
+        <name>AnswerFields</name>
+        <message>
+            <source>Input</source>
+            <translation>Исходная величина</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
+        </message>
+        <message>
+            <source>Given</source>
+            <translation>Дано</translation>
+        </message>
+        <message>
+            <source>Set</source>
+            <translation>Задано</translation>
+        </message>
+        <message>
+            <source>Quantity</source>
+            <translation>Величина</translation>
+        </message>
+        <message>
+            <source>Predicted</source>
+            <translation>Предсказано</translation>
+        </message>
+        <message>
+            <source>By the engine</source>
+            <translation>Рассчитано</translation>
+        </message>
+        <message>
+            <source>Difference</source>
+            <translation>Разность</translation>
+        </message>
+        <message>
+            <source>Place in the order, the largest first</source>
+            <translation>Место по убыванию</translation>
+        </message>
+        <message>
+            <source>Answer to step %1</source>
+            <translation>Ответ к шагу %1</translation>
+        </message>
+        <message>
+            <source>What came of it:</source>
+            <translation>Что получилось:</translation>
+        </message>
+    </context>
+    <context>
+        <name>StepKey</name>
+        <message>
+            <source>Right: %1.</source>
+            <translation>Верно: %1.</translation>
+        </message>
+        <message>
+            <source>%1: %2; ± %3 are taken.</source>
+            <translation>%1: %2; принимается ± %3.</translation>
+        </message>
+        <message>
+            <source>%1, the largest first: %2.</source>
+            <translation>%1, по убыванию: %2.</translation>
+        </message>
+        <message>
+            <source>By the engine</source>
+            <translation>Рассчитано</translation>
+        </message>
+    </context>
+    <context>
+        <name>Worksheet</name>
+        <message>
+            <source>Key to the worksheet</source>
+            <translation>Ключ к рабочему листу</translation>
+        </message>
+        <message>
+            <source>Worksheet</source>
+            <translation>Рабочий лист</translation>
+        </message>
+        <message>
+            <source>Student</source>
+            <translation>Студент</translation>
+        </message>
+        <message>
+            <source>Group</source>
+            <translation>Группа</translation>
+        </message>
+        <message>
+            <source>Variant</source>
+            <translation>Вариант</translation>
+        </message>
+        <message>
+            <source>Date</source>
+            <translation>Дата</translation>
+        </message>
+        <message>
+            <source>For the teacher alone. Numbers of formulas and questions are those of the worksheet.</source>
+            <translation>Только для преподавателя. Номера формул и вопросов — как в рабочем листе.</translation>
+        </message>
+        <message>
+            <source>The task</source>
+            <translation>Задание</translation>
+        </message>
+        <message>
+            <source>Follow one step of the cycle, formula by formula, and find what limits the feed there.</source>
+            <translation>Проследите один шаг цикла по формулам и найдите, что ограничивает в нём подачу.</translation>
+        </message>
+        <message>
+            <source>Step %1, points: %2</source>
+            <translation>Шаг %1, баллов: %2</translation>
+        </message>
+        <message>
+            <source>The cycle</source>
+            <translation>Цикл</translation>
+        </message>
+        <message>
+            <source>Inputs of the formulas</source>
+            <translation>Исходные данные формул</translation>
+        </message>
+        <message>
+            <source>The step to work out</source>
+            <translation>Разбираемый шаг</translation>
+        </message>
+        <message>
+            <source>Every formula stands in symbols, then with the numbers that are given. Write what is missing: a number that an equation computes is put in where it stands in the next ones.</source>
+            <translation>Каждая формула записана в обозначениях, затем с заданными числами. Впишите недостающее: число, найденное по одной формуле, подставляется в следующие.</translation>
+        </message>
+        <message>
+            <source>Sources</source>
+            <translation>Источники</translation>
+        </message>
+        <message>
+            <source>Answers to the questions</source>
+            <translation>Ответы на вопросы</translation>
+        </message>
+        <message>
+            <source>Questions</source>
+            <translation>Вопросы</translation>
+        </message>
+    </context>
+    <context>
+        <name>MethodicalGuide</name>
+        <message>
+            <source>Methodical guide</source>
+            <translation>Методические указания</translation>
+        </message>
+        <message>
+            <source>For the teacher alone: it has the answers.</source>
+            <translation>Только для преподавателя: содержат ответы.</translation>
+        </message>
+        <message>
+            <source>Aim of the work</source>
+            <translation>Цель работы</translation>
+        </message>
+        <message>
+            <source>Theory</source>
+            <translation>Теория</translation>
+        </message>
+        <message>
+            <source>What is needed</source>
+            <translation>Оснащение</translation>
+        </message>
+        <message>
+            <source>A computer for each student with the program %1; no network. The student gets a file of his variant and hands the same file in; the report is printed from it.</source>
+            <translation>Компьютер с программой %1 на каждого студента; сеть не нужна. Студент получает файл своего варианта и сдаёт его же; по нему печатается отчёт.</translation>
+        </message>
+        <message>
+            <source>Inputs of the lesson as it stands</source>
+            <translation>Исходные данные работы до вариантов</translation>
+        </message>
+        <message>
+            <source>The report</source>
+            <translation>Отчёт</translation>
+        </message>
+        <message>
+            <source>The report has, in the order of GOST 7.32: title page, contents, introduction with the aim, data of the variant, theory in brief, results step by step with tables and figures, predictions beside results, kept runs compared, conclusion in the student&apos;s own words, sources.</source>
+            <translation>Отчёт содержит в порядке ГОСТ 7.32: титульный лист, содержание, введение с целью работы, исходные данные варианта, краткую теорию, результаты по шагам с таблицами и рисунками, предсказания рядом с результатами, сравнение запомненных расчётов, заключение словами студента, список источников.</translation>
+        </message>
+        <message>
+            <source>Input that the variants vary</source>
+            <translation>Исходная величина, изменяемая по вариантам</translation>
+        </message>
+        <message>
+            <source>Values</source>
+            <translation>Значения</translation>
+        </message>
+        <message>
+            <source>%1…%2 in steps of %3</source>
+            <translation>%1…%2 с шагом %3</translation>
+        </message>
+        <message>
+            <source>sets of values: %1</source>
+            <translation>наборов значений: %1</translation>
+        </message>
+        <message>
+            <source>Variants</source>
+            <translation>Варианты</translation>
+        </message>
+        <message>
+            <source>Time norm and points</source>
+            <translation>Норма времени и баллы</translation>
+        </message>
+        <message>
+            <source>The work takes %1 min, the defence included.</source>
+            <translation>На работу отводится %1 мин, включая защиту.</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>Шаг</translation>
+        </message>
+        <message>
+            <source>What is asked</source>
+            <translation>Что требуется</translation>
+        </message>
+        <message>
+            <source>Points</source>
+            <translation>Баллы</translation>
+        </message>
+        <message>
+            <source>Hints, price in points</source>
+            <translation>Подсказки, цена в баллах</translation>
+        </message>
+        <message>
+            <source>All</source>
+            <translation>Всего</translation>
+        </message>
+        <message>
+            <source>Points of the steps</source>
+            <translation>Баллы за шаги</translation>
+        </message>
+        <message>
+            <source>Order of the work</source>
+            <translation>Порядок выполнения работы</translation>
+        </message>
+        <message>
+            <source>Step %1</source>
+            <translation>Шаг %1</translation>
+        </message>
+        <message>
+            <source>Answer</source>
+            <translation>Ответ</translation>
+        </message>
+        <message>
+            <source>Hint %1: %2</source>
+            <translation>Подсказка %1: %2</translation>
+        </message>
+        <message>
+            <source>Control questions with answers</source>
+            <translation>Контрольные вопросы с ответами</translation>
+        </message>
+        <message>
+            <source>Typical mistakes</source>
+            <translation>Типичные ошибки</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::TitlePageDialog</name>
+        <message>
+            <source>Title page of laboratory reports</source>
+            <translation>Титульный лист отчётов по лабораторным работам</translation>
+        </message>
+        <message>
+            <source>Printed on the title pages of the reports on laboratory works. All of it may be empty.</source>
+            <translation>Печатается на титульных листах отчётов по лабораторным работам. Можно ничего не заполнять.</translation>
+        </message>
+        <message>
+            <source>&amp;Keep</source>
+            <translation>&amp;Сохранить</translation>
+        </message>
+        <message>
+            <source>Cance&amp;l</source>
+            <translation>О&amp;тмена</translation>
+        </message>
     </context>
 </TS>

@@ -16,16 +16,25 @@ std::vector<Option> windowOptions() {
         {"--report",
          "KIND",
          Kind::choice,
-         "card passport handout operation-card sketch-sheet",
+         "card passport handout operation-card sketch-sheet lab-report worksheet worksheet-key "
+         "guide",
          {"writes a report of FILE, shows nothing: card is the cycle card; passport the accuracy "
           "passport, with the batch; handout the hand-out of a course, a step of the cycle worked "
           "out; operation-card the operation card in the form of the standard and its sketch "
           "sheet, "
-          "with every surface of the set-up; sketch-sheet the sketch sheet alone",
+          "with every surface of the set-up; sketch-sheet the sketch sheet alone; lab-report the "
+          "report on a laboratory work, of a student's work (.sparkout-work); worksheet a step of "
+          "the cycle and the tasks of a lesson with places for the answers, of a lesson "
+          "(.sparkout-lesson), a work or a project; worksheet-key its answers, of a lesson or a "
+          "project; guide the teacher's methodical guide, of a lesson",
           "записывает отчёт по файлу FILE, ничего не показывая: card — карта цикла; passport — "
           "паспорт точности с партией; handout — раздаточный материал с разбором шага; "
           "operation-card — операционная карта с картой эскизов, со всеми поверхностями установа; "
-          "sketch-sheet — только карта эскизов"}},
+          "sketch-sheet — только карта эскизов; lab-report — отчёт по лабораторной работе из файла "
+          "студента (.sparkout-work); worksheet — рабочий лист: шаг цикла и задания с местом для "
+          "ответов, по работе преподавателя (.sparkout-lesson), работе студента или проекту; "
+          "worksheet-key — ответы к нему, по работе преподавателя или проекту; guide — "
+          "методические указания, по работе преподавателя"}},
         {"--export",
          "PART",
          Kind::choice,
@@ -80,11 +89,13 @@ std::vector<Option> windowOptions() {
          "STEP",
          Kind::anything,
          "",
-         {"the step that a hand-out works out: double stroke (plunge: revolution), zone or "
+         {"the step that a hand-out or the worksheet of a project works out: double stroke "
+          "(plunge: revolution), zone or "
           "section, "
           "stage, step, revolution of it and radius, as far as wanted, as in 12,nz,z1,e1,r1,k9; of "
           "those that fit the deepest cut; z1 unless given",
-          "шаг, который разбирает раздаточный материал: двойной ход (врезное: оборот), зона или "
+          "шаг, который разбирает раздаточный материал или рабочий лист проекта: двойной ход "
+          "(врезное: оборот), зона или "
           "сечение, ступень, этап, его оборот и радиус, сколько нужно, например "
           "12,nz,z1,e1,r1,k9; из подходящих — с наибольшей глубиной; по умолчанию z1"}},
         {"--views",
@@ -92,9 +103,10 @@ std::vector<Option> windowOptions() {
          Kind::anything,
          "",
          {"figures of a hand-out: feeds, cycle, profiles, limits, grid, with commas between; "
-          "feeds,cycle,profiles unless given; none of them: \"\"",
+          "feeds,cycle,profiles unless given; none of them: \"\"; of a lab-report cycle and "
+          "profiles",
           "рисунки раздаточного материала: feeds, cycle, profiles, limits, grid через запятую; по "
-          "умолчанию feeds,cycle,profiles; без рисунков: \"\""}},
+          "умолчанию feeds,cycle,profiles; без рисунков: \"\"; для lab-report — cycle и profiles"}},
         {"--answers",
          "on|off",
          Kind::choice,

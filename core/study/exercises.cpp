@@ -165,7 +165,7 @@ std::optional<double> askedValue(Asked asked, const SimulationResult& result, co
     return {};
 }
 
-bool canBeRead(const Answer& answer) {
+bool canBeRead(const ExerciseAnswer& answer) {
     const double moved = std::abs(answer.after - answer.before);
     const bool isForm = answer.asked == Asked::spread_um || answer.asked == Asked::runout_um;
     const double least = isForm ? leastForm_um : answer.asked == Asked::count ? leastCount : 0;

@@ -26,7 +26,7 @@ enum class Asked {
     peakPower_kw, ///< largest P_z·V_k of the cycle
 };
 
-struct Answer {
+struct ExerciseAnswer {
     Asked asked;
     double before = 0;
     double after = 0;
@@ -47,10 +47,10 @@ inline constexpr double dullerBy = 2, softerBy = 1.5, slowerBy = 0.5, moreRunout
 struct ExerciseRun {
     ExerciseChange change = ExerciseChange::dullerWheel;
     Project changed{};
-    std::size_t stage = 0;               ///< whose feed is slower
-    std::optional<Place> at{};           ///< the step that is asked for, in both runs
-    std::vector<Answer> answers{};       ///< what can be read
-    std::vector<double> timeByStage_s{}; ///< of the changed project
+    std::size_t stage = 0;                 ///< whose feed is slower
+    std::optional<Place> at{};             ///< the step that is asked for, in both runs
+    std::vector<ExerciseAnswer> answers{}; ///< what can be read
+    std::vector<double> timeByStage_s{};   ///< of the changed project
 };
 
 inline constexpr std::size_t mostExercises = 5;
@@ -64,7 +64,7 @@ inline constexpr std::size_t mostExercises = 5;
     const std::function<void()>& breathe = [] {});
 
 /// Whether the two differ by enough to be read off the run, and off a gauge in the shop.
-[[nodiscard]] bool canBeRead(const Answer& answer);
+[[nodiscard]] bool canBeRead(const ExerciseAnswer& answer);
 
 /// What is asked for in a result; nothing for a step when there is no visit.
 [[nodiscard]] std::optional<double> askedValue(Asked asked, const SimulationResult& result,

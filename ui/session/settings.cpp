@@ -16,6 +16,7 @@ const QString fontKey = QStringLiteral("fontSize");
 const QString stockKey = QStringLiteral("stockOnDiameter");
 const QString tourKey = QStringLiteral("tourSeen");
 const QString handoutKey = QStringLiteral("handout");
+const QString titlePageKey = QStringLiteral("titlePage");
 const QString companyKey = QStringLiteral("company");
 const QString folderKey = QStringLiteral("lastFolder");
 const QString recentKey = QStringLiteral("recentFiles");
@@ -118,6 +119,14 @@ Company Settings::company() const {
 
 void Settings::setCompany(const Company& company) {
     m_file->set(companyKey, company.kept());
+}
+
+QVariantMap Settings::titlePage() const {
+    return m_file->value(titlePageKey).toMap();
+}
+
+void Settings::setTitlePage(const QVariantMap& texts) {
+    m_file->set(titlePageKey, texts);
 }
 
 QString Settings::lastFolder() const {

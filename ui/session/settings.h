@@ -7,6 +7,7 @@
 #include <QByteArray>
 #include <QString>
 #include <QStringList>
+#include <QVariantMap>
 
 #include <memory>
 
@@ -34,6 +35,8 @@ public:
     void setHandout(const QString& words);
     [[nodiscard]] Company company() const; ///< of the heads of documents
     void setCompany(const Company& company);
+    [[nodiscard]] QVariantMap titlePage() const; ///< of the reports of a course, by its keys
+    void setTitlePage(const QVariantMap& texts);
     [[nodiscard]] QString lastFolder() const;
     void setLastFolder(const QString& folder);
     [[nodiscard]] QStringList recentFiles() const; ///< newest first

@@ -28,6 +28,7 @@ Actions::Actions(QMainWindow& window)
     , earlierVersions(make("earlierVersions", u""))
     , recoverWork(make("recoverWork", u""))
     , company(make("company", u""))
+    , titlePage(make("titlePage", u""))
     , importPack(make("importPack", u""))
     , exportPack(make("exportPack", u""))
     , importMeasured(make("importMeasured", u"", Qt::CTRL | Qt::Key_I))
@@ -140,7 +141,7 @@ void Actions::buildMenus(QMenuBar& bar) {
         report.menu->addSeparator();
         report.menu->addActions({report.pdf, report.html, report.markdown, report.odt});
     }
-    m_file->addActions({company, exportResults});
+    m_file->addActions({company, titlePage, exportResults});
     m_packs = m_file->addMenu(QString());
     m_packs->addActions({importPack, exportPack});
     m_file->addSeparator();
@@ -317,6 +318,7 @@ void Actions::retranslate() {
     m_packs->setTitle(tr("Pac&ks"));
     importPack->setText(tr("&Import a pack…"));
     exportPack->setText(tr("&Export a pack…"));
+    titlePage->setText(tr("Title page of la&boratory reports…"));
     importMeasured->setText(tr("&Import measurements…"));
     exportResults->setText(tr("Export resu&lts…"));
     quit->setText(tr("&Quit"));

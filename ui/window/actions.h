@@ -60,6 +60,7 @@ public:
     QAction* recoverWork;
     std::vector<ReportActions> reports; ///< in the order of the table of kinds
     QAction* company;                   ///< and signatures, of their heads
+    QAction* titlePage;                 ///< of laboratory reports
     QAction* importPack;
     QAction* exportPack;
     QAction* importMeasured;

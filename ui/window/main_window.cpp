@@ -36,6 +36,7 @@
 #include "ui/window/actions.h"
 #include "ui/window/dialogs/company_dialog.h"
 #include "ui/window/dialogs/file_questions.h"
+#include "ui/window/dialogs/title_page_dialog.h"
 #include "ui/window/export_commands.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_desk.h"
@@ -371,6 +372,7 @@ void MainWindow::connectReports() {
     on(m_actions->importPack, [packs] { packs->importPack(); });
     on(m_actions->exportPack, [packs] { packs->exportPack(); });
     connect(m_files, &FileCommands::packChosen, packs, &PackCommands::importFile);
+    on(m_actions->titlePage, [this] { TitlePageDialog(m_settings, this).exec(); });
     on(m_actions->exportResults, [exports] { exports->exportResults(); });
     for (const ReportActions& report : m_actions->reports) {
         const report::Kind kind = report.kind;

@@ -7,6 +7,7 @@
 #include "core/study/batch_edits.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/kit/help_topic.h"
+#include "ui/report/course/worksheet.h"
 #include "ui/report/documents/batch_wait.h"
 #include "ui/report/documents/passport_measured.h"
 #include "ui/report/format/pages.h"
@@ -73,8 +74,19 @@ std::optional<report::Report> ReportCommands::reportOfNow(report::Kind kind) {
     subject.file = now.file;
     subject.date = QDate::currentDate();
     subject.company = m_settings.company();
-    if (kind == report::Kind::handout && now.cycle && !chooseHandout(subject, *now.cycle)) {
+    subject.breathe = [] { QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents); };
+    std::optional<report::Paper> paper;
+    if (kind == report::Kind::handout && now.cycle && !chooseHandout(subject, *now.cycle, paper)) {
         return {};
+    }
+    if (paper) {
+        report::PaperWish wish;
+        wish.file = now.file;
+        wish.date = subject.date;
+        wish.breathe = subject.breathe;
+        return *paper == report::Paper::worksheet
+                   ? report::worksheet(now.outcome, subject.handout.step, wish)
+                   : report::worksheetKey(now.outcome, subject.handout.step, wish);
     }
     if (row.takesSetup && now.setup && !addSetup(subject, *now.setup)) {
         return {};
@@ -89,7 +101,6 @@ std::optional<report::Report> ReportCommands::reportOfNow(report::Kind kind) {
     if (row.takesBatch && now.setup) {
         runAside([&] { subject.dressing = report::dressingOf(*now.setup); });
     }
-    subject.breathe = [] { QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents); };
     return row.make(subject);
 }
 
@@ -141,12 +152,14 @@ bool ReportCommands::addSetup(report::Subject& subject, const Setup& setup) {
     return true;
 }
 
-bool ReportCommands::chooseHandout(report::Subject& subject, const CycleCursor& cycle) {
+bool ReportCommands::chooseHandout(report::Subject& subject, const CycleCursor& cycle,
+                                   std::optional<report::Paper>& paper) {
     HandoutDialog dialog(subject.outcome, cycle, m_settings, m_window);
     if (dialog.exec() != QDialog::Accepted) {
         return false;
     }
     subject.handout = dialog.options();
+    paper = dialog.paper();
     return true;
 }
 

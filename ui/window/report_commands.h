@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/report/course/course_papers.h"
 #include "ui/report/documents/report_kinds.h"
 #include "ui/report/format/report_text.h"
 
@@ -51,8 +52,9 @@ private:
     /// Runs all surfaces of the set-up; false: it cannot be run, and the user knows.
     [[nodiscard]] bool addSetup(report::Subject& subject, const Setup& setup);
 
-    /// Asks what the hand-out is to have; false: not to make one.
-    [[nodiscard]] bool chooseHandout(report::Subject& subject, const CycleCursor& cycle);
+    /// Asks what the hand-out is to have, or whether a worksheet is wanted; false: not to make one.
+    [[nodiscard]] bool chooseHandout(report::Subject& subject, const CycleCursor& cycle,
+                                     std::optional<report::Paper>& paper);
 
     std::function<Subject()> m_subject;
     Settings& m_settings;

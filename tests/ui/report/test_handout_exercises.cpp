@@ -193,7 +193,7 @@ private slots:
             QVERIFY(text.contains(onOneLine(exercise.question)));
             QVERIFY(text.contains(onOneLine(exercise.reason)));
             QVERIFY(!exercise.answers.empty());
-            for (const Answer& answer : exercise.answers) {
+            for (const ExerciseAnswer& answer : exercise.answers) {
                 const auto visit = [&](const Trajectory& in) {
                     return exercise.at ? visitOf(in, *exercise.at, step->radius) : nullptr;
                 };

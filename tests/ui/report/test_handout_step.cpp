@@ -139,7 +139,7 @@ private slots:
         CycleCursor cursor;
         Settings settings = Settings::transient();
         HandoutDialog dialog(outcome, cursor, settings, nullptr);
-        QVERIFY(!dialog.findChild<QComboBox*>()->isEnabled());
+        QVERIFY(!dialog.findChild<QComboBox*>(QStringLiteral("handoutStep"))->isEnabled());
     }
 
 private:

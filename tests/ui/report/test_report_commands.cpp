@@ -7,6 +7,7 @@
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
+#include "ui/report/course/institution.h"
 #include "ui/report/documents/batch_wait.h"
 #include "ui/views/batch/batch_text.h"
 #include "ui/views/batch/batch_view.h"
@@ -75,6 +76,46 @@ private slots:
         QVERIFY(!fault.isEmpty());
         QCOMPARE(bench.settings.company().name, QStringLiteral("Stankomash"));
         QVERIFY(!bench.settings.company().logo.isEmpty());
+    }
+
+    void theTitlePageIsFilledInOnce() {
+        Bench bench(QStringLiteral("ru"));
+        QString english;
+        DialogAnswers answers({QStringLiteral("keepTitlePage")});
+        answers.seen = [&](QDialog& dialog) {
+            auto* place = dialog.findChild<QLineEdit*>(QStringLiteral("title-place"));
+            place->setFocus();
+            QTest::keyClicks(place, QStringLiteral("Miass "));
+            english = englishIn(dialog.windowTitle());
+        };
+        bench.action("titlePage")->trigger();
+        QCOMPARE(answers.fault(), QString());
+        QCOMPARE(english, QString());
+        const auto kept = report::Institution::fromKept(bench.settings.titlePage());
+        QCOMPARE(kept.place, QStringLiteral("Miass"));
+        QCOMPARE(kept.ministry, QString());
+    }
+
+    void theHandoutIsAWorksheetOrItsKey() {
+        const QTemporaryDir folder;
+        Bench bench(QStringLiteral("ru"));
+        QVERIFY(bench.open(examplePaths().front()));
+        for (const auto& [form, title] :
+             {std::pair(1, QStringLiteral("# Рабочий лист")),
+              std::pair(2, QStringLiteral("# Ключ к рабочему листу"))}) {
+            const QString path = folder.filePath(QStringLiteral("%1.md").arg(form));
+            DialogAnswers answers({QStringLiteral("makeHandout"), QStringLiteral("file:") + path});
+            answers.seen = [form = form](QDialog& dialog) {
+                if (auto* box = dialog.findChild<QComboBox*>(QStringLiteral("handoutForm"))) {
+                    box->setCurrentIndex(form);
+                }
+            };
+            bench.action("markdown-handout")->trigger();
+            QCOMPARE(answers.fault(), QString());
+            const QString text = QString::fromUtf8(bytesOf(path));
+            QVERIFY2(text.startsWith(title), qPrintable(text.left(200)));
+            QCOMPARE(text.contains(QStringLiteral("Ответы на вопросы")), form == 2);
+        }
     }
 
     void thePreviewShowsEveryPageInTheWindowsLanguage() {

@@ -61,6 +61,19 @@ private slots:
         QCOMPARE(again.company(), Company());
     }
 
+    void theTitlePageIsKept() {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("settings.json"));
+        const QVariantMap texts{{QStringLiteral("university"), QStringLiteral("Южный «ЮУ»")},
+                                {QStringLiteral("place"), QStringLiteral("Челябинск")}};
+        {
+            Settings settings(file);
+            QVERIFY(settings.titlePage().isEmpty());
+            settings.setTitlePage(texts);
+        }
+        QCOMPARE(Settings(file).titlePage(), texts);
+    }
+
     void settingsAreWrittenSoonAfterTheyAreSet() {
         const QTemporaryDir folder;
         const QString file = folder.filePath(QStringLiteral("settings.json"));

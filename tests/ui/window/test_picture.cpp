@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include <csignal>
+#include <utility>
 
 #include <sys/resource.h>
 
@@ -63,6 +64,48 @@ class TestPicture : public QObject {
     Q_OBJECT
 
 private slots:
+    void papersOfTheCourseAreWritten() {
+        const QTemporaryDir folder;
+        const QString lesson =
+            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/lessons/02-actual-feed.sparkout-lesson");
+        const auto paper = [&](const char* kind, const QString& file, const QString& name) {
+            return sparkout({QStringLiteral("--report"), QString::fromLatin1(kind), file,
+                             QStringLiteral("-o"), folder.filePath(name), QStringLiteral("--lang"),
+                             QStringLiteral("ru")});
+        };
+        const auto wrote = [&](const QString& name, const QByteArray& start) {
+            return bytesOf(folder.filePath(name)).startsWith(start);
+        };
+        for (const char* kind : {"worksheet", "worksheet-key"}) {
+            for (const QString& file : {lesson, example}) {
+                const QString name = QString::fromLatin1(kind) + QStringLiteral(".odt");
+                const Run run = paper(kind, file, name);
+                QVERIFY2(run.status == 0 && run.said.isEmpty(), qPrintable(run.said));
+                QVERIFY(wrote(name, "PK"));
+            }
+        }
+        const Run guide = paper("guide", lesson, QStringLiteral("guide.pdf"));
+        QVERIFY2(guide.status == 0 && wrote(QStringLiteral("guide.pdf"), "%PDF"),
+                 qPrintable(guide.said));
+        // What is another's is refused by its name, and nothing is written.
+        for (const auto& [kind, file] :
+             {std::pair("lab-report", lesson), std::pair("lab-report", example),
+              std::pair("guide", example)}) {
+            const Run run = paper(kind, file, QStringLiteral("none.pdf"));
+            QVERIFY2(run.status == 1 && run.said.contains(QStringLiteral("needs")),
+                     qPrintable(run.said));
+            QVERIFY(!QFile::exists(folder.filePath(QStringLiteral("none.pdf"))));
+        }
+        const QString work = folder.filePath(QStringLiteral("work.sparkout-work"));
+        QVERIFY(putBytes(work, "{}"));
+        for (const char* kind : {"worksheet-key", "guide"}) {
+            const Run run = paper(kind, work, QStringLiteral("none.pdf"));
+            QVERIFY2(run.status == 1 && run.said.contains(QStringLiteral("needs the teacher")),
+                     qPrintable(run.said));
+        }
+        QCOMPARE(paper("lab-report", work, QStringLiteral("none.pdf")).status, 1); // no work
+    }
+
     void nothingIsPrintedOfThePlatform() {
         const QTemporaryDir folder;
         QProcess process;

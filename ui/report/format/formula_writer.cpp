@@ -41,21 +41,26 @@ FormulaLeaf symbolLeaf(const FormulaTerm& term) {
             term.value};
 }
 
-/// With as few digits as give the result; the result loses some only where no number of digits
-/// does, as its terms cancel.
-std::pair<std::vector<FormulaNode>, int> substituted(const FormulaStep& step) {
+/// So many digits that what is put in gives the result, and those of the result.
+struct NeededDigits {
+    int putIn, result;
+};
+
+/// As few digits as give the result; that loses some only where no number of digits does, as its
+/// terms cancel.
+NeededDigits neededDigits(const FormulaStep& step) {
     const FormulaTerm result = settled(step.result);
     for (int shown = resultDigits; shown >= leastResultDigits; --shown) {
         for (int digits = sheetDigits; digits <= mostDigits; ++digits) {
-            std::vector<FormulaNode> side = rightSide(step, numbersWith(digits));
+            const std::vector<FormulaNode> side = rightSide(step, numbersWith(digits));
             FormulaTerm found = result;
             found.value = side.empty() ? result.value : side.front().value;
             if (printed(settled(found), shown) == printed(result, shown)) {
-                return {std::move(side), shown};
+                return {digits, shown};
             }
         }
     }
-    return {rightSide(step, numbersWith(mostDigits)), leastResultDigits};
+    return {mostDigits, leastResultDigits};
 }
 
 FormulaNode words(const QString& text) {
@@ -89,7 +94,8 @@ FormulaNode quantityNode(const QString& number, const FormulaTerm& term) {
 
 Formula equation(const FormulaStep& step) {
     const FormulaTerm result = settled(step.result);
-    auto [numbers, digits] = substituted(step);
+    const NeededDigits digits = neededDigits(step);
+    std::vector<FormulaNode> numbers = rightSide(step, numbersWith(digits.putIn));
     Formula formula;
     formula.sides = rightSide(step, symbolLeaf);
     if (!numbers.empty() && inOneLine(numbers.front()) != inOneLine(formula.sides.front())) {
@@ -97,7 +103,7 @@ Formula equation(const FormulaStep& step) {
     }
     formula.sides.insert(formula.sides.begin(),
                          leafNode(QString::fromUtf8(result.symbol), result.value));
-    const QString text = printed(result, digits);
+    const QString text = printed(result, digits.result);
     if (inOneLine(formula.sides.back()) == text) {
         formula.sides.pop_back(); // it states a number
     }
@@ -105,10 +111,44 @@ Formula equation(const FormulaStep& step) {
     return formula;
 }
 
+QString blankNumber() {
+    return QStringLiteral("______");
+}
+
+QSet<QString> computedSymbols(const FormulaSheet& sheet) {
+    QSet<QString> symbols;
+    for (const FormulaStep& step : sheet.steps) {
+        if (!rightSide(step, symbolLeaf).empty()) {
+            symbols.insert(QString::fromUtf8(step.result.symbol));
+        }
+    }
+    return symbols;
+}
+
+Formula equation(const FormulaStep& step, const LeftOut& leftOut) {
+    Formula formula;
+    formula.sides = rightSide(step, symbolLeaf);
+    if (formula.sides.empty() && !leftOut.symbols.contains(QString::fromUtf8(step.result.symbol))) {
+        return equation(step);
+    }
+    const int digits = neededDigits(step).putIn;
+    const LeafWriter leaf = [&](const FormulaTerm& term) {
+        const bool isOut =
+            !isConstant(term) && leftOut.symbols.contains(QString::fromUtf8(term.symbol));
+        return isOut ? FormulaLeaf{blankNumber(), 1} : numbersWith(digits)(term);
+    };
+    for (FormulaNode& side : rightSide(step, leaf)) {
+        formula.sides.push_back(std::move(side));
+    }
+    formula.sides.insert(formula.sides.begin(), leafNode(QString::fromUtf8(step.result.symbol), 0));
+    formula.sides.push_back(quantityNode(blankNumber(), step.result));
+    return formula;
+}
+
 std::vector<Block> FormulaWriter::write(const FormulaSheet& sheet) {
     std::vector<Block> blocks;
     for (const FormulaStep& step : sheet.steps) {
-        Formula formula = equation(step);
+        Formula formula = m_leftOut ? equation(step, *m_leftOut) : equation(step);
         QString key;
         for (const FormulaNode& side : formula.sides) {
             key += inOneLine(side) + u'=';

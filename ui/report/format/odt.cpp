@@ -3,6 +3,7 @@
 
 #include "ui/report/format/formula_markup.h"
 #include "ui/report/format/odt_forms.h"
+#include "ui/report/format/odt_standard.h"
 #include "ui/report/format/odt_xml.h"
 #include "ui/tables/zip_writer.h"
 
@@ -19,7 +20,8 @@ namespace sparkout::report {
 
 namespace {
 
-constexpr double upright_mm = 180, landscape_mm = 272; ///< between the margins of the page
+/// Between the margins of the page.
+constexpr double upright_mm = 180, landscape_mm = 272, standard_mm = 165;
 constexpr double mostFormFigure_mm = 118; ///< high, for it to stand below the head of a form
 constexpr QColor paperColour(255, 255, 255);
 constexpr int pixelsPerUnit = 2;                        ///< of a figure
@@ -62,12 +64,19 @@ std::vector<double> sharesOf(const Table& table) {
 /// Writes the blocks; the styles of columns are put aside, for they stand before.
 class Body {
 public:
-    Body(OdtXml& xml, double width_mm, const OdtForms& forms)
-        : m_xml(xml), m_width_mm(width_mm), m_forms(forms) {}
+    Body(OdtXml& xml, const Report& report, double width_mm, const OdtForms& forms)
+        : m_xml(xml), m_report(report), m_width_mm(width_mm), m_forms(forms) {}
 
-    void operator()(const Heading& heading) { m_xml.paragraph("Heading", heading.text, "text:h"); }
+    void operator()(const Heading& heading) {
+        OdtStandard::writeHeading(m_xml, heading, m_headings++);
+    }
     void operator()(const Paragraph& paragraph) {
-        m_xml.paragraph(paragraph.strong ? "Strong" : "Body", paragraph.text);
+        const char* const style = paragraph.strong ? "Strong" : "Body";
+        if (paragraph.symbols) {
+            m_xml.symbols(style, paragraph.text);
+        } else {
+            m_xml.paragraph(style, paragraph.text);
+        }
     }
     void operator()(const Facts& facts) {
         Table table;
@@ -81,7 +90,12 @@ public:
         }
         write(table, true);
     }
-    void operator()(const Table& table) { write(table, false); }
+    void operator()(const Table& table) {
+        if (!table.caption.isEmpty()) {
+            m_xml.paragraph("TableCaption", captionOf(table));
+        }
+        write(table, false);
+    }
     void operator()(const Figure& figure) {
         const QString name = keep(drawn(figure), "figure");
         if (!name.isEmpty()) {
@@ -109,7 +123,7 @@ public:
         m_xml.paragraph("Caption", figure.caption);
     }
     void operator()(const Formula& formula) {
-        m_xml.paragraph("Formula", inOneLine(formula) + QStringLiteral("    ") + formula.label);
+        m_xml.symbols("Formula", inOneLine(formula) + QStringLiteral("    ") + formula.label);
     }
     void operator()(const FormHead&) {
         m_forms.writeHead(m_xml, m_heads++,
@@ -117,6 +131,15 @@ public:
         m_xml.paragraph("Gap", {});
     }
     void operator()(const PageBreak&) { m_xml.paragraph("Break", {}); }
+    void operator()(const Blank& blank) {
+        for (int line = 0; line < blank.lines; ++line) {
+            m_xml.paragraph("Blank", {});
+        }
+    }
+    void operator()(const TitlePage& title) { OdtStandard::writeTitle(m_xml, title); }
+    void operator()(const Contents& contents) {
+        OdtStandard::writeContents(m_xml, contents, m_report);
+    }
 
     [[nodiscard]] const std::vector<Picture>& pictures() const { return m_pictures; }
 
@@ -208,9 +231,10 @@ private:
     }
 
     OdtXml& m_xml;
+    const Report& m_report;
     double m_width_mm;
     const OdtForms& m_forms; ///< in one, cells without a value are empty instead of struck out
-    std::size_t m_heads = 0;
+    std::size_t m_heads = 0, m_headings = 0;
     int m_tables = 0;
     std::vector<Picture> m_pictures;
 };
@@ -271,11 +295,11 @@ QByteArray contentOf(const Report& report, const OdtForms& forms, double width_m
     xml.end();
     xml.begin("office:body");
     xml.begin("office:text");
-    if (forms.isEmpty()) {
+    if (forms.isEmpty() && report.style == PageStyle::sheet) {
         xml.paragraph("Title", report.title);
         xml.paragraph("Body", report.subject);
     }
-    Body body(xml, width_mm, forms);
+    Body body(xml, report, width_mm, forms);
     for (const Block& block : report.blocks) {
         std::visit(body, block);
     }
@@ -283,10 +307,8 @@ QByteArray contentOf(const Report& report, const OdtForms& forms, double width_m
     return xml.finish();
 }
 
-QByteArray stylesOf(const Report& report, const OdtForms& forms, bool landscape) {
-    OdtXml xml("office:document-styles");
-    xml.attribute("office:version", QStringLiteral("1.2"));
-    xml.begin("office:styles");
+/// Styles of paragraphs on the program's own sheets.
+void writeSheetStyles(OdtXml& xml, const Report& report) {
     xml.begin("style:default-style");
     xml.attribute("style:family", QStringLiteral("paragraph"));
     xml.empty("style:text-properties",
@@ -321,8 +343,31 @@ QByteArray stylesOf(const Report& report, const OdtForms& forms, bool landscape)
     xml.paragraphStyle("FormCaption", {align("center")}, {size("6pt")});
     xml.paragraphStyle("FormEntry", {align("center")}, {size("8pt")});
     xml.paragraphStyle("Break", {{QStringLiteral("fo:break-before"), QStringLiteral("page")}}, {});
+    xml.paragraphStyle("Subheading", {above, below, withNext}, {size("10pt"), bold});
+    xml.paragraphStyle("TableCaption", {above, withNext}, {});
+    xml.paragraphStyle("Blank",
+                       {{QStringLiteral("fo:border-bottom"), QStringLiteral("0.1mm solid #969696")},
+                        {QStringLiteral("fo:padding-top"), QStringLiteral("5mm")}},
+                       {});
+}
+
+QByteArray stylesOf(const Report& report, const OdtForms& forms, bool landscape) {
+    OdtXml xml("office:document-styles");
+    xml.attribute("office:version", QStringLiteral("1.2"));
+    xml.begin("office:styles");
+    const bool isStandard = report.style == PageStyle::standard;
+    if (isStandard) {
+        OdtStandard::writeStyles(xml, report.language);
+    } else {
+        writeSheetStyles(xml, report);
+    }
+    OdtStandard::writeIndexStyle(xml);
     xml.end();
     xml.begin("office:automatic-styles");
+    if (isStandard) {
+        OdtStandard::writePages(xml);
+        return xml.finish();
+    }
     forms.writePageStyles(xml);
     xml.begin("style:page-layout");
     xml.attribute("style:name", QStringLiteral("Paper"));
@@ -405,8 +450,11 @@ QByteArray odt(const Report& report) {
     const bool landscape = !report.sheets.empty();
     std::vector<Picture> pictures;
     const OdtForms forms(report);
-    const QByteArray content =
-        contentOf(report, forms, landscape ? landscape_mm : upright_mm, pictures);
+    const QByteArray content = contentOf(report, forms,
+                                         landscape                             ? landscape_mm
+                                         : report.style == PageStyle::standard ? standard_mm
+                                                                               : upright_mm,
+                                         pictures);
     ZipWriter zip;
     zip.addStored("mimetype", mimeType); // first, and as it is: by it the file is known
     const auto add = [&zip](const QByteArray& name, const QByteArray& bytes) {

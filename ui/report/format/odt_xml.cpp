@@ -3,6 +3,7 @@
 
 #include "ui/text/texts.h"
 
+#include <QRegularExpression>
 #include <QStringList>
 
 namespace sparkout::report {
@@ -74,6 +75,31 @@ void OdtXml::paragraph(const char* style, const QString& text, const char* eleme
             empty("text:line-break", {});
         }
         this->text(lines[i]);
+    }
+    end();
+}
+
+void OdtXml::symbols(const char* style, const QString& text) {
+    static const QRegularExpression index(QStringLiteral("_(\\w+)"),
+                                          QRegularExpression::UseUnicodePropertiesOption);
+    begin("text:p");
+    attribute("text:style-name", QString::fromLatin1(style));
+    const QStringList lines = text.split(u'\n');
+    for (qsizetype i = 0; i < lines.size(); ++i) {
+        if (i > 0) {
+            empty("text:line-break", {});
+        }
+        qsizetype from = 0;
+        for (auto it = index.globalMatch(lines[i]); it.hasNext();) {
+            const auto match = it.next();
+            this->text(lines[i].mid(from, match.capturedStart() - from));
+            begin("text:span");
+            attribute("text:style-name", QStringLiteral("Index"));
+            this->text(match.captured(1));
+            end();
+            from = match.capturedEnd();
+        }
+        this->text(lines[i].mid(from));
     }
     end();
 }

@@ -23,6 +23,8 @@ public:
     void empty(const char* name, const Attributes& attributes);
     /// A paragraph or heading; its lines stay lines.
     void paragraph(const char* style, const QString& text, const char* element = "text:p");
+    /// The same where it has symbols: an index of "k_s" stands below the line.
+    void symbols(const char* style, const QString& text);
     void paragraphStyle(const char* name, const Attributes& paragraph, const Attributes& text);
     /// Ends what is open.
     [[nodiscard]] QByteArray finish();

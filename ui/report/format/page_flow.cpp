@@ -4,6 +4,7 @@
 #include "ui/report/format/formula_box.h"
 #include "ui/report/format/formula_markup.h"
 #include "ui/report/format/text_box.h"
+#include "ui/report/format/title_sheet.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -22,12 +23,13 @@ namespace sparkout::report {
 namespace {
 
 // Sizes in tenths of a point, fonts in points.
-constexpr double bodySize = 9, smallSize = 7.5, headingSize = 11, titleSize = 15;
+constexpr double tenths = 10; ///< of a point in a point
 constexpr double gap = 60, cellPad = 30, rowPad = 14, ruleWidth = 5;
 constexpr double cellRoom = 2 * cellPad + 2; ///< beside its text, and for rounding
 constexpr QColor rule(150, 150, 150), shade(236, 236, 236), printInk(0, 0, 0),
     printFaint(90, 90, 90);
-constexpr double formulaSize = 9.5, formulaIndent = 120, labelRoom = 260;
+constexpr double formulaIndent = 120, labelRoom = 260;
+constexpr double blankLine = 280;                                   ///< between ruled lines
 constexpr double smallerBy = 0.5, leastSize = 6.5, leastHead = 5.5; ///< of a table's type
 constexpr double leastOneLine = 7.5; ///< so small to keep every row in one line
 constexpr int leastLines = 3;        ///< of a text or a row that follow a heading on its page
@@ -201,13 +203,14 @@ void share(std::vector<double>& widths, const std::vector<double>& wanted, doubl
 /// need be, then short heads.
 PageFlow::Columns PageFlow::columnsOf(const Table& table) const {
     const double width = m_area.width();
-    const auto headOf = [](double body) {
-        return std::max(leastHead, smallSize - (bodySize - body));
+    const PageMetrics& m = m_metrics;
+    const auto headOf = [&m](double body) {
+        return std::max(leastHead, m.cellHead - (m.cell - body));
     };
     const GoesOn goesOn = [this] { return this->goesOn(); };
-    Columns columns{{}, bodySize, smallSize};
-    ColumnNeeds needs = needsOf(table, bodySize, smallSize, true, goesOn);
-    for (double body = bodySize; body >= leastOneLine; body -= smallerBy) {
+    Columns columns{{}, m.cell, m.cellHead};
+    ColumnNeeds needs = needsOf(table, m.cell, m.cellHead, true, goesOn);
+    for (double body = m.cell; body >= leastOneLine; body -= smallerBy) {
         const ColumnNeeds smaller = needsOf(table, body, headOf(body), true, goesOn);
         if (sumOf(smaller.wanted) <= width) {
             needs = smaller;
@@ -278,8 +281,8 @@ std::vector<PageFlow::Row> PageFlow::rowsOf(const Facts& facts) const {
     for (std::size_t i = 0; i < facts.facts.size(); i += 2) {
         Row row{{}, 0};
         for (std::size_t k = i; k < std::min(i + 2, facts.facts.size()); ++k) {
-            row.boxes.emplace_back(facts.facts[k].first, reportFont(smallSize), width);
-            row.boxes.emplace_back(facts.facts[k].second, reportFont(bodySize, true), width);
+            row.boxes.emplace_back(facts.facts[k].first, reportFont(m_metrics.cellHead), width);
+            row.boxes.emplace_back(facts.facts[k].second, reportFont(m_metrics.cell, true), width);
             const auto pair = row.boxes.end() - 2;
             row.height = std::max(row.height, pair->height() + (pair + 1)->height());
         }
@@ -293,10 +296,13 @@ PageFlow::PageFlow(const Report& report, QSizeF area, const KeepGoing& keepGoing
     : m_report(report)
     , m_keepGoing(keepGoing)
     , m_area(area)
-    , m_top(2 * smallSize * 10 + gap / 2)
-    , m_bottom(area.height() - 2 * smallSize * 10 - gap / 2) {
+    , m_metrics(metricsOf(report.style))
+    , m_top(m_metrics.head)
+    , m_bottom(area.height() - m_metrics.foot) {
     newPage();
-    addTitle();
+    if (report.style == PageStyle::sheet) {
+        addTitle();
+    }
     for (m_block = 0; m_block < report.blocks.size(); ++m_block) {
         need(std::min(together(m_block), m_bottom - m_top));
         std::visit(*this, report.blocks[m_block]);
@@ -304,7 +310,12 @@ PageFlow::PageFlow(const Report& report, QSizeF area, const KeepGoing& keepGoing
             break;
         }
     }
-    addMargins();
+    addContents();
+    if (report.style == PageStyle::sheet) {
+        addMargins();
+    } else {
+        addNumbers();
+    }
 }
 
 bool PageFlow::goesOn() const {
@@ -329,18 +340,35 @@ void PageFlow::mark(Pages::Box::Kind kind, double height, std::vector<TextBox> c
 }
 
 void PageFlow::addTitle() {
-    const TextBox title(m_report.title, reportFont(titleSize, true), m_area.width());
+    const TextBox title(m_report.title, reportFont(m_metrics.title, true), m_area.width());
     mark(Pages::Box::Kind::title, title.height(), {title});
     add(m_structure.add({"H1"}), [title, y = m_y](QPainter& p) { title.paint(p, 0, y); });
     m_y += title.height() + gap / 2;
 }
 
+TextBox PageFlow::boxOf(const Heading& heading) const {
+    const QFont font = reportFont(m_metrics.heading, true);
+    const double width = m_area.width();
+    return heading.level == Heading::Level::part
+               ? TextBox(heading.text.toUpper(), font, width, Qt::AlignHCenter)
+               : TextBox(heading.text, font, width, Qt::AlignLeft, {m_metrics.indent, 1});
+}
+
+bool PageFlow::beginsPage(const Heading& heading) const {
+    return m_report.style == PageStyle::standard && heading.level != Heading::Level::subsection;
+}
+
 void PageFlow::operator()(const Heading& heading) {
-    const TextBox box(heading.text, reportFont(headingSize, true), m_area.width());
+    const TextBox box = boxOf(heading);
+    if (beginsPage(heading) && m_y > m_top) {
+        newPage();
+    }
     m_y += m_y > m_top ? gap : 0;
     m_marks.push_back({heading.text, static_cast<int>(m_pages.size()) - 1, m_y});
     mark(Pages::Box::Kind::heading, box.height(), {box});
-    add(m_structure.add({"H2"}), [box, y = m_y](QPainter& p) { box.paint(p, 0, y); });
+    const bool below = heading.level == Heading::Level::subsection;
+    add(m_structure.add({below ? "H3" : "H2"}),
+        [box, y = m_y](QPainter& p) { box.paint(p, 0, y); });
     m_y += box.height() + gap / 3;
 }
 
@@ -368,7 +396,12 @@ void PageFlow::operator()(const Paragraph& paragraph) {
 }
 
 TextBox PageFlow::boxOf(const Paragraph& paragraph) const {
-    return {paragraph.text, reportFont(bodySize, paragraph.strong), m_area.width()};
+    TextBox box(paragraph.text, reportFont(m_metrics.body, paragraph.strong), m_area.width(),
+                Qt::AlignLeft, {m_metrics.indent, m_metrics.lineSpacing});
+    if (paragraph.symbols) {
+        box.showIndices();
+    }
+    return box;
 }
 
 bool PageFlow::introduces(std::size_t block, const TextBox& box) const {
@@ -377,7 +410,7 @@ bool PageFlow::introduces(std::size_t block, const TextBox& box) const {
     }
     const Block& next = m_report.blocks[block + 1];
     return std::holds_alternative<Table>(next) || std::holds_alternative<Facts>(next)
-           || std::holds_alternative<Formula>(next);
+           || std::holds_alternative<Formula>(next) || std::holds_alternative<Blank>(next);
 }
 
 double PageFlow::noteBelow(std::size_t table) const {
@@ -506,11 +539,28 @@ void PageFlow::addLongRow(const Row& row, const LaidOutTable& table, const QColo
     }
 }
 
+TextBox PageFlow::captionBox(const QString& caption) const {
+    TextBox box(caption, reportFont(m_metrics.small), m_area.width());
+    return caption.isEmpty() ? box.part(0, 0) : box;
+}
+
+void PageFlow::addCaption(const TextBox& caption, Element table) {
+    if (caption.lines() == 0) {
+        return;
+    }
+    mark(Pages::Box::Kind::caption, caption.height(), {caption});
+    add(m_structure.add({"Caption", table}), [caption, y = m_y](QPainter& p) {
+        p.setPen(printInk);
+        caption.paint(p, 0, y);
+    });
+    m_y += caption.height();
+}
+
 void PageFlow::operator()(const Table& table) {
     const LaidOutTable& made = laidOut(table);
     const std::vector<Row>& rows = made.rows;
     const double headHeight = made.head.height;
-    const double wholePage = m_bottom - m_top - headHeight;
+    const double wholePage = m_bottom - m_top - headHeight - captionBox(captionOf(table)).height();
     const Element element = m_structure.add({"Table"});
     std::vector<Element> head = addCells(element, made.head, "TH");
     for (std::size_t r = 0, end = 0; r < rows.size() && goesOn(); ++r) {
@@ -518,7 +568,10 @@ void PageFlow::operator()(const Table& table) {
         if (r == end) {
             const double least =
                 isLong ? leastLines * rows[r].boxes.front().height() : rows[r].height;
-            need(headHeight + std::min(least, wholePage));
+            const TextBox caption = captionBox(r == 0 ? captionOf(table) : continuationOf(table));
+            m_y += m_y > m_top ? m_metrics.apart : 0;
+            need(caption.height() + headHeight + std::min(least, wholePage));
+            addCaption(caption, element);
             addHead(made, head);
             end = std::max(r + 1, rowsThatFit(rows, r, noteBelow(m_block)));
         }
@@ -535,7 +588,7 @@ void PageFlow::operator()(const Table& table) {
             newPage();
         }
     }
-    m_y += gap / 2;
+    m_y += gap / 2 + m_metrics.apart;
 }
 
 namespace {
@@ -567,8 +620,8 @@ double PageFlow::together(std::size_t block) const {
     };
     const Block& of = m_report.blocks[block];
     if (const auto* heading = std::get_if<Heading>(&of)) {
-        const TextBox box(heading->text, reportFont(headingSize, true), m_area.width());
-        return gap + box.height() + gap / 3 + together(block + 1);
+        const double height = gap + boxOf(*heading).height() + gap / 3;
+        return beginsPage(*heading) ? height : height + together(block + 1);
     }
     if (const auto* paragraph = std::get_if<Paragraph>(&of)) {
         const TextBox box = boxOf(*paragraph);
@@ -583,10 +636,15 @@ double PageFlow::together(std::size_t block) const {
     }
     if (const auto* table = std::get_if<Table>(&of)) {
         const LaidOutTable& all = laidOut(*table);
-        return rowsTogether(heights(all.rows), all.head.height, noteBelow(block), page);
+        const double above =
+            m_metrics.apart + captionBox(captionOf(*table)).height() + all.head.height;
+        return rowsTogether(heights(all.rows), above, noteBelow(block), page);
     }
     if (const auto* figure = std::get_if<Figure>(&of)) {
         return heightOf(*figure);
+    }
+    if (const auto* blank = std::get_if<Blank>(&of)) {
+        return std::min(blank->lines * blankLine, wholeShare * page);
     }
     if (const auto* formula = std::get_if<Formula>(&of)) {
         return std::min(heightOf(*formula), page);
@@ -595,21 +653,24 @@ double PageFlow::together(std::size_t block) const {
 }
 
 double PageFlow::scaleOf(const Figure& figure) const {
-    const TextBox caption(figure.caption, reportFont(smallSize), m_area.width());
-    const double heading = 2 * (headingSize * 10 + gap); // the one above stays with it
+    const TextBox caption(figure.caption, reportFont(m_metrics.small), m_area.width());
+    const double heading = 2 * (m_metrics.heading * tenths + gap); // the one above stays with it
     return std::min(m_area.width() / figure.size.width(),
-                    (m_bottom - m_top - caption.height() - heading) / figure.size.height());
+                    (m_bottom - m_top - m_metrics.apart - caption.height() - heading)
+                        / figure.size.height());
 }
 
 double PageFlow::heightOf(const Figure& figure) const {
-    const TextBox caption(figure.caption, reportFont(smallSize), m_area.width());
-    return figure.size.height() * scaleOf(figure) + caption.height();
+    const TextBox caption(figure.caption, reportFont(m_metrics.small), m_area.width());
+    return m_metrics.apart + figure.size.height() * scaleOf(figure) + caption.height();
 }
 
 void PageFlow::operator()(const Figure& figure) {
-    const TextBox caption(figure.caption, reportFont(smallSize), m_area.width(), Qt::AlignHCenter);
+    const TextBox caption(figure.caption, reportFont(m_metrics.small), m_area.width(),
+                          Qt::AlignHCenter);
     const double scale = scaleOf(figure);
     mark(Pages::Box::Kind::figure, heightOf(figure), {caption});
+    m_y += m_metrics.apart;
     const QRectF box(QPointF(0, m_y), figure.size * scale);
     const Element element = m_structure.add(
         {"Figure", PdfStructure::document,
@@ -620,23 +681,25 @@ void PageFlow::operator()(const Figure& figure) {
         figure.paint(p);
     });
     m_y += figure.size.height() * scale;
-    add(m_structure.add({"Caption", element}), [caption, y = m_y](QPainter& p) {
-        p.setPen(printFaint);
+    const QColor ink = m_report.style == PageStyle::sheet ? printFaint : printInk;
+    add(m_structure.add({"Caption", element}), [caption, ink, y = m_y](QPainter& p) {
+        p.setPen(ink);
         caption.paint(p, 0, y);
     });
-    m_y += caption.height() + gap / 2;
+    m_y += caption.height() + gap / 2 + m_metrics.apart;
 }
 
 namespace {
 
 /// The sides of an equation in lines that fit: each begins with its sign.
-std::vector<std::vector<FormulaBox>> formulaLines(const Formula& formula, double width) {
+std::vector<std::vector<FormulaBox>> formulaLines(const Formula& formula, double width,
+                                                  double points) {
     const FormulaBox equals =
-        formulaBox({FormulaNode::Kind::sign, QStringLiteral(" = "), 2, 0, {}}, formulaSize);
+        formulaBox({FormulaNode::Kind::sign, QStringLiteral(" = "), 2, 0, {}}, points);
     std::vector<std::vector<FormulaBox>> lines(1);
     double taken = 0;
     for (const FormulaNode& side : formula.sides) {
-        const FormulaBox box = formulaBox(side, formulaSize);
+        const FormulaBox box = formulaBox(side, points);
         const double needed = box.width + equals.width;
         if (lines.back().size() > 1 && taken + needed > width) {
             lines.emplace_back();
@@ -680,7 +743,7 @@ double indentOf(bool first) {
 double PageFlow::heightOf(const Formula& formula) const {
     const double width = m_area.width() - formulaIndent - labelRoom;
     double height = 0;
-    for (const std::vector<FormulaBox>& boxes : formulaLines(formula, width)) {
+    for (const std::vector<FormulaBox>& boxes : formulaLines(formula, width, m_metrics.formula)) {
         const double x = indentOf(height == 0);
         height += FormulaLine(boxes, width + formulaIndent - x).height + gap / 6;
     }
@@ -688,13 +751,13 @@ double PageFlow::heightOf(const Formula& formula) const {
 }
 
 void PageFlow::operator()(const Formula& formula) {
-    const TextBox label(formula.label, reportFont(bodySize), labelRoom, Qt::AlignRight);
+    const TextBox label(formula.label, reportFont(m_metrics.body), labelRoom, Qt::AlignRight);
     const double width = m_area.width() - formulaIndent - labelRoom;
     const Element element =
         m_structure.add({"Formula", PdfStructure::document,
                          QStringList{inOneLine(formula), formula.label}.join(u' ').trimmed()});
     bool first = true;
-    for (const std::vector<FormulaBox>& boxes : formulaLines(formula, width)) {
+    for (const std::vector<FormulaBox>& boxes : formulaLines(formula, width, m_metrics.formula)) {
         const double x = indentOf(first);
         const FormulaLine size(boxes, width + formulaIndent - x);
         need(size.height);
@@ -728,10 +791,94 @@ void PageFlow::operator()(const PageBreak&) {
     }
 }
 
+void PageFlow::operator()(const Blank& blank) {
+    for (int line = 0; line < blank.lines; ++line) {
+        need(blankLine);
+        mark(Pages::Box::Kind::text, blankLine);
+        m_y += blankLine;
+        add(PdfStructure::artifact, [y = m_y, width = m_area.width()](QPainter& p) {
+            p.setPen(QPen(rule, ruleWidth));
+            p.drawLine(QPointF(0, y), QPointF(width, y));
+        });
+    }
+    m_y += gap;
+}
+
+void PageFlow::operator()(const TitlePage& title) {
+    for (TitleSheet::Line& line : TitleSheet::lines(title, m_area)) {
+        m_y = line.y;
+        mark(Pages::Box::Kind::title, line.box.height(), {line.box});
+        add(m_structure.add({"P"}), [line](QPainter& p) { line.box.paint(p, line.x, line.y); });
+    }
+    m_hasTitlePage = true;
+    newPage();
+}
+
+void PageFlow::operator()(const Contents& contents) {
+    const TextBox title(contents.title.toUpper(), reportFont(m_metrics.heading, true),
+                        m_area.width(), Qt::AlignHCenter);
+    mark(Pages::Box::Kind::heading, title.height(), {title});
+    add(m_structure.add({"H2"}), [title, y = m_y](QPainter& p) { title.paint(p, 0, y); });
+    m_y += title.height() + gap;
+    const Element toc = m_structure.add({"TOC"});
+    for (const Block& block : m_report.blocks) {
+        if (const auto* heading = std::get_if<Heading>(&block)) {
+            const bool below = heading->level == Heading::Level::subsection;
+            const double x = below ? m_metrics.indent / 2 : 0;
+            const TextBox text(heading->text, reportFont(m_metrics.body),
+                               m_area.width() - x - labelRoom);
+            need(text.height());
+            mark(Pages::Box::Kind::text, text.height(), {text});
+            m_entries.push_back({text, m_pages.size() - 1, x, m_y, m_structure.add({"TOCI", toc})});
+            m_y += text.height() + gap / 3;
+        }
+    }
+}
+
+void PageFlow::addContents() {
+    const QFont font = reportFont(m_metrics.body);
+    for (std::size_t i = 0; i < std::min(m_entries.size(), m_marks.size()); ++i) {
+        const Entry& entry = m_entries[i];
+        const QString number = QString::number(m_marks[i].page + 1);
+        const auto paint = [entry, number, font, width = m_area.width()](QPainter& p) {
+            p.setPen(printInk);
+            entry.text.paint(p, entry.x, entry.y);
+            const QFontMetricsF metrics(font);
+            const TextBox last = entry.text.part(entry.text.lines() - 1, 1);
+            const double base = entry.y + entry.text.height() - metrics.descent();
+            const double end = width - metrics.horizontalAdvance(number);
+            const double dot = metrics.horizontalAdvance(QStringLiteral(" ."));
+            p.setFont(font);
+            p.drawText(QPointF(end, base), number);
+            const double from = entry.x + metrics.horizontalAdvance(last.texts().value(0)) + dot;
+            for (double x = end - 2 * dot; x > from; x -= dot) {
+                p.drawText(QPointF(x, base), QStringLiteral("."));
+            }
+        };
+        m_pages[entry.page].push_back({paint, entry.element});
+    }
+}
+
+/// In the middle below the text; the title page is counted, but has none.
+void PageFlow::addNumbers() {
+    const QFont font = reportFont(m_metrics.body);
+    for (std::size_t i = m_hasTitlePage ? 1 : 0; i < m_pages.size(); ++i) {
+        const auto paint = [number = QString::number(i + 1), font, size = m_area](QPainter& p) {
+            const QFontMetricsF metrics(font);
+            p.setFont(font);
+            p.setPen(printInk);
+            p.drawText(QPointF((size.width() - metrics.horizontalAdvance(number)) / 2,
+                               size.height() - metrics.descent()),
+                       number);
+        };
+        m_pages[i].push_back({paint, PdfStructure::pagination});
+    }
+}
+
 void PageFlow::addMargins() {
     const double width = m_area.width();
     const double height = m_area.height();
-    const QFont font = reportFont(smallSize);
+    const QFont font = reportFont(m_metrics.small);
     const QString origin = m_report.origin();
     const QString about = m_report.subject;
     for (std::size_t i = 0; i < m_pages.size(); ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/report/format/page_metrics.h"
 #include "ui/report/format/pages.h"
 #include "ui/report/format/text_box.h"
 
@@ -31,6 +32,9 @@ public:
     void operator()(const Formula& formula);
     void operator()(const FormHead& head);
     void operator()(const PageBreak&);
+    void operator()(const Blank& blank);
+    void operator()(const TitlePage& title);
+    void operator()(const Contents& contents);
 
 private:
     using Paint = std::function<void(QPainter&)>;
@@ -67,6 +71,12 @@ private:
     [[nodiscard]] double heightOf(const Figure& figure) const; ///< with its caption
     [[nodiscard]] double heightOf(const Formula& formula) const;
     [[nodiscard]] TextBox boxOf(const Paragraph& paragraph) const;
+    [[nodiscard]] TextBox boxOf(const Heading& heading) const;
+    /// Whether it stands at the top of a page.
+    [[nodiscard]] bool beginsPage(const Heading& heading) const;
+    [[nodiscard]] TextBox
+    captionBox(const QString& caption) const; ///< without lines: there is none
+    void addCaption(const TextBox& caption, Element table);
     /// Asked row by row, for a table may fill hundreds of pages.
     [[nodiscard]] bool goesOn() const;
     void newPage();
@@ -94,13 +104,24 @@ private:
                 const std::vector<Element>& cells);
     void addLongRow(const Row& row, const LaidOutTable& table, const QColor& ground,
                     const std::vector<Element>& cells);
-    void addMargins(); ///< head and foot of every page
+    void addMargins();  ///< head and foot of every page
+    void addNumbers();  ///< of the pages, where that is all there is
+    void addContents(); ///< once the pages of the headings are known
+
+    /// A heading among the contents.
+    struct Entry {
+        TextBox text;
+        std::size_t page; ///< it stands on
+        double x, y;
+        Element element;
+    };
 
     const Report& m_report;
     const KeepGoing& m_keepGoing;
     mutable bool m_stopped = false;
     mutable LaidOutTable m_laidOut;
     QSizeF m_area;
+    const PageMetrics& m_metrics;
     double m_top, m_bottom;
     double m_y = 0;
     std::size_t m_block = 0; ///< which is laid out
@@ -108,6 +129,8 @@ private:
     std::vector<Pages::Mark> m_marks;
     std::vector<Pages::Box> m_boxes;
     PdfStructure m_structure;
+    std::vector<Entry> m_entries;
+    bool m_hasTitlePage = false;
 };
 
 } // namespace sparkout::report

@@ -3,6 +3,7 @@
 
 #include "ui/pdf/pdf_details.h"
 #include "ui/report/format/page_flow.h"
+#include "ui/report/format/page_metrics.h"
 #include "ui/report/format/sheet_pieces.h"
 
 #include <QBuffer>
@@ -18,7 +19,6 @@
 namespace sparkout::report {
 
 namespace {
-constexpr QMarginsF margins_mm(18, 12, 12, 12); // the left one for filing
 constexpr int pdfResolution = 1200;
 constexpr double pointsPerInch = 72;
 
@@ -99,9 +99,9 @@ void Pages::paint(QPainter& painter, int page, bool marks) const {
 
 void setUpPaper(QPagedPaintDevice& device, const Report& report) {
     const bool isForm = !report.sheets.empty();
-    QPageLayout layout(QPageSize(QPageSize::A4),
-                       isForm ? QPageLayout::Landscape : QPageLayout::Portrait,
-                       isForm ? QMarginsF() : margins_mm, QPageLayout::Millimeter);
+    QPageLayout layout(
+        QPageSize(QPageSize::A4), isForm ? QPageLayout::Landscape : QPageLayout::Portrait,
+        isForm ? QMarginsF() : metricsOf(report.style).margins_mm, QPageLayout::Millimeter);
     layout.setMode(isForm ? QPageLayout::FullPageMode : QPageLayout::StandardMode);
     device.setPageLayout(layout);
 }

@@ -37,7 +37,7 @@ public:
 
     /// What stands where, in the order of the report: rows and lines that are never cut.
     struct Box {
-        enum class Kind { title, heading, text, facts, head, row, figure, formula };
+        enum class Kind { title, heading, text, facts, caption, head, row, figure, formula };
         Kind kind;
         std::size_t block = 0; ///< of the report; a title: none
         int page = 0;

@@ -22,13 +22,23 @@ class QPainter;
 /// Markdown text are all made from. Texts are plain.
 namespace sparkout::report {
 
+/// How pages look: as the program's own sheets, or as ГОСТ 7.32 has those of a report.
+enum class PageStyle { sheet, standard };
+
 struct Heading {
+    enum class Level {
+        section,
+        subsection,
+        part, ///< of its own, without a number: contents, conclusion; in a report by the standard
+    };
     QString text;
+    Level level = Level::section;
 };
 
 struct Paragraph {
     QString text;
     bool strong = false;
+    bool symbols = false; ///< it has symbols with indices: "k_s"
 };
 
 /// Names with their values, two abreast on a page.
@@ -48,7 +58,13 @@ struct Table {
     /// In a form, the text in the first of these columns goes on over those before the second, in
     /// rows that have nothing there.
     std::pair<std::size_t, std::size_t> spread = {};
+    QString caption = {}; ///< its name, above it; empty: none
+    int number = 0;       ///< beside its name
 };
+
+/// What stands above a table that has a name: "Table 1 — Stages", or where it goes on.
+[[nodiscard]] QString captionOf(const Table& table);
+[[nodiscard]] QString continuationOf(const Table& table);
 
 /// A drawing in vectors.
 struct Figure {
@@ -67,7 +83,27 @@ struct Formula {
 /// What follows begins on a page of its own.
 struct PageBreak {};
 
-using Block = std::variant<Heading, Paragraph, Facts, Table, Figure, Formula, PageBreak, FormHead>;
+/// Ruled lines to write on by hand.
+struct Blank {
+    int lines = 1;
+};
+
+/// The first page of a report, without a number.
+struct TitlePage {
+    QStringList above; ///< who the report is made for: ministry, university, department
+    QString document;  ///< what it is
+    QStringList title; ///< and of what
+    std::vector<std::pair<QString, QString>> people; ///< in what they take part, who they are
+    QString below;                                   ///< place and year
+};
+
+/// The headings of the report with their pages.
+struct Contents {
+    QString title;
+};
+
+using Block = std::variant<Heading, Paragraph, Facts, Table, Figure, Formula, PageBreak, FormHead,
+                           Blank, TitlePage, Contents>;
 
 struct Report {
     QString title;
@@ -81,6 +117,7 @@ struct Report {
     /// A form that is printed in place of the blocks, on A4 landscape; the other formats have
     /// those.
     std::vector<FormSheet> sheets;
+    PageStyle style = PageStyle::sheet;
 
     /// The line at the foot of every page.
     [[nodiscard]] QString origin() const;

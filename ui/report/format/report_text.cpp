@@ -33,7 +33,9 @@ const char* const styleSheet =
     "tr,figure,dl div,div.formula{break-inside:avoid}p{orphans:3;widows:3}"
     "p:has(+table),p:has(+dl),p:has(+div.formula){break-after:avoid}"
     "th,tr.sum td{print-color-adjust:exact;-webkit-print-color-adjust:exact}"
-    "div.page{break-before:page}}figcaption,footer{font-size:.8em;color:#555;text-align:"
+    "div.page{break-before:page}div.title{break-after:page}}caption{text-align:left}"
+    "div.title{text-align:center}p.blank{border-bottom:1px solid #999;margin:.4em 0}"
+    "figcaption,footer{font-size:.8em;color:#555;text-align:"
     "center}";
 
 QByteArray drawn(const Figure& figure) {
@@ -56,13 +58,34 @@ QString svgOf(const Figure& figure, int number) {
     return svg;
 }
 
+/// The headings of a report, line by line.
+QStringList headingsOf(const Report& report) {
+    QStringList headings;
+    for (const Block& block : report.blocks) {
+        if (const auto* heading = std::get_if<Heading>(&block)) {
+            headings << heading->text;
+        }
+    }
+    return headings;
+}
+
+bool hasTitlePage(const Report& report) {
+    return !report.blocks.empty() && std::holds_alternative<TitlePage>(report.blocks.front());
+}
+
 class Html {
 public:
+    explicit Html(const Report& report) : m_headings(headingsOf(report)) {}
+
     void operator()(const Heading& h) {
-        m_text += QStringLiteral("<h2>%1</h2>\n").arg(h.text.toHtmlEscaped());
+        const QString tag =
+            h.level == Heading::Level::subsection ? QStringLiteral("h3") : QStringLiteral("h2");
+        m_text += u'<' + tag + u'>' + h.text.toHtmlEscaped() + QStringLiteral("</") + tag
+                  + QStringLiteral(">\n");
     }
     void operator()(const Paragraph& p) {
-        const QString text = lines(p.text);
+        const QString text =
+            p.symbols ? withIndices(p.text).replace(u'\n', QStringLiteral("<br/>")) : lines(p.text);
         m_text += p.strong ? QStringLiteral("<p><strong>%1</strong></p>\n").arg(text)
                            : QStringLiteral("<p>%1</p>\n").arg(text);
     }
@@ -75,8 +98,12 @@ public:
         m_text += QStringLiteral("</dl>\n");
     }
     void operator()(const Table& table) {
-        m_text += QStringLiteral("<table>\n<thead>") + row(table.head, table, "th", false)
-                  + QStringLiteral("</thead>\n<tbody>\n");
+        const QString caption = captionOf(table).toHtmlEscaped();
+        m_text +=
+            QStringLiteral("<table>\n")
+            + (caption.isEmpty() ? caption : QStringLiteral("<caption>%1</caption>\n").arg(caption))
+            + QStringLiteral("<thead>") + row(table.head, table, "th", false)
+            + QStringLiteral("</thead>\n<tbody>\n");
         for (std::size_t r = 0; r < table.rows.size(); ++r) {
             m_text +=
                 row(table.rows[r], table, "td", table.lastIsSum && r + 1 == table.rows.size());
@@ -97,6 +124,25 @@ public:
         }
     }
     void operator()(const PageBreak&) { m_text += QStringLiteral("<div class=\"page\"></div>\n"); }
+    void operator()(const Blank& blank) {
+        m_text += QStringLiteral("<p class=\"blank\">&#160;</p>\n").repeated(blank.lines);
+    }
+    void operator()(const TitlePage& title) {
+        m_text += QStringLiteral("<div class=\"title\">\n");
+        for (const QString& line : title.above) {
+            m_text += QStringLiteral("<p>%1</p>\n").arg(line.toHtmlEscaped());
+        }
+        m_text += QStringLiteral("<h1>%1</h1>\n").arg(title.document.toHtmlEscaped());
+        for (const QString& line : title.title) {
+            m_text += QStringLiteral("<p><strong>%1</strong></p>\n").arg(line.toHtmlEscaped());
+        }
+        (*this)(Facts{title.people});
+        m_text += QStringLiteral("<p>%1</p>\n</div>\n").arg(title.below.toHtmlEscaped());
+    }
+    void operator()(const Contents& contents) {
+        m_text += QStringLiteral("<h2>%1</h2>\n<p>%2</p>\n")
+                      .arg(contents.title.toHtmlEscaped(), lines(m_headings.join(u'\n')));
+    }
     [[nodiscard]] const QString& text() const { return m_text; }
 
 private:
@@ -118,13 +164,20 @@ private:
         return text + QStringLiteral("</tr>\n");
     }
 
+    QStringList m_headings;
     QString m_text;
     int m_figures = 0;
 };
 
 class Markdown {
 public:
-    void operator()(const Heading& h) { m_text += QStringLiteral("## ") + plain(h.text) + end(); }
+    explicit Markdown(const Report& report) : m_headings(headingsOf(report)) {}
+
+    void operator()(const Heading& h) {
+        m_text +=
+            (h.level == Heading::Level::subsection ? QStringLiteral("### ") : QStringLiteral("## "))
+            + plain(h.text) + end();
+    }
     void operator()(const Paragraph& p) {
         static const QRegularExpression indent(QStringLiteral("^[ \\x{a0}]+"),
                                                QRegularExpression::MultilineOption);
@@ -132,7 +185,7 @@ public:
                                                QRegularExpression::MultilineOption);
         static const QRegularExpression count(QStringLiteral("^(\\d+)([.)])"),
                                               QRegularExpression::MultilineOption);
-        QString text = plain(p.text).remove(indent);
+        QString text = (p.symbols ? indexed(p.text) : plain(p.text)).remove(indent);
         text.replace(bullet, QStringLiteral("\\\\1"));
         text.replace(count, QStringLiteral("\\1\\\\2"));
         text.replace(u'\n', QStringLiteral("  \n"));
@@ -145,6 +198,9 @@ public:
         m_text += u'\n';
     }
     void operator()(const Table& table) {
+        if (const QString caption = captionOf(table); !caption.isEmpty()) {
+            m_text += plain(caption) + end();
+        }
         m_text += row(table.head) + QStringLiteral("|");
         for (qsizetype c = 0; c < table.head.size(); ++c) {
             const auto i = static_cast<std::size_t>(c);
@@ -177,6 +233,27 @@ public:
         }
     }
     void operator()(const PageBreak&) { m_text += QStringLiteral("---") + end(); }
+    void operator()(const Blank& blank) {
+        m_text += (QStringLiteral("\\_").repeated(blankSigns) + end()).repeated(blank.lines);
+    }
+    void operator()(const TitlePage& title) {
+        for (const QString& line : title.above) {
+            m_text += plain(line) + end();
+        }
+        m_text += QStringLiteral("# ") + plain(title.document) + end();
+        for (const QString& line : title.title) {
+            m_text += QStringLiteral("**%1**").arg(plain(line)) + end();
+        }
+        (*this)(Facts{title.people});
+        m_text += plain(title.below) + end();
+    }
+    void operator()(const Contents& contents) {
+        m_text += QStringLiteral("## ") + plain(contents.title) + end();
+        for (const QString& heading : m_headings) {
+            m_text += QStringLiteral("* %1\n").arg(plain(heading));
+        }
+        m_text += u'\n';
+    }
     [[nodiscard]] const QString& text() const { return m_text; }
     /// The drawings, for the end of the file: the text above them stays one to read.
     [[nodiscard]] const QString& pictures() const { return m_pictures; }
@@ -210,6 +287,9 @@ private:
         return text + u'\n';
     }
 
+    static constexpr int blankSigns = 60; ///< of a line to write on
+
+    QStringList m_headings;
     QString m_text, m_pictures;
     int m_figures = 0;
 };
@@ -217,7 +297,7 @@ private:
 } // namespace
 
 QByteArray html(const Report& report) {
-    Html body;
+    Html body(report);
     for (const Block& block : report.blocks) {
         std::visit(body, block);
     }
@@ -237,11 +317,9 @@ QByteArray html(const Report& report) {
             report.program.toHtmlEscaped(),
             QStringLiteral("\"/>\n<style>"),
             QString::fromLatin1(styleSheet),
-            QStringLiteral("</style>\n</head>\n<body>\n<h1>"),
-            title,
-            QStringLiteral("</h1>\n<p>"),
-            subject,
-            QStringLiteral("</p>\n"),
+            QStringLiteral("</style>\n</head>\n<body>\n"),
+            hasTitlePage(report) ? QString()
+                                 : QStringLiteral("<h1>%1</h1>\n<p>%2</p>\n").arg(title, subject),
             body.text(),
             QStringLiteral("<footer>"),
             report.origin().toHtmlEscaped(),
@@ -251,13 +329,16 @@ QByteArray html(const Report& report) {
 }
 
 QByteArray markdown(const Report& report) {
-    Markdown body;
+    Markdown body(report);
     for (const Block& block : report.blocks) {
         std::visit(body, block);
     }
-    return harmlessText(QStringLiteral("# ") + Markdown::plain(report.title)
-                        + QStringLiteral("\n\n") + Markdown::plain(report.subject)
-                        + QStringLiteral("\n\n") + body.text() + QStringLiteral("---\n\n")
+    const QString head = hasTitlePage(report)
+                             ? QString()
+                             : QStringLiteral("# ") + Markdown::plain(report.title)
+                                   + QStringLiteral("\n\n") + Markdown::plain(report.subject)
+                                   + QStringLiteral("\n\n");
+    return harmlessText(head + body.text() + QStringLiteral("---\n\n")
                         + Markdown::plain(report.origin()) + u'\n'
                         + (body.pictures().isEmpty() ? QString() : u'\n' + body.pictures()))
         .toUtf8();

@@ -18,45 +18,53 @@ constexpr double unitsPerPoint = 10;
 constexpr QChar wordJoiner(0x2060);
 const QString keptSlash = u'/' + QString(wordJoiner);
 
-QStringList wrapped(const QString& text, const QFont& font, double width, QList<bool>& goesOn) {
-    QStringList lines;
+} // namespace
+
+void TextBox::wrap(const QString& text, double indent) {
     for (QString paragraph : text.split(u'\n')) {
         paragraph.replace(u'/', keptSlash); // a unit stays whole
-        QTextLayout layout(paragraph, font);
+        QTextLayout layout(paragraph, m_font);
         QTextOption option;
         option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
         layout.setTextOption(option);
         layout.beginLayout();
+        double start = indent;
         for (QTextLine row = layout.createLine(); row.isValid(); row = layout.createLine()) {
-            row.setLineWidth(width);
+            row.setLineWidth(m_width - start);
             const QString line = paragraph.mid(row.textStart(), row.textLength());
-            lines += QString(line).remove(wordJoiner).trimmed();
-            goesOn += line.back().isSpace();
+            m_lines += QString(line).remove(wordJoiner).trimmed();
+            m_goesOn += line.back().isSpace();
+            m_starts += start;
+            start = 0;
         }
         layout.endLayout();
         if (paragraph.isEmpty()) {
-            lines += QString();
-            goesOn += false;
+            m_lines += QString();
+            m_goesOn += false;
+            m_starts += start;
         }
-        goesOn.back() = true;
+        m_goesOn.back() = true;
     }
-    goesOn.back() = false;
-    return lines;
+    m_goesOn.back() = false;
 }
-} // namespace
 
 TextBox::TextBox(QString text, QFont font, double width, Qt::Alignment align)
+    : TextBox(std::move(text), std::move(font), width, align, Setting()) {}
+
+TextBox::TextBox(QString text, QFont font, double width, Qt::Alignment align,
+                 const Setting& setting)
     : m_font(std::move(font)), m_width(width), m_align(align) {
     const QFontMetricsF metrics(m_font);
-    m_lineHeight = metrics.height();
-    m_ascent = metrics.ascent();
-    m_lines = wrapped(text, m_font, width, m_goesOn);
+    m_lineHeight = metrics.height() * setting.spacing;
+    m_ascent = metrics.ascent() + (m_lineHeight - metrics.height()) / 2;
+    wrap(text, setting.indent);
 }
 
 TextBox TextBox::part(int first, int count) const {
     TextBox box = *this;
     box.m_lines = m_lines.mid(first, count);
     box.m_goesOn = m_goesOn.mid(first, count);
+    box.m_starts = m_starts.mid(first, count);
     return box;
 }
 
@@ -67,11 +75,14 @@ void TextBox::paint(QPainter& painter, double x, double y) const {
         const double spare = m_width - metrics.horizontalAdvance(m_lines[i]);
         const double shift = m_align & Qt::AlignRight     ? spare
                              : m_align & Qt::AlignHCenter ? spare / 2
-                                                          : 0;
+                                                          : m_starts[i];
         const QPointF at(x + std::max(0.0, shift), y + m_ascent + double(i) * m_lineHeight);
         if (m_indices) {
-            formulaBox(leafNode(m_lines[i], 0), m_font.pixelSize() / unitsPerPoint)
-                .paint(painter, at.x(), at.y());
+            const bool isWords = m_lines[i].contains(u' '); // a root goes over a symbol alone
+            const FormulaNode line =
+                isWords ? FormulaNode{FormulaNode::Kind::text, m_lines[i], 2, 0, {}}
+                        : leafNode(m_lines[i], 0);
+            formulaBox(line, m_font.pixelSize() / unitsPerPoint).paint(painter, at.x(), at.y());
         } else {
             // With the space between its words: who hears it read hears two of them.
             painter.drawText(at, m_goesOn[i] ? m_lines[i] + u' ' : m_lines[i]);

@@ -14,7 +14,14 @@ namespace sparkout::report {
 /// Independent of any device: the font's size is in units of the page.
 class TextBox {
 public:
+    /// How its lines are set.
+    struct Setting {
+        double indent = 0;  ///< of the first line of a paragraph
+        double spacing = 1; ///< in heights of a line
+    };
+
     TextBox(QString text, QFont font, double width, Qt::Alignment align = Qt::AlignLeft);
+    TextBox(QString text, QFont font, double width, Qt::Alignment align, const Setting& setting);
 
     [[nodiscard]] double height() const { return m_lineHeight * double(m_lines.size()); }
     [[nodiscard]] int lines() const { return static_cast<int>(m_lines.size()); }
@@ -31,13 +38,16 @@ public:
     [[nodiscard]] static double widestLine(const QString& text, const QFont& font);
 
 private:
+    void wrap(const QString& text, double indent);
+
     QFont m_font;
     double m_width;
     Qt::Alignment m_align;
     double m_lineHeight;
     double m_ascent;
     QStringList m_lines;
-    QList<bool> m_goesOn; ///< by line: a word ends with it, and the text has more
+    QList<bool> m_goesOn;   ///< by line: a word ends with it, and the text has more
+    QList<double> m_starts; ///< of the lines
     bool m_indices = false;
 };
 

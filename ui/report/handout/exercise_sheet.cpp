@@ -12,7 +12,7 @@ namespace {
 constexpr int percent = 100;
 
 /// By how many percent, as far as the printed numbers tell.
-QString change(const Answer& answer) {
+QString change(const ExerciseAnswer& answer) {
     const QString before = askedNumber(answer.asked, answer.before);
     if (before == askedNumber(answer.asked, answer.after)) {
         return QStringLiteral("0");
@@ -48,7 +48,7 @@ std::vector<Block> ExerciseSheet::answers(const std::vector<Exercise>& exercises
         Table table;
         table.head = {tr("Asked for"), tr("Before"), tr("Changed"), tr("Difference, %")};
         table.texts = {true};
-        for (const Answer& answer : exercise.answers) {
+        for (const ExerciseAnswer& answer : exercise.answers) {
             table.rows.push_back({askedName(answer.asked, operation),
                                   askedNumber(answer.asked, answer.before),
                                   askedNumber(answer.asked, answer.after), change(answer)});

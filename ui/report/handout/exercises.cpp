@@ -159,9 +159,9 @@ QString asksAt(const Place& at, const Place& wanted, const Outcome& outcome) {
 }
 
 /// "Find how these change, and why: …" for what can be read.
-QString asks(const std::vector<Answer>& answers, Operation operation) {
+QString asks(const std::vector<ExerciseAnswer>& answers, Operation operation) {
     QStringList names;
-    for (const Answer& answer : answers) {
+    for (const ExerciseAnswer& answer : answers) {
         names << Names::inSentence(askedQuantity(answer.asked, operation));
     }
     return (names.size() == 1 ? ExerciseText::tr("Find how this changes, and why: %1.")
@@ -198,7 +198,7 @@ QString whyTime(const std::vector<double>& was_s, const std::vector<double>& is_
 /// How each answer moves, and why.
 QString reasonOf(const ChangeWords& words, const ExerciseRun& run, const SimulationResult& was) {
     QStringList sentences;
-    for (const Answer& answer : run.answers) {
+    for (const ExerciseAnswer& answer : run.answers) {
         const bool rises = answer.after > answer.before;
         const auto known = std::ranges::find_if(words.why, [&](const Why& why) {
             return why.asked == answer.asked && why.rises == rises;
@@ -217,7 +217,7 @@ QString questionOf(const ChangeWords& words, const ExerciseRun& run, const Outco
                    const std::optional<RecordedStep>& step) {
     const QString question =
         words.statement + u' ' + asks(run.answers, outcome.result.project.operation);
-    const bool ofStep = std::ranges::any_of(run.answers, [](const Answer& answer) {
+    const bool ofStep = std::ranges::any_of(run.answers, [](const ExerciseAnswer& answer) {
         return answer.asked == Asked::stepFeed_um || answer.asked == Asked::stepForce_n;
     });
     return ofStep ? question + u' '

@@ -57,8 +57,7 @@ Facts HandoutTask::header(const Project& project, const QString& file, const QDa
     return facts;
 }
 
-QString HandoutTask::task(const Outcome& outcome) {
-    const Project& project = outcome.result.project;
+QString HandoutTask::part(const Project& project) {
     const Part& part = *project.part;
     const QString ground =
         part.surface == Surface::external
@@ -67,15 +66,19 @@ QString HandoutTask::task(const Outcome& outcome) {
             : tr("A bore of %1 is ground over a length of %2 mm. Its blank has at least %3 mm of "
                  "stock per side and a runout of %4 mm.");
     return ground.arg(drawnSize(part), printedNumber(part.length_mm), printedNumber(part.stock_mm),
-                      printedNumber(part.initial_runout_mm))
-           + u' '
+                      printedNumber(part.initial_runout_mm));
+}
+
+QString HandoutTask::task(const Outcome& outcome) {
+    return part(outcome.result.project) + u' '
            + tr("By the model the cycle takes %1. Follow one step of it, formula by formula, and "
                 "find what limits the feed there.")
                  .arg(verdict::time(outcome.result));
 }
 
 Table HandoutTask::inputs(const Outcome& outcome, const std::optional<HandoutStep>& step,
-                          const std::set<QString>& symbols, Citations& citations) {
+                          const std::set<QString>& symbols, Citations& citations,
+                          const std::function<bool(std::string_view path)>& hides) {
     const Project& project = outcome.result.project;
     std::optional<Place> at;
     if (step) {
@@ -96,12 +99,12 @@ Table HandoutTask::inputs(const Outcome& outcome, const std::optional<HandoutSte
         const auto value = entersFormulas(leaf, project, symbols, stage)
                                ? singleNumberIn(field, leaf.owner)
                                : std::nullopt;
-        if (value) {
+        if (value && !(hides && hides(leaf.path))) {
             add(field.symbol, printedNumber(*value), field.unit, inputText(field.label),
                 QString::fromLatin1(field.source));
         }
     }
-    if (at) {
+    if (at && !(hides && hides("/machine/compliance_mm_per_n"))) {
         const bool given =
             !std::holds_alternative<std::monostate>(project.machine->compliance_mm_per_n);
         const double gamma = compliantPoints(project)[sectionOf(*at)].gamma_mm_n;

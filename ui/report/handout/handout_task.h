@@ -8,8 +8,10 @@
 
 #include <QCoreApplication>
 
+#include <functional>
 #include <optional>
 #include <set>
+#include <string_view>
 
 namespace sparkout::report {
 
@@ -18,10 +20,12 @@ class HandoutTask {
     Q_DECLARE_TR_FUNCTIONS(HandoutTask)
 public:
     static Facts header(const Project& project, const QString& file, const QDate& date);
-    static QString task(const Outcome& outcome);
+    static QString task(const Outcome& outcome); ///< with the time the cycle takes
+    static QString part(const Project& project); ///< what is ground
     /// Those that stand in the formulas, and what the step's feed and stock come from.
     static Table inputs(const Outcome& outcome, const std::optional<HandoutStep>& step,
-                        const std::set<QString>& symbols, Citations& citations);
+                        const std::set<QString>& symbols, Citations& citations,
+                        const std::function<bool(std::string_view path)>& hides = {});
 };
 
 } // namespace sparkout::report

@@ -7,11 +7,13 @@
 #include "ui/text/formula_text.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sparkout::report {
 
-StepFormulas::StepFormulas(const Project& project, const Place& at, Citations& citations)
-    : m_at(at), m_citations(citations) {
+StepFormulas::StepFormulas(const Project& project, const Place& at, Citations& citations,
+                           std::optional<LeftOut> leftOut)
+    : m_at(at), m_citations(citations), m_writer(std::move(leftOut)) {
     m_explained.insert(QStringLiteral("γ")); // among the inputs, too
     for (const Leaf& leaf : leavesOf(tableOf<Project>(), &project)) {
         if (*leaf.field->symbol && singleNumberIn(*leaf.field, leaf.owner)) {

@@ -9,6 +9,7 @@
 
 #include <QCoreApplication>
 
+#include <optional>
 #include <set>
 
 namespace sparkout::report {
@@ -23,7 +24,8 @@ struct StepBlocks {
 class StepFormulas {
     Q_DECLARE_TR_FUNCTIONS(StepFormulas)
 public:
-    StepFormulas(const Project& project, const Place& at, Citations& citations);
+    StepFormulas(const Project& project, const Place& at, Citations& citations,
+                 std::optional<LeftOut> leftOut = {});
     void add(const FormulaSheet& sheet);
     void say(const QString& text) { m_blocks.emplace_back(Paragraph{text}); }
     void add(Block block) { m_blocks.push_back(std::move(block)); }

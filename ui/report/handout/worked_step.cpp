@@ -72,7 +72,7 @@ std::vector<FormulaSheet> limitSheets(const Project& project, double b, double s
 
 } // namespace
 
-Facts WorkedStep::facts(const Outcome& outcome, const HandoutStep& step) {
+Facts WorkedStep::facts(const Outcome& outcome, const HandoutStep& step, bool results) {
     const auto [pass, visit, stock] = numbersOf(outcome, step);
     const Place& at = pass.place;
     const bool strokes = outcome.result.project.operation->countsStrokes;
@@ -93,27 +93,44 @@ Facts WorkedStep::facts(const Outcome& outcome, const HandoutStep& step) {
     const auto micrometres = [](double mm) {
         return withUnit(Names::significant(mm * units::umPerMm, resultDigits), "µm");
     };
+    const auto result = [&](double mm) {
+        return results ? micrometres(mm) : withUnit(blankNumber(), "µm");
+    };
     facts.facts.emplace_back(tr("Effective width b"),
                              withUnit(Names::significant(pass.effectiveWidth_mm, 4), "mm"));
     facts.facts.emplace_back(tr("Programmed so far, tП"), micrometres(visit.programmed_mm));
-    facts.facts.emplace_back(tr("Actual feed a"), micrometres(visit.actual_mm));
-    facts.facts.emplace_back(tr("Stock left at this radius"), micrometres(stock));
+    facts.facts.emplace_back(tr("Actual feed a"), result(visit.actual_mm));
+    facts.facts.emplace_back(tr("Stock left at this radius"), result(stock));
     return facts;
 }
 
 StepBlocks WorkedStep::formulas(const Outcome& outcome, const HandoutStep& step,
-                                Citations& citations) {
+                                Citations& citations, const Hidden& hidden) {
     const Project& project = outcome.result.project;
     const auto [pass, visit, stock] = numbersOf(outcome, step);
     const double b = pass.effectiveWidth_mm, a = visit.actual_mm;
-    StepFormulas formulas(project, pass.place, citations);
+    const FormulaSheet balance =
+        visitSheet(outcome.result, outcome.trajectory, step.pass, step.radius);
+    const FormulaSheet forces[] = {normalForceSheet(project, b, a),
+                                   tangentialForceSheet(project, b, a), balance};
+    const std::vector<FormulaSheet> sheets = limitSheets(project, b, stock);
+    std::optional<LeftOut> leftOut;
+    if (hidden) {
+        leftOut = LeftOut{*hidden};
+        for (const FormulaSheet& sheet : forces) {
+            leftOut->symbols.unite(computedSymbols(sheet));
+        }
+        for (const FormulaSheet& sheet : sheets) {
+            leftOut->symbols.unite(computedSymbols(sheet));
+        }
+    }
+    StepFormulas formulas(project, pass.place, citations, std::move(leftOut));
     formulas.say(tr("The forces are those of the depth of cut that the elastic balance gives, "
                     "further below."));
-    formulas.add(normalForceSheet(project, b, a));
-    formulas.add(tangentialForceSheet(project, b, a));
-    formulas.add(visitSheet(outcome.result, outcome.trajectory, step.pass, step.radius));
+    for (const FormulaSheet& sheet : forces) {
+        formulas.add(sheet);
+    }
     formulas.add(Heading{tr("What limits the feed at this step")});
-    const std::vector<FormulaSheet> sheets = limitSheets(project, b, stock);
     const bool limitsRa = project.part->tolerance.roughness_ra_um.has_value();
     const bool calibrated = isRoughnessCalibrated(project);
     if (limitsRa && !calibrated) {
@@ -130,14 +147,14 @@ StepBlocks WorkedStep::formulas(const Outcome& outcome, const HandoutStep& step,
                  "it comes from. Roughness limits the last cut of the cycle alone.")
             : tr("Each requirement allows a greatest depth of cut; the formulas below say where "
                  "it comes from."));
-    formulas.add(limits(outcome, step));
+    formulas.add(limits(outcome, step, !hidden));
     for (const FormulaSheet& sheet : sheets) {
         formulas.add(sheet);
     }
     return formulas.take();
 }
 
-Table WorkedStep::limits(const Outcome& outcome, const HandoutStep& step) {
+Table WorkedStep::limits(const Outcome& outcome, const HandoutStep& step, bool results) {
     const Project& project = outcome.result.project;
     const auto [pass, visit, stock] = numbersOf(outcome, step);
     Table table;
@@ -148,6 +165,11 @@ Table WorkedStep::limits(const Outcome& outcome, const HandoutStep& step) {
          depthLimits(project, pass.effectiveWidth_mm, std::max(0.0, stock))) {
         const bool shared = isCoupled(project) && requirementOf(limit.kind).sharedBySections;
         if (LimitNames::isGuess(limit.kind, project) || shared) {
+            continue;
+        }
+        if (!results) {
+            const QString blank = blankNumber();
+            table.rows.push_back({Names::constraint(limit.kind), blank, blank, blank, blank});
             continue;
         }
         const double share = percentOf * visit.actual_mm / limit.depth_mm;

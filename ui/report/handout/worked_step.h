@@ -7,6 +7,10 @@
 #include "ui/report/handout/step_formulas.h"
 
 #include <QCoreApplication>
+#include <QSet>
+#include <QString>
+
+#include <optional>
 
 namespace sparkout::report {
 
@@ -14,11 +18,15 @@ namespace sparkout::report {
 class WorkedStep {
     Q_DECLARE_TR_FUNCTIONS(WorkedStep)
 public:
-    static Facts facts(const Outcome& outcome, const HandoutStep& step);
-    /// Force law, balance and limits of the step.
+    /// What a worksheet leaves out: with results alone nothing else, and these symbols.
+    using Hidden = std::optional<QSet<QString>>;
+
+    static Facts facts(const Outcome& outcome, const HandoutStep& step, bool results = true);
+    /// Force law, balance and limits of the step. With `hidden` its results are left to be found,
+    /// and the numbers of those symbols are not put in.
     static StepBlocks formulas(const Outcome& outcome, const HandoutStep& step,
-                               Citations& citations);
-    static Table limits(const Outcome& outcome, const HandoutStep& step);
+                               Citations& citations, const Hidden& hidden = {});
+    static Table limits(const Outcome& outcome, const HandoutStep& step, bool results = true);
 };
 
 } // namespace sparkout::report

@@ -104,7 +104,7 @@ Facts OperationSetup::settings(const Outcome& outcome) {
     return facts;
 }
 
-Table OperationSetup::stages(const Outcome& outcome) {
+Table OperationSetup::stages(const Outcome& outcome, bool results) {
     const Project& project = outcome.result.project;
     const StageFeed& radial = project.operation->radial();
     const StageFeed* const axial = project.operation->axial();
@@ -124,9 +124,12 @@ Table OperationSetup::stages(const Outcome& outcome) {
                << tr("Largest force Py, N");
     double stock = 0;
     const auto count = project.cycle->stages.size();
-    const auto rest = [&table](QStringList row, const ShopColumn& shop, const QString& sparkOut) {
-        row << shop::value(ShopRow::count, shop) << shop::value(ShopRow::time, shop) << sparkOut
-            << shop::value(ShopRow::peakPower, shop) << shop::value(ShopRow::normalForce, shop);
+    const auto rest = [&](QStringList row, const ShopColumn& shop, const QString& sparkOut) {
+        const auto out = [&](ShopRow of) {
+            return results ? shop::value(of, shop) : QString(6, u'_');
+        };
+        row << out(ShopRow::count) << out(ShopRow::time) << sparkOut << out(ShopRow::peakPower)
+            << out(ShopRow::normalForce);
         table.rows.push_back(row);
     };
     const auto feed = [](const std::optional<double>& value) {

@@ -15,7 +15,8 @@ public:
     static QString operation(const Project& project); ///< its full name
     static Facts header(const Project& project, const QDate& date);
     static Facts settings(const Outcome& outcome); ///< speeds, dwells, overruns, tooling, gauge
-    static Table stages(const Outcome& outcome);
+    /// With the counts, times, powers and forces that come out, or with places to write them.
+    static Table stages(const Outcome& outcome, bool results = true);
 };
 
 } // namespace sparkout::report

@@ -17,6 +17,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <array>
+
 namespace sparkout {
 
 namespace {
@@ -42,10 +44,17 @@ HandoutDialog::HandoutDialog(const OutcomePtr& outcome, const CycleCursor& cycle
                              Settings& settings, QWidget* parent)
     : QDialog(parent)
     , m_settings(settings)
+    , m_form(new QComboBox(this))
     , m_step(new QComboBox(this))
     , m_answers(new QCheckBox(tr("&Answers to the questions, on a last page"), this)) {
     setWindowTitle(tr("Course hand-out"));
     setHelpTopic(*this, QStringLiteral("reports#handout"));
+    auto* formLabel = new QLabel(tr("&What is printed:"), this);
+    formLabel->setBuddy(m_form);
+    m_form->setObjectName(QStringLiteral("handoutForm"));
+    m_form->setAccessibleName(tr("What is printed"));
+    m_form->addItems({tr("Hand-out with its results"), tr("Worksheet: results are left to write"),
+                      tr("Key to the worksheet")});
     auto* label = new QLabel(tr("&Step that is worked out:"), this);
     label->setBuddy(m_step);
     m_step->setObjectName(QStringLiteral("handoutStep"));
@@ -54,6 +63,10 @@ HandoutDialog::HandoutDialog(const OutcomePtr& outcome, const CycleCursor& cycle
     m_step->setMinimumContentsLength(shortestStep);
     offerSteps(outcome, cycle);
     auto* figures = new QGroupBox(tr("Figures"), this);
+    connect(m_form, &QComboBox::currentIndexChanged, figures,
+            [figures](int index) { figures->setEnabled(index == 0); });
+    connect(m_form, &QComboBox::currentIndexChanged, m_answers,
+            [this](int index) { m_answers->setEnabled(index == 0); });
     auto* column = new QVBoxLayout(figures);
     for (const report::HandoutViewRow& row : report::handoutViews()) {
         auto* box = new QCheckBox(QCoreApplication::translate("HandoutView", row.name), figures);
@@ -71,6 +84,8 @@ HandoutDialog::HandoutDialog(const OutcomePtr& outcome, const CycleCursor& cycle
     connect(buttons, &QDialogButtonBox::accepted, this, &HandoutDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* layout = new QVBoxLayout(this);
+    layout->addWidget(formLabel);
+    layout->addWidget(m_form);
     layout->addWidget(label);
     layout->addWidget(m_step);
     layout->addWidget(figures);
@@ -139,6 +154,13 @@ report::HandoutOptions HandoutDialog::options() const {
     }
     options.answers = m_answers->isChecked();
     return options;
+}
+
+std::optional<report::Paper> HandoutDialog::paper() const {
+    constexpr std::array forms{std::optional<report::Paper>(),
+                               std::optional(report::Paper::worksheet),
+                               std::optional(report::Paper::worksheetKey)};
+    return forms.at(static_cast<std::size_t>(m_form->currentIndex()));
 }
 
 void HandoutDialog::accept() {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/report/course/course_papers.h"
 #include "ui/report/handout/course_handout.h"
 
 #include <QDialog>
 
+#include <optional>
 #include <vector>
 
 class QCheckBox;
@@ -15,7 +17,8 @@ namespace sparkout {
 class CycleCursor;
 class Settings;
 
-/// Asks what a course hand-out is to have: the step that it works out, figures, the answers.
+/// Asks what a course hand-out is to have: with its results or without them, the step that it works
+/// out, figures, the answers.
 class HandoutDialog : public QDialog {
     Q_OBJECT
 
@@ -25,6 +28,8 @@ public:
                   QWidget* parent);
 
     [[nodiscard]] report::HandoutOptions options() const;
+    /// The worksheet or its key; nothing: the hand-out itself.
+    [[nodiscard]] std::optional<report::Paper> paper() const;
 
     void accept() override; ///< figures and answers are chosen alike the next time
 
@@ -33,6 +38,7 @@ private:
     void recall();
 
     Settings& m_settings;
+    QComboBox* m_form;
     QComboBox* m_step;
     std::vector<report::StepWish> m_wishes; ///< by index of the list
     std::vector<QCheckBox*> m_views;        ///< in the order of report::handoutViews()

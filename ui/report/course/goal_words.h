@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lesson/goal.h"
+#include "core/lesson/goal_check.h"
+#include "core/project/project.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <cstddef>
+#include <vector>
+
+namespace sparkout::report {
+
+/// Goals, what they ask for and what was found, in the present language.
+class GoalWords {
+    Q_DECLARE_TR_FUNCTIONS(GoalWords)
+public:
+    /// "Actual feed, НЗ, double stroke 20, E3"
+    [[nodiscard]] static QString quantity(const sparkout::Figure& figure, const Project& project);
+    [[nodiscard]] static QString unit(const sparkout::Figure& figure); ///< never empty: a dash
+    /// With the unit after a comma, where there is one.
+    [[nodiscard]] static QString withUnit(const QString& quantity, const sparkout::Figure& figure);
+    [[nodiscard]] static QString number(const sparkout::Figure& figure, double value);
+    /// The same with its unit, for a sentence.
+    [[nodiscard]] static QString amount(const sparkout::Figure& figure, double value);
+    [[nodiscard]] static QString place(const Project& project, std::size_t index);
+    /// "НЗ > РЗ2 > РЗ1"
+    [[nodiscard]] static QString order(const Project& project,
+                                       const std::vector<std::size_t>& places);
+    /// What a curve runs along: "Double stroke", "Stage", "Zone or section".
+    [[nodiscard]] static QString along(const CurvePrediction& goal, const Project& project);
+    /// A place on that axis: "20", "НЗ".
+    [[nodiscard]] static QString alongAt(const CurvePrediction& goal, double at,
+                                         const Project& project);
+    [[nodiscard]] static QString finding(Finding finding);
+    /// What a goal asks for, in a sentence; what it is held against is no answer.
+    [[nodiscard]] static QString asked(const Goal& goal, const Project& project);
+};
+
+} // namespace sparkout::report

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/course/work.h"
+#include "ui/report/course/institution.h"
+#include "ui/report/format/report.h"
+#include "ui/report/handout/handout_view.h"
+
+#include <QDate>
+#include <QString>
+
+#include <functional>
+#include <set>
+
+namespace sparkout::report {
+
+/// What the papers of the course are made with, beside a lesson or a work.
+struct PaperWish {
+    Institution institution;
+    QString file; ///< path of the lesson or work, or empty
+    QDate date;
+    std::set<HandoutView> figures{HandoutView::cycle, HandoutView::profiles};
+    std::function<void()> breathe = [] {}; ///< called between runs and figures
+};
+
+/// The report of a laboratory work in the order of ГОСТ 7.32, from the student's file, for him: it
+/// shows nothing that his file does not, and results only once all his predictions are handed in.
+/// Its conclusion is what he answered to the last step in words; without one there are lines for
+/// it. In the thread of the window.
+[[nodiscard]] Report labReport(const Work& work, const PaperWish& wish);
+
+} // namespace sparkout::report

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lesson/lesson.h"
+#include "ui/report/course/lab_report.h"
+#include "ui/report/format/report.h"
+
+namespace sparkout::report {
+
+/// The methodical guide of a work, from the teacher's lesson, for him: aim, theory, data, order of
+/// the work with the answers, time norm, control questions with answers, typical mistakes. What the
+/// lesson does not give has no section.
+[[nodiscard]] Report methodicalGuide(const Lesson& lesson, const PaperWish& wish);
+
+} // namespace sparkout::report

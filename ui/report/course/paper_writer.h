@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lesson/bilingual.h"
+#include "ui/report/format/report.h"
+
+#include <QCoreApplication>
+#include <QDate>
+#include <QString>
+
+#include <vector>
+
+namespace sparkout::report {
+
+/// Writes a paper of the course block by block: sections, tables, figures and formulas are numbered
+/// on, as ГОСТ 7.32 has it.
+class PaperWriter {
+    Q_DECLARE_TR_FUNCTIONS(PaperWriter)
+public:
+    /// `subject` stands in the properties of the file and, on the program's own sheets, above.
+    PaperWriter(const QString& title, const QString& subject, const QString& file,
+                const QDate& date, PageStyle style);
+
+    void part(const QString& text);       ///< without a number
+    void section(const QString& text);    ///< "1 …"
+    void subsection(const QString& text); ///< "1.1 …"
+    void add(Block block) { m_report.blocks.push_back(std::move(block)); }
+    void add(std::vector<Block> blocks);
+    void say(const QString& text) { add(Paragraph{text}); }
+    /// With its name above; one without rows is left out.
+    void table(Table table, const QString& caption);
+    /// With its number before its caption; returns the number.
+    int figure(Figure figure);
+    /// A text of a lesson in the present language.
+    void lesson(const Bilingual& text);
+    /// A text of the user, line by line.
+    void lines(const std::string& text);
+
+    [[nodiscard]] const Report& report() const { return m_report; }
+    [[nodiscard]] Report take() { return std::move(m_report); }
+
+    [[nodiscard]] static bool isRussian();                    ///< the present language
+    [[nodiscard]] static QString text(const Bilingual& text); ///< its markup
+
+private:
+    Report m_report;
+    int m_sections = 0, m_subsections = 0, m_tables = 0, m_figures = 0, m_formulas = 0;
+};
+
+} // namespace sparkout::report

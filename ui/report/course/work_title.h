@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lesson/bilingual.h"
+
+#include <QString>
+
+namespace sparkout::report {
+
+/// The title of a lesson, "Work 2. Programmed and actual feed", as number and name.
+struct WorkTitle {
+    explicit WorkTitle(const Bilingual& title); ///< in the present language
+
+    QString number; ///< "2"; empty: the title has none
+    QString name;
+
+    [[nodiscard]] QString inFull() const; ///< as it stands
+private:
+    QString m_full;
+};
+
+} // namespace sparkout::report

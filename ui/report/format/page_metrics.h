@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/report/format/report.h"
+
+#include <QMarginsF>
+
+namespace sparkout::report {
+
+/// The measures of a page, by its style: type in points, distances in tenths of a point.
+struct PageMetrics {
+    double body, small, heading, title;
+    double cell, cellHead; ///< of tables
+    double formula;
+    double lineSpacing;   ///< of texts, in heights of a line
+    double indent;        ///< of a text's first line, and of a heading
+    double apart;         ///< of tables and figures from what is above and below
+    double head, foot;    ///< room for what stands on every page
+    QMarginsF margins_mm; ///< of the paper, beside that room
+};
+
+/// ГОСТ 7.32: 30, 15, 20 and 20 mm of margins, type of 12 points, a line and a half, 12.5 mm of
+/// indent.
+[[nodiscard]] const PageMetrics& metricsOf(PageStyle style);
+
+} // namespace sparkout::report
