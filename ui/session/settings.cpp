@@ -17,6 +17,7 @@ const QString stockKey = QStringLiteral("stockOnDiameter");
 const QString tourKey = QStringLiteral("tourSeen");
 const QString handoutKey = QStringLiteral("handout");
 const QString companyKey = QStringLiteral("company");
+const QString studentKey = QStringLiteral("student");
 const QString folderKey = QStringLiteral("lastFolder");
 const QString recentKey = QStringLiteral("recentFiles");
 const QString geometryKey = QStringLiteral("window/geometry");
@@ -118,6 +119,14 @@ Company Settings::company() const {
 
 void Settings::setCompany(const Company& company) {
     m_file->set(companyKey, company.kept());
+}
+
+QStringList Settings::student() const {
+    return m_file->value(studentKey).toStringList();
+}
+
+void Settings::setStudent(const QString& name, const QString& group) {
+    m_file->set(studentKey, QStringList{name, group});
 }
 
 QString Settings::lastFolder() const {

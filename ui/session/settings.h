@@ -34,6 +34,9 @@ public:
     void setHandout(const QString& words);
     [[nodiscard]] Company company() const; ///< of the heads of documents
     void setCompany(const Company& company);
+    /// Name and group of the student who worked last.
+    [[nodiscard]] QStringList student() const;
+    void setStudent(const QString& name, const QString& group);
     [[nodiscard]] QString lastFolder() const;
     void setLastFolder(const QString& folder);
     [[nodiscard]] QStringList recentFiles() const; ///< newest first
