@@ -8,10 +8,14 @@
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/text_checks.h"
 #include "ui/kit/font_size.h"
+#include "ui/lesson/lessons_dialog.h"
+#include "ui/lesson/marks_dialog.h"
+#include "ui/lesson/student_dialog.h"
 
 #include <QMenu>
 #include <QRegularExpression>
 #include <QScopeGuard>
+#include <QSignalSpy>
 #include <QSpinBox>
 
 namespace test_lesson_mode {
@@ -347,19 +351,24 @@ private slots:
     void everyStepHasRoomInBothLanguagesAndAnyType_data() {
         QTest::addColumn<QString>("language");
         QTest::addColumn<int>("percent");
+        QTest::addColumn<Theme>("theme");
         for (const char* language : {"en", "ru"}) {
             for (const int percent : {100, 130}) {
-                QTest::addRow("%s %d", language, percent) << QString::fromUtf8(language) << percent;
+                QTest::addRow("%s %d", language, percent)
+                    << QString::fromUtf8(language) << percent << Theme::light;
             }
         }
+        QTest::addRow("en dark") << QStringLiteral("en") << 100 << Theme::dark;
+        QTest::addRow("ru contrast") << QStringLiteral("ru") << 115 << Theme::contrast;
     }
 
     void everyStepHasRoomInBothLanguagesAndAnyType() {
         QFETCH(QString, language);
         QFETCH(int, percent);
+        QFETCH(Theme, theme);
         const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         applyFontSize(percent);
-        Seat student(language);
+        Seat student(language, theme);
         student.begin();
         QCOMPARE(student.window.size(), QSize(1366, 768));
         const QString pictures = qEnvironmentVariable("SPARKOUT_LESSON_PICTURES");
@@ -373,8 +382,8 @@ private slots:
                 const QStringList cut = textsWithoutRoom(
                     *student.window.findChild<QDockWidget*>(QStringLiteral("lesson")));
                 if (!pictures.isEmpty()) {
-                    student.window.grab().save(QStringLiteral("%1/%2-%3-step%4%5.png")
-                                                   .arg(pictures, language)
+                    student.window.grab().save(QStringLiteral("%1/%2-%3-%4-step%5%6.png")
+                                                   .arg(pictures, language, themeCode(theme))
                                                    .arg(percent)
                                                    .arg(step + 1)
                                                    .arg(isAnswered ? u"b" : u"a"));
@@ -388,6 +397,52 @@ private slots:
                     QVERIFY2(englishIn(text).isEmpty(), qPrintable(text));
                 }
             }
+        }
+    }
+
+    void theDialogsHaveRoom_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<int>("percent");
+        for (const char* language : {"en", "ru"}) {
+            for (const int percent : {100, 130}) {
+                QTest::addRow("%s %d", language, percent) << QString::fromUtf8(language) << percent;
+            }
+        }
+    }
+
+    void theDialogsHaveRoom() {
+        QFETCH(QString, language);
+        QFETCH(int, percent);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        applyFontSize(percent);
+        Seat student(language);
+        LessonsDialog lessons;
+        StudentDialog begin(student.out.lesson, QStringLiteral("Иванов"), {}, nullptr);
+        MarksDialog marks(student.bench.settings, nullptr);
+        const samples::GivenOut out = samples::giveOut(student.out.lesson, 2, 3);
+        for (std::size_t i = 0; i < out.works.size(); ++i) {
+            const QString path = student.folder.filePath(QStringLiteral("%1.sparkout-work").arg(i));
+            QVERIFY(!writeFileSafely(path.toStdString(), writeWork(samples::solved(out, i, {2}))));
+        }
+        marks.add({shippedLesson(), student.folder.path()});
+        QSignalSpy marked(&marks, &MarksDialog::marked);
+        marks.mark();
+        QVERIFY(marked.wait(60'000));
+        QVERIFY(!lessons.chosen().isEmpty());
+        const QString pictures = qEnvironmentVariable("SPARKOUT_LESSON_PICTURES");
+        for (QDialog* dialog : std::initializer_list<QDialog*>{&lessons, &begin, &marks}) {
+            dialog->show();
+            student.settle();
+            const QStringList cut = textsWithoutRoom(*dialog);
+            if (!pictures.isEmpty()) {
+                dialog->grab().save(QStringLiteral("%1/%2-%3-%4.png")
+                                        .arg(pictures, language)
+                                        .arg(percent)
+                                        .arg(QString::fromLatin1(dialog->metaObject()->className())
+                                                 .section(u':', -1)));
+            }
+            QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
+            QVERIFY(dialog->width() <= 1366 && dialog->height() <= 728);
         }
     }
 };

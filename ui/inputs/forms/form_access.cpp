@@ -1,11 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/forms/form_access.h"
 
+#include <QGroupBox>
+#include <QVariant>
+
 #include <algorithm>
 
 namespace sparkout {
 
 namespace {
+
+constexpr const char* lockedProperty = "lockedByLesson";
+constexpr const char* hiddenProperty = "hiddenByLesson";
+
+/// The ticks of boxes disable what is in them.
+bool isInUntickedBox(const QWidget& widget) {
+    for (const QWidget* up = widget.parentWidget(); up; up = up->parentWidget()) {
+        const auto* box = qobject_cast<const QGroupBox*>(up);
+        if (box && box->isCheckable() && !box->isChecked()) {
+            return true;
+        }
+    }
+    return false;
+}
 
 bool isBelowPath(std::string_view path, std::string_view above) {
     return path.starts_with(above) && path.size() > above.size() && path[above.size()] == '/';
@@ -44,6 +61,24 @@ bool FormAccess::hasShown(std::string_view path) const {
                    m_step->inputs.begin(), m_step->inputs.end(), [path](const InputAccess& each) {
                        return each.access != Access::hidden && isBelowPath(each.path, path);
                    }));
+}
+
+void FormAccess::lock(QWidget& widget, bool locked) {
+    if (locked) {
+        widget.setEnabled(false);
+    } else if (widget.property(lockedProperty).toBool()) {
+        widget.setEnabled(!isInUntickedBox(widget));
+    }
+    widget.setProperty(lockedProperty, locked);
+}
+
+bool FormAccess::hide(QWidget& widget, bool hidden) {
+    const bool wasHidden = widget.property(hiddenProperty).toBool();
+    widget.setProperty(hiddenProperty, hidden);
+    if (hidden || wasHidden) {
+        widget.setVisible(!hidden);
+    }
+    return wasHidden && !hidden;
 }
 
 QString FormAccess::lockText() const {

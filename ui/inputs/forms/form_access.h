@@ -10,6 +10,8 @@
 #include <optional>
 #include <string_view>
 
+class QWidget;
+
 namespace sparkout {
 
 /// What may be done with the inputs: all of them, or what a step of a lesson lets a student do.
@@ -25,6 +27,10 @@ public:
     [[nodiscard]] bool hasFree(std::string_view path) const;
     [[nodiscard]] bool hasShown(std::string_view path) const;
     [[nodiscard]] QString lockText() const; ///< why a locked input is
+
+    /// Locks a widget, or undoes that: what was not locked stays as it is.
+    static void lock(QWidget& widget, bool locked);
+    static bool hide(QWidget& widget, bool hidden); ///< the same; true: it was undone
 
 private:
     [[nodiscard]] Access given(std::string_view path) const;

@@ -311,7 +311,7 @@ bool FormPage::hasShown() const {
 /// What all of is locked is not to be clicked in either; what is hidden is not there.
 void FormPage::showAccess() {
     const auto show = [this](QWidget* widget, const std::string& path) {
-        widget->setEnabled(m_access->hasFree(path));
+        FormAccess::lock(*widget, !m_access->hasFree(path));
         if (!m_access->hasShown(path)) {
             widget->hide();
         }
@@ -329,13 +329,15 @@ void FormPage::showAccess() {
     }
     for (const auto& [helper, path] : m_helpers) {
         const bool isFree = m_access->at(path) == Access::free;
-        helper->setEnabled(isFree);
-        helper->setVisible(isFree || m_access->at(path) == Access::locked);
+        FormAccess::lock(*helper, !isFree);
+        if (FormAccess::hide(*helper, m_access->at(path) == Access::hidden)) {
+            helper->retranslate(); // some show and hide themselves
+        }
     }
     if (m_catalogue) {
         const bool isFree = m_access->at(m_cataloguePath) == Access::free;
-        m_catalogue->setEnabled(isFree);
-        m_catalogue->setVisible(m_access->hasShown(m_cataloguePath));
+        FormAccess::lock(*m_catalogue, !isFree);
+        FormAccess::hide(*m_catalogue, !m_access->hasShown(m_cataloguePath));
     }
 }
 

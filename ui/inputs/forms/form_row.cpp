@@ -117,17 +117,10 @@ void FormRow::show(const Project& project, bool replaced) {
     }
     m_unit->setVisible(m_relevant && !m_editor->wide());
     m_editor->show(replaced);
-    if (m_access != Access::free) { // else they say themselves whether they can be used
-        for (QWidget* widget :
-             {m_editor->widget(), m_editor->slider(), static_cast<QWidget*>(m_mark)}) {
-            if (widget) {
-                widget->setEnabled(false);
-            }
-        }
-    } else {
-        m_editor->widget()->setEnabled(true);
-        if (m_mark) {
-            m_mark->setEnabled(true);
+    for (QWidget* widget :
+         {m_editor->widget(), m_editor->slider(), static_cast<QWidget*>(m_mark)}) {
+        if (widget) {
+            FormAccess::lock(*widget, m_access != Access::free);
         }
     }
     if (m_mark) {
