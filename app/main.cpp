@@ -12,6 +12,7 @@
 #include "ui/files/recovery_store.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/theme.h"
+#include "ui/lesson/lesson_desk.h"
 #include "ui/report/format/report_text.h"
 #include "ui/session/program_log.h"
 #include "ui/session/remedy_finder.h"
@@ -342,7 +343,9 @@ int runWindow(QApplication& app, MainWindow& window, const Options& options) {
     if (options.timesStart) {
         firstPaint.emplace(window);
     }
-    window.files().protect(options.portable ? PortableFolder::stateFolder() : userStateFolder());
+    const QString state = options.portable ? PortableFolder::stateFolder() : userStateFolder();
+    window.files().protect(state);
+    window.lesson().protect(state);
     window.show();
     openFirstExample(window.document());
     QTimer::singleShot(0, &window, [&] {

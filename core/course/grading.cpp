@@ -258,7 +258,8 @@ GradedWork gradeWork(const Lesson& lesson, const HandedIn& handedIn, const Grade
 }
 
 std::vector<GradedWork> gradeClass(const Lesson& lesson, const std::vector<HandedIn>& files,
-                                   const GradeWish& wish, const std::stop_token& stop) {
+                                   const GradeWish& wish, const std::stop_token& stop,
+                                   const std::function<void(std::size_t)>& note) {
     BestAnswers best;
     WorkMarker marker(lesson, wish, best, stop);
     std::vector<ReadForClass> read;
@@ -267,6 +268,9 @@ std::vector<GradedWork> gradeClass(const Lesson& lesson, const std::vector<Hande
             break;
         }
         read.push_back(marker.mark(file));
+        if (note) {
+            note(read.size());
+        }
     }
     for (std::size_t i = 0; i < read.size(); ++i) {
         for (std::size_t j = i + 1; j < read.size(); ++j) {

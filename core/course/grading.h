@@ -8,6 +8,7 @@
 #include "core/lesson/goal_check.h"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <set>
 #include <stop_token>
@@ -85,10 +86,10 @@ struct GradeWish {
                                    const GradeWish& wish, const std::stop_token& stop = {});
 
 /// Marks a class, in the order of the files; then those who are missing, in the order of the list.
-[[nodiscard]] std::vector<GradedWork> gradeClass(const Lesson& lesson,
-                                                 const std::vector<HandedIn>& files,
-                                                 const GradeWish& wish,
-                                                 const std::stop_token& stop = {});
+/// `note` is called after each work with how many are marked.
+[[nodiscard]] std::vector<GradedWork>
+gradeClass(const Lesson& lesson, const std::vector<HandedIn>& files, const GradeWish& wish,
+           const std::stop_token& stop = {}, const std::function<void(std::size_t)>& note = {});
 
 /// A row for every work: name, group, variant, flags, points by step, sum, times; UTF-8.
 [[nodiscard]] std::string gradesCsv(const Lesson& lesson, const std::vector<GradedWork>& works);

@@ -65,6 +65,7 @@ constexpr std::array helpContents{
     HelpEntry{"limits", modelPages},
     HelpEntry{"glossary", modelPages},
     HelpEntry{"sources", modelPages},
+    HelpEntry{"lessons", workPages},
     HelpEntry{"shortcuts", workPages},
     HelpEntry{"files", workPages},
     HelpEntry{"reports", workPages},

@@ -139,6 +139,27 @@ void InputsPanel::setOutcome(const OutcomePtr& outcome) {
     }
 }
 
+void InputsPanel::forgetResults() {
+    for (FormPage* page : m_pages) {
+        page->forgetResults();
+    }
+}
+
+void InputsPanel::setAccess(const FormAccessPtr& access) {
+    int shown = -1;
+    for (std::size_t i = 0; i < m_pages.size(); ++i) {
+        m_pages[i]->setAccess(access);
+        const bool isThere = m_pages[i]->hasShown();
+        m_buttons[i]->setVisible(isThere);
+        const bool isInFront = m_stack->currentIndex() == int(i);
+        shown = isThere && (shown < 0 || isInFront) ? int(i) : shown;
+    }
+    m_stack->setVisible(shown >= 0);
+    if (shown >= 0) {
+        showPage(shown);
+    }
+}
+
 void InputsPanel::retranslate() {
     for (std::size_t i = 0; i < pageEntries.size(); ++i) {
         const QString name = tr(pageEntries[i].name);

@@ -31,6 +31,9 @@ public:
     [[nodiscard]] int twoColumnWidth() const; ///< that its pages stand in two columns
 
     void setOutcome(const sparkout::OutcomePtr& outcome);
+    void forgetResults(); ///< that it tells beside the inputs
+    /// What may be changed, and what is shown; a page without inputs goes.
+    void setAccess(const FormAccessPtr& access);
     void retranslate();
     void showPage(int index);
     void showCycle();

@@ -105,18 +105,29 @@ void Document::edit(Project changed, EditText text, const QString& mergeKey) {
     }
     const Project before = m_present.inFront().project;
     std::vector<std::string> open = openIn(changed);
-    push(with(std::move(changed), std::move(open)), text, mergeKey);
-    emit edited(before);
+    if (push(with(std::move(changed), std::move(open)), text, mergeKey)) {
+        emit edited(before);
+    }
 }
 
 void Document::editSetup(SetupState changed, EditText text, const QString& mergeKey) {
     if (!sameState(changed, m_present)) {
-        push(std::move(changed), text, mergeKey);
+        (void)push(std::move(changed), text, mergeKey);
     }
 }
 
-void Document::push(SetupState after, EditText text, const QString& mergeKey) {
+void Document::keepElsewhere() {
+    m_isKeptElsewhere = true;
+    emit historyChanged();
+}
+
+bool Document::push(SetupState after, EditText text, const QString& mergeKey) {
+    if (m_gate && !m_gate(after)) {
+        emit changed();
+        return false;
+    }
     m_history.push(new Edit(*this, std::move(after), text, roundKey(mergeKey)));
+    return true;
 }
 
 /// The present value with another project in front.
@@ -173,8 +184,9 @@ void Document::withdraw(const std::string& path, EditText text) {
     std::vector<std::string> open = openInputs();
     open.push_back(path);
     const Project before = m_present.inFront().project;
-    push(with(std::move(project), std::move(open)), text, QString::fromStdString(path));
-    emit edited(before);
+    if (push(with(std::move(project), std::move(open)), text, QString::fromStdString(path))) {
+        emit edited(before);
+    }
 }
 
 QString Document::roundKey(const QString& mergeKey) const {
@@ -385,6 +397,8 @@ void Document::recover(Setup setup, const QString& path, const QByteArray& hash,
 void Document::replace(SetupState state, const QString& path, const QByteArray& hash, bool readOnly,
                        Kept kept) {
     m_exampleNames.clear();
+    m_gate = {};
+    m_isKeptElsewhere = false;
     m_history.clear();
     if (kept == Kept::nowhere) {
         m_history.resetClean();

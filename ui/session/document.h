@@ -60,7 +60,7 @@ public:
     /// wears those before it are there, too.
     [[nodiscard]] Setup upToPresent() const;
     [[nodiscard]] const QString& filePath() const { return m_filePath; } ///< empty: untitled
-    [[nodiscard]] bool modified() const { return !m_history.isClean(); }
+    [[nodiscard]] bool modified() const { return !m_history.isClean() && !m_isKeptElsewhere; }
     /// The file may not be written: a save goes elsewhere.
     [[nodiscard]] bool readOnly() const { return m_readOnly; }
     /// Of the file as it was last read or written; empty: untitled.
@@ -77,6 +77,11 @@ public:
     /// For a surface that is added.
     [[nodiscard]] int newSurfaceId() { return ++m_lastId; }
     void endMerge();
+    /// Edits that it refuses do not come about: changed() shows what is still there. It goes, as
+    /// the next does, when another document comes.
+    void setGate(std::function<bool(const SetupState& after)> gate) { m_gate = std::move(gate); }
+    /// Somebody else keeps it, as a lesson does: it has no changes that a file could lose.
+    void keepElsewhere();
     /// The project before the edits of this place that a further one would join.
     [[nodiscard]] const Project& beforeEditsOf(const QString& mergeKey) const;
 
@@ -141,7 +146,8 @@ private:
     [[nodiscard]] SetupState stateOf(Setup setup);
     [[nodiscard]] std::vector<std::string> openIn(const Project& changed) const;
     [[nodiscard]] SetupState with(Project changed, std::vector<std::string> open) const;
-    void push(SetupState after, EditText text, const QString& mergeKey);
+    /// False: the gate refuses it.
+    bool push(SetupState after, EditText text, const QString& mergeKey);
     void setState(const SetupState& state);
     void step(const std::function<void()>& step);
     [[nodiscard]] const Edit* editAt(int index) const;
@@ -154,6 +160,8 @@ private:
     bool m_readOnly = false;
     std::vector<std::pair<std::string, std::string>>
         m_exampleNames; ///< titles, surfaces: as shipped
+    std::function<bool(const SetupState& after)> m_gate;
+    bool m_isKeptElsewhere = false;
     QUndoStack m_history;
     [[nodiscard]] QString roundKey(const QString& mergeKey) const;
 

@@ -18,6 +18,7 @@ const QString tourKey = QStringLiteral("tourSeen");
 const QString handoutKey = QStringLiteral("handout");
 const QString titlePageKey = QStringLiteral("titlePage");
 const QString companyKey = QStringLiteral("company");
+const QString studentKey = QStringLiteral("student");
 const QString folderKey = QStringLiteral("lastFolder");
 const QString recentKey = QStringLiteral("recentFiles");
 const QString geometryKey = QStringLiteral("window/geometry");
@@ -127,6 +128,14 @@ QVariantMap Settings::titlePage() const {
 
 void Settings::setTitlePage(const QVariantMap& texts) {
     m_file->set(titlePageKey, texts);
+}
+
+QStringList Settings::student() const {
+    return m_file->value(studentKey).toStringList();
+}
+
+void Settings::setStudent(const QString& name, const QString& group) {
+    m_file->set(studentKey, QStringList{name, group});
 }
 
 QString Settings::lastFolder() const {

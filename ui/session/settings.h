@@ -37,6 +37,9 @@ public:
     void setCompany(const Company& company);
     [[nodiscard]] QVariantMap titlePage() const; ///< of the reports of a course, by its keys
     void setTitlePage(const QVariantMap& texts);
+    /// Name and group of the student who worked last.
+    [[nodiscard]] QStringList student() const;
+    void setStudent(const QString& name, const QString& group);
     [[nodiscard]] QString lastFolder() const;
     void setLastFolder(const QString& folder);
     [[nodiscard]] QStringList recentFiles() const; ///< newest first

@@ -50,6 +50,11 @@ Actions::Actions(QMainWindow& window)
     , standardTimes(make("standardTimes", u""))
     , dressing(make("dressing", u""))
     , calibrate(make("calibrate", u"gauge"))
+    , lessons(make("lessons", u"examples"))
+    , previousStep(make("previousStep", u"back", Qt::CTRL | Qt::ALT | Qt::Key_Left))
+    , nextStep(make("nextStep", u"forward", Qt::CTRL | Qt::ALT | Qt::Key_Right))
+    , leaveLesson(make("leaveLesson", u""))
+    , markWorks(make("markWorks", u""))
     , english(make("english", u""))
     , russian(make("russian", u""))
     , stockOnDiameter(make("stockOnDiameter", u""))
@@ -157,6 +162,7 @@ void Actions::buildMenus(QMenuBar& bar) {
     m_edit->addAction(keepRun);
     buildPartMenu(bar);
     buildStudyMenu(bar);
+    buildLessonMenu(bar);
     buildViewMenu(bar);
     m_help = bar.addMenu(QString());
     m_help->addActions({help, helpContents, helpShortcuts, tour, log});
@@ -176,6 +182,45 @@ void Actions::buildPartMenu(QMenuBar& bar) {
 void Actions::buildStudyMenu(QMenuBar& bar) {
     m_study = bar.addMenu(QString());
     m_study->addAction(calibrate);
+}
+
+void Actions::buildLessonMenu(QMenuBar& bar) {
+    m_lesson = bar.addMenu(QString());
+    m_lesson->addAction(lessons);
+    m_lesson->addSeparator();
+    m_lesson->addActions({previousStep, nextStep, leaveLesson});
+    m_lesson->addSeparator();
+    m_lesson->addAction(markWorks);
+}
+
+void Actions::followLesson(bool isRunning, bool isCovered) {
+    m_isLesson = isRunning;
+    for (QAction* action : {previousStep, nextStep, leaveLesson}) {
+        action->setEnabled(isRunning);
+    }
+    for (QAction* action : {standardTimes, dressing, earlierVersions, tour}) {
+        action->setEnabled(!isRunning);
+    }
+    for (QAction* action : {wholePart, keepRun, importMeasured, detach}) {
+        if (action->isVisible()) {
+            action->setEnabled(!isCovered);
+        }
+    }
+    for (QAction* action : m_showViews) {
+        if (action->isVisible()) {
+            action->setEnabled(!isCovered);
+        }
+    }
+    for (const ReportActions& report : reports) {
+        for (QAction* action : report.all()) {
+            if (action->isVisible()) {
+                action->setEnabled(!isCovered);
+            }
+        }
+    }
+    if (exportResults->isVisible()) {
+        exportResults->setEnabled(!isCovered);
+    }
 }
 
 QList<QAction*> Actions::surfaceActions() const {
@@ -258,16 +303,14 @@ void Actions::follow(const Document& document, bool refusedText) {
     nameShortcut(*redo);
     const std::size_t surface = document.surface(), count = document.surfaceCount();
     const bool several = count > 1;
-    addSurface->setEnabled(count < limits::surfaces);
-    duplicateSurface->setEnabled(count < limits::surfaces);
-    renameSurface->setEnabled(several);
-    removeSurface->setEnabled(several);
-    for (QAction* back : {moveSurfaceLeft, previousSurface}) {
-        back->setEnabled(surface > 0);
-    }
-    for (QAction* forward : {moveSurfaceRight, nextSurface}) {
-        forward->setEnabled(surface + 1 < count);
-    }
+    addSurface->setEnabled(count < limits::surfaces && !m_isLesson);
+    duplicateSurface->setEnabled(count < limits::surfaces && !m_isLesson);
+    renameSurface->setEnabled(several && !m_isLesson);
+    removeSurface->setEnabled(several && !m_isLesson);
+    moveSurfaceLeft->setEnabled(surface > 0 && !m_isLesson);
+    moveSurfaceRight->setEnabled(surface + 1 < count && !m_isLesson);
+    previousSurface->setEnabled(surface > 0);
+    nextSurface->setEnabled(surface + 1 < count);
 }
 
 void Actions::retranslate() {
@@ -275,6 +318,12 @@ void Actions::retranslate() {
     m_edit->setTitle(tr("&Edit"));
     m_part->setTitle(tr("&Part"));
     m_study->setTitle(tr("&Study"));
+    m_lesson->setTitle(tr("&Lesson"));
+    lessons->setText(tr("Laboratory &works…"));
+    previousStep->setText(tr("&Previous step"));
+    nextStep->setText(tr("&Next step"));
+    leaveLesson->setText(tr("&Leave the lesson"));
+    markWorks->setText(tr("&Mark works…"));
     addSurface->setText(tr("&Add a surface…"));
     duplicateSurface->setText(tr("&Duplicate the surface"));
     renameSurface->setText(tr("&Rename the surface…"));

@@ -44,11 +44,14 @@ public:
     /// What can be undone, and what it is called; a refused text is undone first.
     void follow(const Document& document, bool refusedText);
     void retranslate();
+    /// What makes no sense in a lesson, or would lead around it, is off while one runs.
+    void followLesson(bool isRunning, bool isCovered);
     void showLanguage(const QString& code);
     void showTheme(Theme theme);
     void showFontSize(int percent);
     [[nodiscard]] QList<QAction*> surfaceActions() const; ///< on the one in front
     void nameViews(const std::vector<View*>& views);
+    [[nodiscard]] const QList<QAction*>& showViews() const { return m_showViews; }
 
     QAction* newTraverse;
     QAction* newPlunge;
@@ -81,6 +84,11 @@ public:
     QAction* standardTimes;
     QAction* dressing;
     QAction* calibrate; ///< from measurements
+    QAction* lessons;   ///< that are shipped
+    QAction* previousStep;
+    QAction* nextStep;
+    QAction* leaveLesson;
+    QAction* markWorks;
     QAction* english;
     QAction* russian;
     std::array<QAction*, allThemes.size()> themes; ///< in the order of allThemes
@@ -103,6 +111,7 @@ private:
     void buildMenus(QMenuBar& bar);
     void buildPartMenu(QMenuBar& bar);
     void buildStudyMenu(QMenuBar& bar);
+    void buildLessonMenu(QMenuBar& bar);
     void buildViewMenu(QMenuBar& bar);
     void buildToolBar(QToolBar& bar);
 
@@ -111,6 +120,7 @@ private:
     QMenu* m_edit;
     QMenu* m_part;
     QMenu* m_study;
+    QMenu* m_lesson;
     QMenu* m_view;
     QMenu* m_language;
     QMenu* m_theme;
@@ -120,6 +130,7 @@ private:
     QMenu* m_new;
     QMenu* m_packs;
     QList<QAction*> m_showViews;
+    bool m_isLesson = false;
 };
 
 } // namespace sparkout

@@ -6,6 +6,7 @@
 #include "ui/dialogs/notice_bar.h"
 #include "ui/dialogs/watched_work.h"
 #include "ui/kit/file_dialog.h"
+#include "ui/lesson/lesson_desk.h"
 #include "ui/packs/pack_commands.h"
 #include "ui/session/document.h"
 #include "ui/session/program_log.h"
@@ -99,8 +100,9 @@ void FileCommands::startNew(Operation operation) {
 
 void FileCommands::open() {
     const QString path =
-        FileDialog::openPath(m_window, tr("Open a project"), m_settings.lastFolder(),
-                             tr("Sparkout projects (*.sparkout);;All files (*)"));
+        FileDialog::openPath(m_window, tr("Open a project or a lesson"), m_settings.lastFolder(),
+                             tr("Projects, lessons and works (*.sparkout *.sparkout-lesson "
+                                "*.sparkout-work);;All files (*)"));
     if (!path.isEmpty()) {
         openInstead(path);
     }
@@ -111,7 +113,12 @@ void FileCommands::openInstead(const QString& path) {
         emit packChosen(path);
         return;
     }
-    if (!m_wait.busy() && mayDiscard()) {
+    if (m_wait.busy() || !mayDiscard()) {
+        return;
+    }
+    if (LessonDesk::isOfLesson(path)) {
+        m_lessons.open(path);
+    } else {
         openFile(path);
     }
 }
@@ -254,6 +261,9 @@ bool FileCommands::saveAs() {
 }
 
 bool FileCommands::mayDiscard() {
+    if (!m_lessons.mayLeave()) {
+        return false;
+    }
     const QStringList refused = m_refused();
     if (!m_document.modified()) {
         return refused.isEmpty() || mayLoseRefused(m_window, refused);

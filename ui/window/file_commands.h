@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/project/project.h"
+#include "ui/dialogs/disk_wait.h"
 #include "ui/files/file_guard.h"
-#include "ui/window/disk_wait.h"
 #include "ui/window/file_notices.h"
 #include "ui/window/project_saver.h"
 #include "ui/window/work_recovery.h"
@@ -13,6 +13,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 
 class QWidget;
 
@@ -36,6 +37,13 @@ public:
     void protect(const QString& stateFolder, Autosave::Times times = {});
     /// Where the texts come from that fields refused and no file holds.
     void askRefusedTexts(std::function<QStringList()> texts) { m_refused = std::move(texts); }
+    /// Who opens files of lessons, and is asked before a document goes.
+    struct Lessons {
+        std::function<void(const QString& path)> open;
+        std::function<bool()> mayLeave;
+    };
+    void leaveLessonsTo(Lessons lessons) { m_lessons = std::move(lessons); }
+    void remember(const QString& path); ///< among the recent files
     /// What the program begins with: unsaved work that was left is offered, then FILE is opened.
     void start(const QString& file);
 
@@ -74,13 +82,13 @@ private:
     bool openAsCopy(const QString& path);
     void reload();
     void showWhyRefused(const LoadedProject& loaded, const QString& path);
-    void remember(const QString& path);
 
     Document& m_document;
     Settings& m_settings;
     QWidget* m_window;
     NoticeBar* m_bar;
     RecentFilesMenu* m_recent;
+    Lessons m_lessons{[](const QString&) {}, [] { return true; }};
     std::function<QStringList()> m_refused = [] { return QStringList(); };
     DiskWait m_wait;
     FileGuard m_guard;

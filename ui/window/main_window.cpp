@@ -11,6 +11,8 @@
 #include "ui/kit/font_size.h"
 #include "ui/kit/keyboard.h"
 #include "ui/kit/tool_tips.h"
+#include "ui/lesson/lesson_desk.h"
+#include "ui/lesson/lesson_panel.h"
 #include "ui/measured/measured_import.h"
 #include "ui/packs/pack_commands.h"
 #include "ui/part/part_strip.h"
@@ -40,6 +42,7 @@
 #include "ui/window/export_commands.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_desk.h"
+#include "ui/window/lesson_wiring.h"
 #include "ui/window/operation_notice.h"
 #include "ui/window/part_commands.h"
 #include "ui/window/playback_bar.h"
@@ -88,6 +91,7 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
           m_document, m_verdict->remedies(),
           [this](const std::string& path) { m_inputs->revealPath(path); }, this))
     , m_help(new HelpDesk(*this, settings, *m_inputs, *m_tabs, *m_actions))
+    , m_lesson(new LessonDesk(m_document, settings, m_files->notices(), this))
     , m_runs(nullptr, std::move(runner)) {
     ToolTips::install();
     setWindowIcon(QIcon(QStringLiteral(":/icons/sparkout.svg")));
@@ -97,12 +101,14 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
     m_status = new StatusLine(*statusBar());
     connect(m_tabs, &ViewTabs::currentChanged, this, &MainWindow::showPlayback);
     connect(m_tabs, &ViewTabs::detachableChanged, this, &MainWindow::showPlayback);
-    m_layout = new WindowLayout(*this, {m_inputs, m_verdict, m_messages, m_sheet}, *m_tabs,
-                                *m_playback, m_settings);
+    m_layout =
+        new WindowLayout(*this, {m_inputs, m_verdict, m_messages, m_sheet, &m_lesson->panel()},
+                         *m_tabs, *m_playback, m_settings);
     StockReading::instance().setOnDiameter(m_settings.stockOnDiameter());
     connectActions();
     connectPart();
     connectDocument();
+    connectLesson();
     retranslate();
     keepMnemonics(*this);
     m_layout->restore();
@@ -110,7 +116,8 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
 }
 
 MainWindow::~MainWindow() {
-    delete m_files; // keeps the last changes of the document
+    delete m_lesson; // keeps its draft
+    delete m_files;  // keeps the last changes of the document
     m_document.disconnect();
     delete m_layout;   // with the panels that look at the document and the cursor of the cycle
     delete m_playback; // it looks at the cursor, too
@@ -167,7 +174,8 @@ void MainWindow::buildViews() {
     column->addWidget(m_strip);
     column->addWidget(m_tabs, 1);
     column->addWidget(m_playback);
-    setCentralWidget(m_files->notices().above(middle));
+    m_lessonWiring = new LessonWiring(middle, this);
+    setCentralWidget(m_files->notices().above(m_lessonWiring->middle()));
 }
 
 void MainWindow::connectOverview() {
@@ -220,7 +228,7 @@ void MainWindow::showPlayback() {
         m_playback->setPlaying(false);
     }
     m_playback->setVisible(any);
-    m_playback->place()->setVisible(any);
+    m_playback->place()->setVisible(any && !m_lesson->isCovered());
 }
 
 const std::vector<View*>& MainWindow::views() const {
@@ -248,8 +256,20 @@ void MainWindow::connectActions() {
     on(m_actions->newPlunge, [this] { m_files->startNew(Operation::plunge); });
     on(m_actions->open, [this] { m_files->open(); });
     on(m_actions->examples, [this] { m_files->openExample(); });
-    on(m_actions->save, [this] { m_files->save(); });
-    on(m_actions->saveAs, [this] { m_files->saveAs(); });
+    on(m_actions->save, [this] {
+        if (m_lesson->isRunning()) {
+            m_lesson->save();
+        } else {
+            m_files->save();
+        }
+    });
+    on(m_actions->saveAs, [this] {
+        if (m_lesson->isRunning()) {
+            m_lesson->saveAs();
+        } else {
+            m_files->saveAs();
+        }
+    });
     on(m_actions->earlierVersions, [this] { m_files->openEarlierVersion(); });
     on(m_actions->recoverWork, [this] { m_files->recoverWork(); });
     on(m_actions->importMeasured, [this] { m_import->importFile(); });
@@ -439,7 +459,7 @@ void MainWindow::toggleDetached() {
 
 void MainWindow::connectDocument() {
     connect(&m_document, &Document::changed, this, [this] {
-        m_runs.request(m_document.upToPresent(), m_document.missingInputs());
+        requestRun();
         showTitle();
     });
     connect(&m_document, &Document::stepped, m_inputs, &InputsPanel::revealPath);
@@ -507,6 +527,66 @@ void MainWindow::connectDocument() {
             });
 }
 
+void MainWindow::connectLesson() {
+    m_files->leaveLessonsTo({[this](const QString& path) { m_lesson->open(path); },
+                             [this] { return m_lesson->mayLeave(); }});
+    m_lesson->endTypingBy([this] { m_inputs->endTyping(); });
+    connect(m_lesson, &LessonDesk::opened, this, [this](const QString& path) {
+        m_files->remember(path);
+        showTitle();
+    });
+    connect(m_lesson, &LessonDesk::uncovered, this, &MainWindow::requestRun);
+    connect(m_lesson, &LessonDesk::momentWanted, this, &MainWindow::showMoment);
+    connect(m_lesson, &LessonDesk::reported, this,
+            [this](const QString& text) { m_status->showForAWhile(text); });
+    connect(m_lesson, &LessonDesk::limitsChanged, this, [this] {
+        m_actions->follow(m_document, !m_inputs->refusals().empty());
+        showPlayback();
+        showTitle();
+    });
+    connect(m_keeper, &RunKeeper::kept, this, [this](const KeptRun& run) {
+        if (m_lesson->isRunning()) {
+            m_lesson->takeKeptRun(run);
+        }
+    });
+    connect(this, &MainWindow::outcomeShown, m_lesson,
+            [this] { m_lesson->takeOutcome(m_outcome->ran()); });
+    m_lessonWiring->connectTo({*m_lesson, *m_actions, *m_tabs, *m_layout, *m_inputs, *m_remedies});
+}
+
+/// While a prediction is awaited nothing is run: what nobody has cannot be seen.
+void MainWindow::requestRun() {
+    if (!m_lesson->isCovered()) {
+        m_runs.request(m_document.upToPresent(), m_document.missingInputs());
+        return;
+    }
+    m_runs.stop();
+    for (View* view : views()) {
+        view->forget();
+    }
+    m_verdict->forget();
+    m_inputs->forgetResults();
+    m_isOutcomeOfBefore = true;
+    Outcome none;
+    none.issues.push_back({IssueCode::missingKey, Severity::error, "/", {}, {}});
+    showOutcome(std::make_shared<const Outcome>(std::move(none)));
+}
+
+void MainWindow::showMoment(const ShownMoment& moment) {
+    if (!moment.view.empty()) {
+        showView(QString::fromStdString(moment.view));
+    }
+    if (m_outcome->trajectory.passes.empty()) {
+        return;
+    }
+    if (moment.place.section) {
+        m_feeds->showPlace({Zone::section, Step::none, *moment.place.section, 0,
+                            moment.count.value_or(m_cursor.stroke()), 0});
+        m_profiles->showSection(*moment.place.section);
+    }
+    LessonWiring::goTo(m_cursor, moment);
+}
+
 QStringList MainWindow::refusedLines() const {
     QStringList lines;
     for (const Refusal& refusal : m_inputs->refusals()) {
@@ -547,7 +627,9 @@ void MainWindow::showOutcome(const OutcomePtr& outcome) {
     m_outcome = outcome;
     m_partRuns->setOutcome(outcome);
     m_inputs->setOutcome(outcome);
-    m_messages->setOutcome(outcome);
+    if (!m_lesson->isCovered()) {
+        m_messages->setOutcome(outcome);
+    }
     const bool isOfBefore = std::exchange(m_isOutcomeOfBefore, false);
     m_cursor.setOutcome(isOfBefore && !outcome->ran() ? nullptr : outcome); // keeps a refused one's
     for (View* view : views()) {
@@ -561,12 +643,14 @@ void MainWindow::showOutcome(const OutcomePtr& outcome) {
 }
 
 void MainWindow::showStatus() {
-    m_status->showOutcome(m_outcome.get(), m_runs.lastRun_ms());
+    m_status->showOutcome(m_lesson->isCovered() ? nullptr : m_outcome.get(), m_runs.lastRun_ms());
 }
 
 void MainWindow::showTitle() {
     const QString title = QString::fromStdString(m_document.project().title).simplified();
-    QString name = m_document.filePath().isEmpty()
+    QString name = m_lesson->isRunning()
+                       ? printableText(QFileInfo(m_lesson->run().file()).fileName())
+                   : m_document.filePath().isEmpty()
                        ? (title.isEmpty() ? tr("Untitled") : tr("%1 (not saved)").arg(title))
                        : printableText(QFileInfo(m_document.filePath()).fileName());
     name.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]"));
@@ -604,6 +688,8 @@ void MainWindow::retranslate() {
     m_tabs->retranslate();
     m_verdict->retranslate();
     m_strip->retranslate();
+    m_lesson->retranslate();
+    m_lessonWiring->retranslate();
     if (m_partWindow) {
         m_partWindow->retranslate();
     }

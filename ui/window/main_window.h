@@ -23,6 +23,8 @@ class FileCommands;
 class HelpDesk;
 class InputsPanel;
 class KeptRuns;
+class LessonDesk;
+class LessonWiring;
 class MeasuredImport;
 class MeasuredView;
 class MessagesPanel;
@@ -41,6 +43,7 @@ class VerdictPanel;
 class View;
 class ViewTabs;
 class WindowLayout;
+struct ShownMoment;
 
 /// The workbench: inputs, views, verdict and messages around one document.
 class MainWindow : public QMainWindow {
@@ -61,6 +64,7 @@ public:
     [[nodiscard]] OutcomePtr outcome() const { return m_outcome; }
     [[nodiscard]] HelpDesk& help() { return *m_help; }
     [[nodiscard]] CycleCursor& cursor() { return m_cursor; }
+    [[nodiscard]] LessonDesk& lesson() { return *m_lesson; }
 
 signals:
     void outcomeShown(); ///< the views have been given a new outcome
@@ -99,6 +103,9 @@ private:
     void showTitle();
     void showStatus();
     void retranslate();
+    void connectLesson();
+    void requestRun();
+    void showMoment(const ShownMoment& moment);
 
     Settings& m_settings;
     Language& m_language;
@@ -131,6 +138,8 @@ private:
     RunKeeper* m_keeper = nullptr;
     RemedyOffers* m_remedies;
     HelpDesk* m_help;
+    LessonDesk* m_lesson;
+    LessonWiring* m_lessonWiring = nullptr;
     QTimer m_recolour;
     QTimer m_refusalsTimer; ///< gathers many remarks of one edit
     RunController m_runs;   ///< last: stopped before anything it reports to is gone

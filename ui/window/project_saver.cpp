@@ -2,6 +2,7 @@
 #include "ui/window/project_saver.h"
 
 #include "core/project/part.h"
+#include "ui/dialogs/disk_wait.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/files/file_guard.h"
 #include "ui/kit/file_dialog.h"
@@ -11,7 +12,6 @@
 #include "ui/text/number_text.h"
 #include "ui/text/size_field.h"
 #include "ui/text/texts.h"
-#include "ui/window/disk_wait.h"
 
 #include <QFileInfo>
 #include <QStandardPaths>

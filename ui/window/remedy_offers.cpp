@@ -42,9 +42,18 @@ RemedyOffers::RemedyOffers(Document& document, RemedySection& section,
 }
 
 void RemedyOffers::setOutcome(const OutcomePtr& outcome) {
-    if (outcome->ran() && remedyGoal(outcome->result, outcome->constraints) != RemedyGoal::none) {
+    if (m_isOffered && outcome->ran()
+        && remedyGoal(outcome->result, outcome->constraints) != RemedyGoal::none) {
         m_finder->request(outcome);
     } else {
+        m_finder->drop();
+        m_section.clear();
+    }
+}
+
+void RemedyOffers::offer(bool offered) {
+    m_isOffered = offered;
+    if (!offered) {
         m_finder->drop();
         m_section.clear();
     }

@@ -24,6 +24,7 @@ public:
                  std::function<void(const std::string& path)> reveal, QObject* parent);
 
     void setOutcome(const OutcomePtr& outcome); ///< of the document as it is
+    void offer(bool offered);                   ///< or look for none
 
 private:
     void take(const Remedy& remedy);
@@ -32,6 +33,7 @@ private:
     RemedySection& m_section;
     std::function<void(const std::string& path)> m_reveal;
     RemedyFinder* m_finder;
+    bool m_isOffered = true;
 };
 
 } // namespace sparkout

@@ -101,6 +101,7 @@ void RunKeeper::keepOutcome(const Outcome& outcome, const QString& name) {
     m_notices.remove(keepKey);
     const KeptRuns::Kept kept = m_kept.keep(outcome, name);
     if (kept == KeptRuns::Kept::yes) {
+        emit this->kept(m_kept.all().back());
         if (!name.isEmpty()) {
             emit compareWanted();
         }

@@ -25,6 +25,7 @@ public:
     void keepAside(Project project, const QString& name);
 
 signals:
+    void kept(const sparkout::KeptRun& run);
     void reported(const QString& text); ///< for the status bar
     void compareWanted();               ///< the user asks for the view of compared runs
 

@@ -134,6 +134,9 @@ View* ViewTabs::currentView() const {
 }
 
 void ViewTabs::showView(View* view) {
+    if (isAway(view)) {
+        return;
+    }
     if (Window* window = findWindow(view)) {
         window->showNormal();
         window->raise();
@@ -145,7 +148,7 @@ void ViewTabs::showView(View* view) {
 }
 
 void ViewTabs::detach(View* view) {
-    if (!view || isDetached(view) || !canDetach()) {
+    if (!view || isDetached(view) || isAway(view) || !canDetach()) {
         return;
     }
     const QSize size = view->size();
@@ -165,14 +168,34 @@ void ViewTabs::attach(View* view) {
         return;
     }
     std::erase(m_windows, window);
-    const auto before =
-        std::ranges::count_if(m_views.begin(), std::ranges::find(m_views, view),
-                              [this](const View* other) { return !isDetached(other); });
-    insertTab(static_cast<int>(before), view, QString());
+    insertTab(placeOf(view), view, QString());
     window->hide();
     window->deleteLater(); // it may be closing just now
     showTexts();
     setCurrentWidget(view);
+    emit detachableChanged();
+}
+
+int ViewTabs::placeOf(const View* view) const {
+    return static_cast<int>(std::ranges::count_if(
+        m_views.begin(), std::ranges::find(m_views, view),
+        [this](const View* other) { return !isDetached(other) && !isAway(other); }));
+}
+
+void ViewTabs::takeAway(View* view, bool away) {
+    if (away == isAway(view)) {
+        return;
+    }
+    if (away) {
+        attach(view);
+        m_away.insert(view);
+        removeTab(indexOf(view));
+        view->hide();
+    } else {
+        m_away.erase(view);
+        insertTab(placeOf(view), view, QString());
+    }
+    showTexts();
     emit detachableChanged();
 }
 

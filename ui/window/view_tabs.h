@@ -5,6 +5,7 @@
 #include <QPointer>
 #include <QTabWidget>
 
+#include <set>
 #include <vector>
 
 class QToolButton;
@@ -30,7 +31,10 @@ public:
     [[nodiscard]] bool canDetach() const { return count() > 1; }
     [[nodiscard]] QWidget* windowOf(const View* view) const; ///< its own window, or null
 
-    void showView(View* view); ///< its tab, or its window to the front
+    void showView(View* view); ///< its tab, or its window to the front; not one that is away
+    /// Takes a view away: it has neither a tab nor a window until it is brought back.
+    void takeAway(View* view, bool away);
+    [[nodiscard]] bool isAway(const View* view) const { return m_away.contains(view); }
     void detach(View* view);
     void attach(View* view);
     void attachAll();
@@ -49,12 +53,14 @@ private:
     class Window;
 
     [[nodiscard]] Window* findWindow(const View* view) const;
+    [[nodiscard]] int placeOf(const View* view) const; ///< of its tab among those there are
     void openMenu(const QPoint& place);
     void showTexts();
     void fitTabs();
 
     std::vector<View*> m_views;
     std::vector<Window*> m_windows;
+    std::set<const View*> m_away;
     QToolButton* m_tear;
 };
 

@@ -17,11 +17,13 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QDockWidget>
+#include <QEvent>
 #include <QMainWindow>
 #include <QScreen>
 #include <QStatusBar>
 
 #include <algorithm>
+#include <utility>
 
 namespace sparkout {
 
@@ -64,10 +66,17 @@ WindowLayout::WindowLayout(QMainWindow& window, const Panels& panels, ViewTabs& 
     , m_verdictDock(addDock(panels.verdict, QStringLiteral("verdict"), Qt::RightDockWidgetArea))
     , m_messagesDock(addDock(panels.messages, QStringLiteral("messages"), Qt::BottomDockWidgetArea))
     , m_sheetDock(addDock(panels.sheet, QStringLiteral("step"), Qt::RightDockWidgetArea))
+    , m_lessonDock(addDock(panels.lesson, QStringLiteral("lesson"), Qt::RightDockWidgetArea))
     , m_widths(new PanelWidths(window, {m_inputsDock, m_verdictDock}))
     , m_messages(new MessagesDock(*m_messagesDock, *panels.messages, *window.statusBar())) {
     m_window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     m_window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    m_lessonDock->hide();
+    m_lessonDock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
+    m_lessonDock->toggleViewAction()->setVisible(false);
+    for (QDockWidget* dock : {m_verdictDock, m_messagesDock, m_sheetDock}) {
+        dock->installEventFilter(this);
+    }
     QAction* const sheet = m_sheetDock->toggleViewAction();
     sheet->setIcon(themeIcon(u"formula"));
     m_playback.addTool(sheet);
@@ -81,6 +90,7 @@ WindowLayout::WindowLayout(QMainWindow& window, const Panels& panels, ViewTabs& 
 WindowLayout::~WindowLayout() {
     delete m_inputsDock;
     delete m_sheetDock;
+    delete m_lessonDock;
 }
 
 QDockWidget* WindowLayout::addDock(QWidget* content, const QString& name, Qt::DockWidgetArea area) {
@@ -101,6 +111,48 @@ void WindowLayout::showInputs() {
     m_inputsDock->show();
 }
 
+QDockWidget* WindowLayout::dockOf(Panel panel) const {
+    return panel == Panel::verdict    ? m_verdictDock
+           : panel == Panel::messages ? m_messagesDock
+                                      : m_sheetDock;
+}
+
+void WindowLayout::takeAway(Panel panel, bool away) {
+    QDockWidget* const dock = dockOf(panel);
+    QAction* const toggle = dock->toggleViewAction();
+    if (away && !m_away.contains(dock)) {
+        m_away.insert(dock, !dock->isHidden());
+        dock->hide();
+    } else if (!away && m_away.contains(dock)) {
+        const bool wasShown = m_away.take(dock);
+        dock->setVisible(wasShown);
+    }
+    toggle->setVisible(!away);
+    toggle->setEnabled(!away);
+    if (panel == Panel::messages) {
+        if (auto* button =
+                m_window.statusBar()->findChild<QWidget*>(QStringLiteral("messagesButton"))) {
+            button->setVisible(!away);
+        }
+    }
+}
+
+void WindowLayout::showLesson(bool shown) {
+    if (shown && !m_beforeLesson) {
+        m_beforeLesson = m_window.saveState();
+        m_verdictDock->setFloating(false);
+        m_window.addDockWidget(Qt::RightDockWidgetArea, m_verdictDock);
+        m_window.tabifyDockWidget(m_verdictDock, m_lessonDock);
+        m_lessonDock->setFloating(false);
+        m_lessonDock->show();
+        m_lessonDock->raise();
+    } else if (!shown && m_beforeLesson) {
+        const QByteArray before = *std::exchange(m_beforeLesson, std::nullopt);
+        m_window.restoreState(before);
+        m_lessonDock->hide();
+    }
+}
+
 void WindowLayout::reset() {
     m_tabs.attachAll();
     for (QDockWidget* dock : {m_inputsDock, m_verdictDock, m_messagesDock, m_sheetDock}) {
@@ -112,8 +164,26 @@ void WindowLayout::reset() {
     m_window.addDockWidget(Qt::RightDockWidgetArea, m_verdictDock);
     m_window.addDockWidget(Qt::BottomDockWidgetArea, m_messagesDock);
     m_window.splitDockWidget(m_verdictDock, m_sheetDock, Qt::Vertical);
+    if (m_beforeLesson) {
+        m_window.tabifyDockWidget(m_verdictDock, m_lessonDock);
+        m_lessonDock->setFloating(false);
+        m_lessonDock->show();
+        m_lessonDock->raise();
+    }
+    for (auto dock = m_away.keyBegin(); dock != m_away.keyEnd(); ++dock) {
+        (*dock)->hide();
+    }
     fitPanels();
     m_window.resizeDocks({m_messagesDock}, {messagesHeight}, Qt::Vertical);
+}
+
+/// What is away is not shown by whatever else shows panels.
+bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
+    auto* dock = qobject_cast<QDockWidget*>(watched);
+    if (event->type() == QEvent::Show && dock && m_away.contains(dock)) {
+        QMetaObject::invokeMethod(dock, &QWidget::hide, Qt::QueuedConnection);
+    }
+    return QObject::eventFilter(watched, event);
 }
 
 void WindowLayout::fitPanels() {
@@ -140,12 +210,14 @@ void WindowLayout::restore() {
             m_widths->takeOverWhenShown();
         }
     }
+    m_lessonDock->hide();
     m_messages->showOrHide(); // none yet
 }
 
 void WindowLayout::save() const {
     m_settings.setWindow(sealed({m_window.saveGeometry()}),
-                         sealed({m_window.saveState(), m_tabs.saveState(), m_widths->saveState()}));
+                         sealed({m_beforeLesson.value_or(m_window.saveState()), m_tabs.saveState(),
+                                 m_widths->saveState()}));
 }
 
 void WindowLayout::movePanel(int by) {
@@ -156,7 +228,7 @@ void WindowLayout::movePanel(int by) {
         }
     }
     panels << &m_playback;
-    for (const QDockWidget* dock : {m_verdictDock, m_sheetDock, m_messagesDock}) {
+    for (const QDockWidget* dock : {m_lessonDock, m_verdictDock, m_sheetDock, m_messagesDock}) {
         panels << dock->widget();
     }
     sparkout::movePanel(panels, by);
@@ -167,6 +239,7 @@ void WindowLayout::retranslate() {
     m_verdictDock->setWindowTitle(tr("Verdict"));
     m_messagesDock->setWindowTitle(tr("Messages"));
     m_sheetDock->setWindowTitle(tr("Formulas of the step"));
+    m_lessonDock->setWindowTitle(tr("Laboratory work"));
     m_inputsDock->widget()->setAccessibleName(tr("Inputs"));
     m_messages->retranslate();
     nameQtButtons(m_window);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QByteArray>
+#include <QHash>
 #include <QObject>
+
+#include <optional>
 
 class QAction;
 class QDockWidget;
@@ -29,6 +33,7 @@ public:
         QWidget* verdict;
         MessagesPanel* messages;
         QWidget* sheet;
+        QWidget* lesson;
     };
     WindowLayout(QMainWindow& window, const Panels& panels, ViewTabs& tabs, PlaybackBar& playback,
                  Settings& settings);
@@ -36,14 +41,22 @@ public:
 
     [[nodiscard]] QList<QAction*> toggles() const; ///< that show the panels
     void showInputs();
-    void restore(); ///< as it was when the window was closed last
+    /// With the panel of a lesson, or as it was before it.
+    void showLesson(bool shown);
+    enum class Panel { verdict, messages, sheet };
+    void takeAway(Panel panel, bool away); ///< by whatever way it would be shown
+    void restore();                        ///< as it was when the window was closed last
     void save() const;
     void reset();
     void fitPanels(); ///< beside the views, to the width that they need
     void movePanel(int by);
     void retranslate();
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
+    [[nodiscard]] QDockWidget* dockOf(Panel panel) const;
     QDockWidget* addDock(QWidget* content, const QString& name, Qt::DockWidgetArea area);
 
     QMainWindow& m_window;
@@ -55,6 +68,9 @@ private:
     QDockWidget* m_verdictDock;
     QDockWidget* m_messagesDock;
     QDockWidget* m_sheetDock;
+    QDockWidget* m_lessonDock;
+    QHash<QDockWidget*, bool> m_away;         ///< with whether they were shown before
+    std::optional<QByteArray> m_beforeLesson; ///< the state of the window
     PanelWidths* m_widths;
     MessagesDock* m_messages;
 };

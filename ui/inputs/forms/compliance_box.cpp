@@ -216,6 +216,11 @@ void ComplianceBox::setOutcome(const OutcomePtr& outcome) {
     showComputed();
 }
 
+void ComplianceBox::forgetResults() {
+    m_good.reset();
+    showComputed();
+}
+
 /// Zone by zone, or the least and the largest of many sections.
 void ComplianceBox::showComputed() {
     QStringList values;

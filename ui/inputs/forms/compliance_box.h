@@ -29,6 +29,7 @@ public:
                   QWidget* parent = nullptr);
 
     void showProject(bool replaced) override;
+    void forgetResults() override;
     void setOutcome(const OutcomePtr& outcome) override; ///< the γ that was computed, to read
     void retranslate() override;
     [[nodiscard]] std::vector<Refusal> refusals() const override;

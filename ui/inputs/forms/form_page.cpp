@@ -100,6 +100,9 @@ void FormPage::addCatalogue(Settings* settings, Place into) {
     if (!kind) {
         return;
     }
+    m_cataloguePath = m_page == Page::material ? "/material"
+                      : m_page == Page::wheel  ? "/wheel"
+                                               : "/machine";
     m_catalogue = new CatalogueBar(*kind, m_document, settings, into.rows.parentWidget());
     const int inset = SectionBox::inset(into.depth);
     m_catalogue->setContentsMargins(inset, 0, inset, 0);
@@ -114,7 +117,7 @@ void FormPage::addHelper(const std::string& path, Place into) {
     const int inset = SectionBox::inset(into.depth);
     helper->setContentsMargins(inset, 0, inset, 0);
     into.rows.addWidget(helper);
-    m_helpers.push_back(helper);
+    m_helpers.emplace_back(helper, path);
 }
 
 void FormPage::addStruct(const StructInfo& table, const std::string& path, Place into) {
@@ -123,7 +126,7 @@ void FormPage::addStruct(const StructInfo& table, const std::string& path, Place
         const bool structure = field.kind == Kind::object || field.kind == Kind::optionalObject;
         if (field.nested == &tableOf<Factor>() && field.page == m_page) {
             addInputBox(
-                new FactorBox(at, field, into.depth + 1, m_document, into.rows.parentWidget()),
+                new FactorBox(at, field, into.depth + 1, m_document, into.rows.parentWidget()), at,
                 into);
         } else if (structure && shows(*field.nested)) {
             if (field.page == m_page) {
@@ -143,11 +146,12 @@ void FormPage::addStruct(const StructInfo& table, const std::string& path, Place
 void FormPage::addRow(const Field& field, const std::string& path, Place into) {
     QWidget* const parent = into.rows.parentWidget();
     if (field.kind == Kind::compliance) {
-        addInputBox(new ComplianceBox(path, field, m_document, parent), into);
+        addInputBox(new ComplianceBox(path, field, m_document, parent), path, into);
         return;
     }
     if (path == "/batch/correlation") {
-        addInputBox(new CorrelationBox(path, field, into.depth + 1, m_document, parent), into);
+        addInputBox(new CorrelationBox(path, field, into.depth + 1, m_document, parent), path,
+                    into);
         return;
     }
     if (field.kind == Kind::objectList) {
@@ -164,10 +168,11 @@ void FormPage::addRow(const Field& field, const std::string& path, Place into) {
     addHelper(path, into);
 }
 
-void FormPage::addInputBox(InputBox* box, Place into) {
+void FormPage::addInputBox(InputBox* box, const std::string& path, Place into) {
     into.rows.addWidget(box);
     connect(box, &InputBox::refusalsChanged, this, &FormPage::refusalsChanged);
     m_inputBoxes.push_back(box);
+    m_inputBoxPaths.push_back(path);
 }
 
 void FormPage::addList(const Field& field, const std::string& path, Place into) {
@@ -271,7 +276,69 @@ void FormPage::showProject(bool replaced) {
         box->showProject(replaced);
     }
     showShared();
+    showAccess();
     emit refusalsChanged();
+}
+
+void FormPage::forgetResults() {
+    for (InputBox* box : m_inputBoxes) {
+        box->forgetResults();
+    }
+    if (m_stages) {
+        m_stages->forgetResults();
+    }
+}
+
+void FormPage::setAccess(const FormAccessPtr& access) {
+    m_access = access;
+    for (FormRow* row : m_rows) {
+        row->setAccess(*access);
+    }
+    for (ListTable* list : m_lists) {
+        list->setAccess(access);
+    }
+    showProject(false);
+}
+
+bool FormPage::hasShown() const {
+    const auto isShown = [this](const std::string& path) { return m_access->hasShown(path); };
+    return std::ranges::any_of(m_rows,
+                               [&](const auto* row) { return isShown(row->editor().path()); })
+           || std::ranges::any_of(m_lists, [&](const auto* list) { return isShown(list->path()); })
+           || std::ranges::any_of(m_inputBoxPaths, isShown);
+}
+
+/// What all of is locked is not to be clicked in either; what is hidden is not there.
+void FormPage::showAccess() {
+    const auto show = [this](QWidget* widget, const std::string& path) {
+        FormAccess::lock(*widget, !m_access->hasFree(path));
+        if (!m_access->hasShown(path)) {
+            widget->hide();
+        }
+    };
+    for (const Box& box : m_boxes) {
+        show(box.box, box.path);
+    }
+    for (std::size_t i = 0; i < m_inputBoxes.size(); ++i) {
+        show(m_inputBoxes[i], m_inputBoxPaths[i]);
+    }
+    for (ListTable* list : m_lists) {
+        if (!m_access->hasShown(list->path())) {
+            list->hide();
+        }
+    }
+    for (const auto& [helper, path] : m_helpers) {
+        const bool isFree = m_access->at(path) == Access::free;
+        FormAccess::lock(*helper, !isFree);
+        if (FormAccess::hide(*helper, m_access->at(path) == Access::hidden)) {
+            helper->retranslate(); // some show and hide themselves
+        }
+    }
+    if (m_catalogue) {
+        const bool isFree = m_access->at(m_cataloguePath) == Access::free;
+        FormAccess::lock(*m_catalogue, !isFree);
+        FormAccess::hide(*m_catalogue, !m_access->hasShown(m_cataloguePath));
+    }
 }
 
 /// Of a surface alone nothing is shared.
@@ -314,7 +381,7 @@ void FormPage::retranslate() {
     if (m_catalogue) {
         m_catalogue->retranslate();
     }
-    for (RowHelper* helper : m_helpers) {
+    for (const auto& [helper, path] : m_helpers) {
         helper->retranslate();
     }
     for (FormRow* row : m_rows) {

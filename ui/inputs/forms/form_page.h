@@ -5,6 +5,7 @@
 #include "core/issue.h"
 #include "core/study/outcome.h"
 #include "ui/fields/refusal.h"
+#include "ui/inputs/forms/form_access.h"
 
 #include <QScrollArea>
 
@@ -40,6 +41,10 @@ public:
     ~FormPage() override;
 
     void setOutcome(const sparkout::OutcomePtr& outcome);
+    void forgetResults();
+    /// What may be changed, and what is shown.
+    void setAccess(const FormAccessPtr& access);
+    [[nodiscard]] bool hasShown() const; ///< whether any input is
     void retranslate();
     [[nodiscard]] std::vector<Refusal> refusals() const;
     /// Shows the document's value where a text was refused; false when it is not on this page.
@@ -71,7 +76,7 @@ private:
     void addHelper(const std::string& path, Place into);
     void addStruct(const StructInfo& table, const std::string& path, Place into);
     void addRow(const Field& field, const std::string& path, Place into);
-    void addInputBox(InputBox* box, Place into);
+    void addInputBox(InputBox* box, const std::string& path, Place into);
     void addList(const Field& field, const std::string& path, Place into);
     void addBox(const Field& field, const std::string& path, Place into);
     void addProjectTexts(Place into);
@@ -82,15 +87,19 @@ private:
     [[nodiscard]] bool shows(const StructInfo& table) const;
     void showProject(bool replaced);
     void showShared();
+    void showAccess();
     void toggleOptional(const Box& box, bool given);
 
     Page m_page;
     Document& m_document;
     std::vector<FormRow*> m_rows;
     std::vector<Box> m_boxes;
-    CatalogueBar* m_catalogue = nullptr; ///< on pages that have one
-    std::vector<RowHelper*> m_helpers;
+    CatalogueBar* m_catalogue = nullptr;                       ///< on pages that have one
+    std::vector<std::pair<RowHelper*, std::string>> m_helpers; ///< with what they fill
     std::vector<InputBox*> m_inputBoxes;
+    std::vector<std::string> m_inputBoxPaths; ///< of each of them
+    FormAccessPtr m_access = std::make_shared<const FormAccess>();
+    std::string m_cataloguePath; ///< of the struct that it fills
     std::vector<ListTable*> m_lists;
     std::vector<std::pair<ListTable*, QLabel*>> m_sharedLists; ///< with what says that they are
     StageTable* m_stages = nullptr;                            ///< one of them

@@ -109,7 +109,7 @@ void FormRow::addTo(QGridLayout& grid) {
 
 void FormRow::show(const Project& project, bool replaced) {
     const ConstMember member = findMember(project, m_editor->path());
-    m_relevant = member && member.relevant(project);
+    m_relevant = member && member.relevant(project) && m_access != Access::hidden;
     for (QWidget* widget : {m_head, m_editor->widget(), m_editor->slider()}) {
         if (widget) {
             widget->setVisible(m_relevant);
@@ -117,6 +117,12 @@ void FormRow::show(const Project& project, bool replaced) {
     }
     m_unit->setVisible(m_relevant && !m_editor->wide());
     m_editor->show(replaced);
+    for (QWidget* widget :
+         {m_editor->widget(), m_editor->slider(), static_cast<QWidget*>(m_mark)}) {
+        if (widget) {
+            FormAccess::lock(*widget, m_access != Access::free);
+        }
+    }
     if (m_mark) {
         m_mark->showChanged(m_editor->changedFromDefault());
     }
@@ -137,6 +143,12 @@ void FormRow::setShared(bool shared) {
         m_shared->setVisible(shared);
         showHint();
     }
+}
+
+void FormRow::setAccess(const FormAccess& access) {
+    m_access = access.at(m_editor->path());
+    m_lock = m_access == Access::free ? QString() : access.lockText();
+    showHint();
 }
 
 void FormRow::setIssues(const Issues& issues) {
@@ -207,11 +219,14 @@ void FormRow::retranslate(const Project& project) {
 void FormRow::showHint() {
     const Field& field = m_editor->field();
     const QString shared = SharedMark::text();
-    const QString hint = m_isShared
-                             ? QStringLiteral("%1<p><b>%2</b></p>").arg(hintMarkup(field), shared)
-                             : hintMarkup(field);
-    const QString plain =
+    QString hint = m_isShared ? QStringLiteral("%1<p><b>%2</b></p>").arg(hintMarkup(field), shared)
+                              : hintMarkup(field);
+    QString plain =
         m_isShared ? QStringLiteral("%1 (%2)").arg(hintPlain(field), shared) : hintPlain(field);
+    if (!m_lock.isEmpty()) {
+        hint += QStringLiteral("<p><b>%1</b></p>").arg(m_lock);
+        plain += u' ' + m_lock;
+    }
     QWidget* const widget = m_editor->widget();
     for (QWidget* one : {static_cast<QWidget*>(m_label), widget, m_editor->slider()}) {
         if (one) {

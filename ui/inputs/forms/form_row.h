@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/inputs/editors/field_editor.h"
+#include "ui/inputs/forms/form_access.h"
 
 #include <QObject>
 
@@ -27,7 +28,8 @@ public:
     [[nodiscard]] FieldEditor& editor() const { return *m_editor; }
     [[nodiscard]] ResetMark* resetMark() const { return m_mark; }
     void show(const Project& project, bool replaced);
-    void setShared(bool shared); ///< with the other surfaces of the set-up
+    void setShared(bool shared);              ///< with the other surfaces of the set-up
+    void setAccess(const FormAccess& access); ///< taken up by the next show()
     void setIssues(const Issues& issues);
     void retranslate(const Project& project);
     /// Adds what one can do with the input to a context menu.
@@ -55,6 +57,8 @@ private:
     CalibratedMark* m_calibrated;
     QString m_calibration; ///< in brief; empty: not calibrated
     bool m_isShared = false;
+    Access m_access = Access::free;
+    QString m_lock; ///< why it is locked
     bool m_relevant = true;
 };
 

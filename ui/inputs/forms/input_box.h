@@ -18,6 +18,7 @@ public:
 
     virtual void showProject(bool replaced) = 0; ///< replaced: drop refused texts
     virtual void setOutcome(const OutcomePtr& outcome) = 0;
+    virtual void forgetResults() {} ///< that it tells beside the inputs
     virtual void retranslate() = 0;
     [[nodiscard]] virtual std::vector<Refusal> refusals() const = 0;
     /// Shows the document's value where a text was refused; false when it is not here.

@@ -96,7 +96,7 @@ std::string ListModel::path(const QModelIndex& index) const {
 }
 
 QString ListModel::shown(const QModelIndex& index) const {
-    if (!relevant(index)) {
+    if (!relevant(index) || access(index) == Access::hidden) {
         return QStringLiteral("—");
     }
     if (const QString text = refusedText(index); !text.isNull()) {
@@ -156,12 +156,15 @@ QVariant ListModel::fieldData(const QModelIndex& index, int role) const {
         if (mark.mark != Mark::none) {
             return markColor(mark.mark, QGuiApplication::palette());
         }
-        return relevant(index)
+        return relevant(index) && access(index) == Access::free
                    ? QVariant()
                    : QVariant(QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text));
     case Qt::ToolTipRole:
         return mark.mark == Mark::none
                    ? hintMarkup(field(index))
+                         + (access(index) == Access::free
+                                ? QString()
+                                : QStringLiteral("<p><b>%1</b></p>").arg(m_access->lockText()))
                    : QStringLiteral("<p>%1</p>").arg(mark.reason.toHtmlEscaped());
     case Qt::AccessibleTextRole:
         return tr("%1 %2, %3: %4")
@@ -192,7 +195,9 @@ QVariant ListModel::headerData(int section, Qt::Orientation orientation, int rol
 
 Qt::ItemFlags ListModel::flags(const QModelIndex& index) const {
     const Qt::ItemFlags usual = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
-    return isField(index) && relevant(index) ? usual | Qt::ItemIsEditable : usual;
+    return isField(index) && relevant(index) && access(index) == Access::free
+               ? usual | Qt::ItemIsEditable
+               : usual;
 }
 
 void ListModel::refuse(const QModelIndex& index, const QString& text, const QString& reason) {
@@ -218,6 +223,15 @@ std::vector<Refusal> ListModel::refusals() const {
         list.push_back({rowPath(it.key().first) + "/" + it.key().second->key, it->reason});
     }
     return list;
+}
+
+Access ListModel::access(const QModelIndex& index) const {
+    return m_access->at(path(index));
+}
+
+void ListModel::setAccess(const FormAccessPtr& access) {
+    m_access = access;
+    setIssues(m_issues); // all cells anew
 }
 
 void ListModel::setIssues(const Issues& issues) {

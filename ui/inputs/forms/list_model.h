@@ -4,6 +4,7 @@
 #include "core/field.h"
 #include "core/issue.h"
 #include "ui/fields/mark.h"
+#include "ui/inputs/forms/form_access.h"
 #include "ui/inputs/forms/form_page.h"
 
 #include <QAbstractTableModel>
@@ -53,6 +54,10 @@ public:
     [[nodiscard]] QModelIndex indexAt(const std::string& path) const;
 
     void setIssues(const Issues& issues);
+    void setAccess(const FormAccessPtr& access);
+    /// What may be done with a cell, and with the rows as such.
+    [[nodiscard]] Access access(const QModelIndex& index) const;
+    [[nodiscard]] bool mayHaveOtherRows() const { return m_access->at(m_path) == Access::free; }
     [[nodiscard]] QString tableText() const; ///< with its heads, tab-separated, for spreadsheets
     [[nodiscard]] QString cellsText(const QModelIndexList& cells) const; ///< a block of cells
 
@@ -102,6 +107,7 @@ private:
     int m_rows = 0;
     QMap<Cell, Refused> m_refused;
     Issues m_issues;
+    FormAccessPtr m_access = std::make_shared<const FormAccess>();
 };
 
 } // namespace sparkout

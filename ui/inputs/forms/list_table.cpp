@@ -248,10 +248,22 @@ bool ListTable::canMove(int by) const {
     return currentRow() >= 0 && to >= 0 && to < rows();
 }
 
+bool ListTable::mayHaveOtherRows() const {
+    return m_model->mayHaveOtherRows();
+}
+
+void ListTable::setAccess(const FormAccessPtr& access) {
+    m_model->setAccess(access);
+    updateButtons();
+    m_sliders->showRow(currentRow());
+}
+
 void ListTable::updateButtons() {
-    m_remove->setEnabled(canRemove());
-    m_up->setEnabled(canMove(-1));
-    m_down->setEnabled(canMove(1));
+    const bool mayChange = mayHaveOtherRows();
+    m_add->setEnabled(mayChange);
+    m_remove->setEnabled(mayChange && canRemove());
+    m_up->setEnabled(mayChange && canMove(-1));
+    m_down->setEnabled(mayChange && canMove(1));
 }
 
 void ListTable::setIssues(const Issues& issues) {
@@ -389,6 +401,13 @@ bool ListTable::takeKey(const QKeyEvent& key) {
     const bool control = key.modifiers() & Qt::ControlModifier;
     if (takeClipboardKey(key)) {
         return true;
+    }
+    const bool movesRows = key.key() == Qt::Key_Insert
+                           || (control
+                               && (key.key() == Qt::Key_Delete || key.key() == Qt::Key_Up
+                                   || key.key() == Qt::Key_Down));
+    if (movesRows && !mayHaveOtherRows()) {
+        return true; // the keys are the table's all the same
     }
     if (key.key() == Qt::Key_Escape && !m_notPasted.isEmpty()) {
         forgetPaste();

@@ -40,6 +40,7 @@ public:
 
     [[nodiscard]] const std::string& path() const { return m_path; }
     void setIssues(const Issues& issues);
+    virtual void setAccess(const FormAccessPtr& access);
     virtual void retranslate();
     [[nodiscard]] std::vector<Refusal> refusals() const;
     bool dropRefusal(const std::string& path);
@@ -76,6 +77,7 @@ protected:
     void showTitleBold();   ///< of a table that is a group of its own
     [[nodiscard]] int currentRow() const;
     [[nodiscard]] int rows() const;
+    [[nodiscard]] bool mayHaveOtherRows() const; ///< whether rows may come and go
     [[nodiscard]] Document& document() const { return m_document; }
     /// Takes a project whose list has other rows, or the same in another order, to the document.
     void apply(Project project, EditText text, int selected);

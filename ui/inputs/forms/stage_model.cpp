@@ -168,6 +168,13 @@ void StageModel::setOutcome(const OutcomePtr& outcome) {
     }
 }
 
+void StageModel::forgetOutcome() {
+    m_run.reset();
+    if (rowCount() > 0) {
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+    }
+}
+
 bool StageModel::isStock(const QModelIndex& index) const {
     return isField(index) && std::string_view(field(index).key) == "stock_mm";
 }
@@ -239,8 +246,8 @@ QVariant StageModel::resultHeader(int, int role) const {
 }
 
 QString StageModel::shown(const QModelIndex& index) const {
-    const bool sparkOut =
-        field(index).kind == Kind::countOrWord && relevant(index) && refusedText(index).isNull();
+    const bool sparkOut = field(index).kind == Kind::countOrWord && relevant(index)
+                          && refusedText(index).isNull() && access(index) != Access::hidden;
     return sparkOut ? sparkOutShown(index) : ListModel::shown(index);
 }
 

@@ -26,6 +26,7 @@ public:
     /// comes back with it.
     void setSparkOut(const QModelIndex& index, Stage edited);
     void setOutcome(const sparkout::OutcomePtr& outcome);
+    void forgetOutcome();
 
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
     /// A spark-out at the end, unless the given columns say what becomes of it.

@@ -102,6 +102,16 @@ void StageTable::applyStages(std::vector<Stage> stages, EditText text, int selec
     apply(std::move(project), text, selected);
 }
 
+void StageTable::forgetResults() {
+    m_stages->forgetOutcome();
+}
+
+void StageTable::setAccess(const FormAccessPtr& access) {
+    ListTable::setAccess(access);
+    m_continuous->setEnabled(mayHaveOtherRows());
+    m_fit->setEnabled(mayHaveOtherRows());
+}
+
 void StageTable::addRow() {
     auto stages = document().project().cycle->stages;
     if (stages.empty()) {

@@ -22,6 +22,8 @@ public:
     explicit StageTable(Document& document, QWidget* parent = nullptr);
 
     void setOutcome(const sparkout::OutcomePtr& outcome);
+    void forgetResults();
+    void setAccess(const FormAccessPtr& access) override;
     void addRow() override;
     void removeRow() override;
     void moveRow(int by) override;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/disk_wait.h"
+#include "ui/dialogs/disk_wait.h"
 
 #include "ui/session/background.h"
 

@@ -1,0 +1,453 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A laboratory work in the window, as a student does it: by mouse and keys, to full points.
+#include "core/course/grading.h"
+#include "core/course/work_seal.h"
+#include "core/project/wheel.h"
+#include "tests/registry.h"
+#include "tests/ui/lesson/lesson_bench.h"
+#include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/text_checks.h"
+#include "ui/kit/font_size.h"
+#include "ui/lesson/lessons_dialog.h"
+#include "ui/lesson/marks_dialog.h"
+#include "ui/lesson/student_dialog.h"
+
+#include <QMenu>
+#include <QRegularExpression>
+#include <QScopeGuard>
+#include <QSignalSpy>
+#include <QSpinBox>
+
+namespace test_lesson_mode {
+
+using namespace lesson_bench;
+
+class TestLessonMode : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aStudentDoesTheWorkToFullPoints() {
+        Seat student;
+        student.begin();
+        QVERIFY(student.run().isRunning());
+        QVERIFY(student.panel().isVisible());
+        const std::size_t steps = student.run().lesson().steps.size();
+        for (std::size_t step = 0; step < steps; ++step) {
+            student.show(step);
+            QCOMPARE(student.run().step(), step);
+            student.answer();
+            QVERIFY2(student.part<QPushButton>("lessonHandIn")->isEnabled(),
+                     qPrintable(QString::number(step + 1)));
+            student.handIn();
+            const LessonRun::Mark mark = student.run().mark(step);
+            const bool isTold = mark == LessonRun::Mark::passed || mark == LessonRun::Mark::teacher;
+            QVERIFY2(isTold, qPrintable(QString::number(step + 1) + u' '
+                                        + student.part<QLabel>("lessonFound")->text()));
+        }
+        // What stands on the disk is marked by the engine: all that it can give.
+        const Work work = student.onDisk();
+        QVERIFY(!brokenSeal(work));
+        const GradedWork graded =
+            gradeWork(student.out.lesson, {"w", writeWork(work)}, GradeWish());
+        QVERIFY(graded.flags.empty());
+        QCOMPARE(graded.points + graded.pending, graded.most);
+        QCOMPARE(graded.points,
+                 student.run().points() + student.out.lesson.steps.front().points); // the choice
+    }
+
+    void nothingIsKnownBeforeAPredictionIsGiven() {
+        Seat student;
+        student.begin();
+        student.show(1);
+        QVERIFY(student.desk().isCovered());
+        QVERIFY(!student.window.runs().running());
+        QVERIFY(!student.window.outcome()->ran()); // nobody in the window has a result
+        QVERIFY(!student.window.cursor().outcome());
+        QVERIFY(student.window.findChild<QLabel*>(QStringLiteral("lessonCover"))->isVisible());
+        for (const View* view : student.window.views()) {
+            QVERIFY2(!view->isVisible(), qPrintable(view->objectName()));
+        }
+        for (const char* dock : {"verdict", "messages", "step"}) {
+            QVERIFY2(
+                !student.window.findChild<QDockWidget*>(QString::fromLatin1(dock))->isVisible(),
+                dock);
+        }
+        for (const char* command :
+             {"keepRun", "wholePart", "exportResults", "preview-card", "show-feeds", "detach"}) {
+            if (const QAction* action = student.bench.action(command)) {
+                QVERIFY2(!action->isEnabled(), command);
+            }
+        }
+        const auto* stages =
+            student.window.inputs().findChild<QTableView*>(QStringLiteral("/cycle/stages"));
+        const int last = stages->model()->columnCount() - 1; // tells the time of a stage
+        QVERIFY(!stages->model()->index(0, last).data().toString().contains(
+            QRegularExpression(QStringLiteral("[0-9]"))));
+        // Nor can an input be changed, by whatever way.
+        const Project before = student.window.document().project();
+        Project changed = before;
+        changed.cycle->stages.front().radial_feed_mm = 0.001;
+        student.window.document().edit(changed, {"Edit", "x"});
+        QVERIFY(sameProject(student.window.document().project(), before));
+        // It is given once, and its result stands beside it.
+        student.answer();
+        student.handIn();
+        QVERIFY(!student.desk().isCovered());
+        QVERIFY(QTest::qWaitFor([&] { return student.window.outcome()->ran(); }, 30'000));
+        QCOMPARE(student.run().mark(1), LessonRun::Mark::passed);
+        QVERIFY(student.part<QLabel>("resultNumber")->isVisible());
+        QVERIFY(!student.part<QWidget>("predictedNumber")->isEnabled());
+        QVERIFY(!student.part<QPushButton>("lessonHandIn")->isVisible());
+        QCOMPARE(student.onDisk().entries.back().event, WorkEvent::prediction);
+        // The moment that the step shows.
+        QCOMPARE(student.window.viewTabs().currentWidget()->objectName(), QStringLiteral("feeds"));
+        QCOMPARE(student.window.cursor().stroke(), 20);
+    }
+
+    void whatAStepHidesIsReallyGone() {
+        Seat student;
+        student.begin();
+        student.show(4); // hides optimise, sweep, remedies, verdict, overview and profiles
+        student.answer();
+        student.handIn();
+        ViewTabs& tabs = student.window.viewTabs();
+        for (int key = Qt::Key_0; key <= Qt::Key_9; ++key) { // every shortcut of a view
+            QTest::keyClick(&student.window, Qt::Key(key), Qt::ControlModifier);
+            QTest::keyClick(&student.window, Qt::Key(key), Qt::ControlModifier | Qt::AltModifier);
+            QVERIFY(tabs.currentView());
+            const QString shown = tabs.currentView()->objectName();
+            QVERIFY2(!QStringList({QStringLiteral("optimise"), QStringLiteral("sweep"),
+                                   QStringLiteral("overview"), QStringLiteral("profiles")})
+                          .contains(shown),
+                     qPrintable(shown));
+        }
+        for (const char* name : {"optimise", "sweep", "overview", "profiles"}) {
+            const QString view = QString::fromLatin1(name);
+            student.window.showView(view);
+            QVERIFY(tabs.currentView()->objectName() != view);
+            QAction* const show = student.bench.action(qPrintable(QStringLiteral("show-") + view));
+            QVERIFY(!show->isVisible() && !show->isEnabled());
+            show->trigger();
+            QVERIFY(tabs.currentView()->objectName() != view);
+        }
+        // The verdict by no means: its entry, the reset of the layout, a report or an export.
+        auto* verdict = student.window.findChild<QDockWidget*>(QStringLiteral("verdict"));
+        QVERIFY(!verdict->toggleViewAction()->isVisible());
+        student.bench.action("resetLayout")->trigger();
+        student.settle();
+        QVERIFY(!verdict->isVisible());
+        verdict->show();
+        student.settle();
+        QVERIFY(!verdict->isVisible());
+        int reports = 0;
+        for (const QAction* action : student.window.findChildren<QAction*>()) {
+            const QString name = action->objectName();
+            if (name.startsWith(QStringLiteral("pdf-")) || name.startsWith(QStringLiteral("print-"))
+                || name.startsWith(QStringLiteral("preview-"))
+                || name.startsWith(QStringLiteral("html-"))
+                || name.startsWith(QStringLiteral("odt-")) || name == u"exportResults") {
+                ++reports;
+                QVERIFY2(!action->isEnabled() && !action->isVisible(), qPrintable(name));
+            }
+        }
+        QVERIFY(reports > 5);
+        // The language is changed, the document follows: it stays so.
+        student.window.document().undo();
+        student.bench.action("resetLayout")->trigger();
+        QVERIFY(!verdict->isVisible());
+        // Another step brings back what it does not hide; the end of the lesson all.
+        student.show(0);
+        QVERIFY(verdict->toggleViewAction()->isVisible());
+        QVERIFY(student.bench.action("exportResults")->isEnabled());
+        student.desk().leave();
+        student.settle();
+        QVERIFY(!student.run().isRunning());
+        QVERIFY(student.bench.action("show-optimise")->isEnabled());
+        QVERIFY(student.window.showView(QStringLiteral("optimise")));
+        QCOMPARE(tabs.currentView()->objectName(), QStringLiteral("optimise"));
+        QVERIFY(!student.panel().isVisible());
+    }
+
+    void everyViewCanBeHiddenByItsName() {
+        const Bench bench(QStringLiteral("en"));
+        std::set<Hideable> named;
+        for (const View* view : bench.window->views()) {
+            const auto thing = viewNamed(view->objectName().toStdString());
+            QVERIFY2(thing, qPrintable(view->objectName()));
+            named.insert(*thing);
+        }
+        for (int i = 0; i < int(Hideable::count_); ++i) {
+            QVERIFY(!isView(Hideable(i)) || named.contains(Hideable(i)));
+        }
+    }
+
+    void lockedInputsAreNotChangedByAnyMeans() {
+        Seat student;
+        student.begin();
+        student.show(5); // the radial feed of the last stage alone is free
+        Document& document = student.window.document();
+        auto* table =
+            student.window.inputs().findChild<QTableView*>(QStringLiteral("/cycle/stages"));
+        const auto cell = [&](const char* path) {
+            student.window.inputs().focusPath(path);
+            return table->currentIndex();
+        };
+        QVERIFY(cell("/cycle/stages/1/radial_feed_mm").flags() & Qt::ItemIsEditable);
+        QVERIFY(!(cell("/cycle/stages/0/radial_feed_mm").flags() & Qt::ItemIsEditable));
+        QVERIFY(table->currentIndex()
+                    .data(Qt::ToolTipRole)
+                    .toString()
+                    .contains(QStringLiteral("Locked in this step")));
+        const std::size_t stages = document.project().cycle->stages.size();
+        for (const int key : {Qt::Key_Insert, Qt::Key_Delete, Qt::Key_F2, Qt::Key_5}) {
+            QTest::keyClick(table, Qt::Key(key));
+            QTest::keyClick(table, Qt::Key(key), Qt::ControlModifier);
+        }
+        QCOMPARE(document.project().cycle->stages.size(), stages);
+        QVERIFY(!document.canUndo());
+        // A field of a form says why, and takes no key.
+        student.window.inputs().focusPath("/wheel/dullness");
+        auto* dullness =
+            student.window.inputs().findChild<NumberField*>(QStringLiteral("/wheel/dullness"));
+        QVERIFY(!dullness->isEnabled());
+        QVERIFY(dullness->toolTip().contains(QStringLiteral("Locked in this step")));
+        QTest::keyClicks(dullness, QStringLiteral("0.03"));
+        QVERIFY(!document.canUndo());
+        // Nor is it by a way around the forms.
+        Project changed = document.project();
+        changed.wheel->dullness = 0.033;
+        const Project before = document.project();
+        document.edit(changed, {"Edit", "x"});
+        QVERIFY(sameProject(document.project(), before));
+        student.bench.action("addSurface")->trigger();
+        QCOMPARE(document.surfaceCount(), std::size_t(1));
+        // The free one is, and undone.
+        student.typeStage(1, "radial_feed_mm", 0.0011);
+        QCOMPARE(*document.project().cycle->stages[1].radial_feed_mm, 0.0011);
+        student.bench.action("undo")->trigger();
+        QCOMPARE(*document.project().cycle->stages[1].radial_feed_mm,
+                 *before.cycle->stages[1].radial_feed_mm);
+    }
+
+    void hintsAreTakenForTheirPrice() {
+        Seat student;
+        student.begin();
+        student.show(1);
+        auto* hint = student.part<QPushButton>("lessonHint");
+        QVERIFY(hint->text().contains(QStringLiteral("0.5")));
+        student.click(*hint);
+        QVERIFY(hint->text().contains(QStringLiteral("2 of 2")));
+        student.click(*hint);
+        QVERIFY(!hint->isVisible());
+        student.answer();
+        student.handIn();
+        QCOMPARE(student.run().pointsOf(1), 1.0); // of two
+        QCOMPARE(student.onDisk().entries.size(), std::size_t(3));
+    }
+
+    void aWrongAnswerIsTriedAgainAndCounted() {
+        Seat student;
+        student.begin();
+        student.show(5);
+        student.handIn(); // as it stands
+        QCOMPARE(student.run().mark(5), LessonRun::Mark::failed);
+        QVERIFY(
+            student.part<QLabel>("lessonFound")->text().startsWith(QStringLiteral("Not passed")));
+        student.answer();
+        student.handIn();
+        QCOMPARE(student.run().mark(5), LessonRun::Mark::passed);
+        QVERIFY(student.part<QLabel>("lessonAttempts")->text().contains(u'2'));
+        QCOMPARE(student.run().pointsOf(5), 3.0);
+    }
+
+    void aWorkGoesOnWhereItWasLeft() {
+        Seat student;
+        student.begin();
+        student.show(1);
+        student.answer();
+        student.handIn();
+        student.show(5);
+        student.typeStage(1, "radial_feed_mm", 0.0011);
+        QTest::qWait(1200); // a pause, after which it is kept
+        student.run().flush();
+        // Another window, as after a crash: nothing was closed here.
+        Bench other(QStringLiteral("en"));
+        other.window->lesson().protect(student.folder.path());
+        other.window->files().openInstead(student.file());
+        QVERIFY(QTest::qWaitFor([&] { return other.window->lesson().isRunning(); }, 30'000));
+        LessonRun& run = other.window->lesson().run();
+        QCOMPARE(run.step(), std::size_t(5));
+        QCOMPARE(*other.window->document().project().cycle->stages[1].radial_feed_mm, 0.0011);
+        QVERIFY(QTest::qWaitFor([&] { return run.mark(1) == LessonRun::Mark::passed; }, 30'000));
+        QVERIFY(!other.window->document().modified()); // no project that could be lost
+        // Steps that were answered stand as they were, prediction and result side by side.
+        other.window->lesson().showStep(1);
+        QVERIFY(!other.window->lesson().isCovered());
+    }
+
+    void keptRunsAreOfTheWork() {
+        Seat student;
+        student.begin();
+        student.show(0);
+        student.bench.action("keepRun")->trigger();
+        student.settle();
+        const Work work = student.onDisk();
+        QCOMPARE(work.entries.size(), std::size_t(1));
+        QCOMPARE(work.entries.back().event, WorkEvent::run);
+        student.show(5);
+        QCOMPARE(student.window.document().project().runs.size(), std::size_t(1));
+    }
+
+    void aStudentsFileHoldsNoAnswerAndNoSeed() {
+        Seat student;
+        student.begin();
+        student.show(0);
+        student.answer();
+        student.handIn();
+        const std::string text = writeWork(student.onDisk());
+        for (const char* secret : {"\"right\"", "seed", "\"variants\"", "best_min"}) {
+            QVERIFY2(text.find(secret) == std::string::npos, secret);
+        }
+    }
+
+    void aLessonAsksOnceWhoDoesIt() {
+        Seat student;
+        const QString file = student.folder.filePath(QStringLiteral("new.sparkout-work"));
+        DialogAnswers answers({QStringLiteral("Enter"), QStringLiteral("file:") + file});
+        answers.seen = [](QDialog& dialog) {
+            if (auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("studentName"))) {
+                name->setFocus();
+                QTest::keyClicks(name, QStringLiteral("Ivanov I."));
+                QTest::keyClicks(dialog.findChild<QLineEdit*>(QStringLiteral("studentGroup")),
+                                 QStringLiteral("TM-31"));
+                dialog.findChild<QSpinBox*>(QStringLiteral("studentVariant"))->setValue(3);
+            }
+        };
+        student.window.files().openInstead(shippedLesson());
+        QCOMPARE(answers.fault(), QString());
+        QVERIFY(student.run().isRunning());
+        student.run().flush();
+        const ReadWork read =
+            readWork(std::get<std::string>(readFile(file.toStdString(), 1u << 24)));
+        QVERIFY(read.work);
+        QCOMPARE(read.work->name, std::string("Ivanov I."));
+        QCOMPARE(read.work->group, std::string("TM-31"));
+        QCOMPARE(read.work->variant, 3);
+        QVERIFY(!brokenSeal(*read.work));
+    }
+
+    void anotherDocumentEndsTheLesson() {
+        Seat student;
+        student.begin();
+        QVERIFY(student.bench.open(examplePaths().first()));
+        QVERIFY(!student.run().isRunning());
+        QVERIFY(student.bench.action("show-optimise")->isEnabled());
+        Project changed = student.window.document().project();
+        changed.wheel->dullness += 0.001;
+        student.window.document().edit(changed, {"Edit", "x"});
+        QVERIFY(student.window.document().modified());
+    }
+
+    void everyStepHasRoomInBothLanguagesAndAnyType_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<int>("percent");
+        QTest::addColumn<Theme>("theme");
+        for (const char* language : {"en", "ru"}) {
+            for (const int percent : {100, 130}) {
+                QTest::addRow("%s %d", language, percent)
+                    << QString::fromUtf8(language) << percent << Theme::light;
+            }
+        }
+        QTest::addRow("en dark") << QStringLiteral("en") << 100 << Theme::dark;
+        QTest::addRow("ru contrast") << QStringLiteral("ru") << 115 << Theme::contrast;
+    }
+
+    void everyStepHasRoomInBothLanguagesAndAnyType() {
+        QFETCH(QString, language);
+        QFETCH(int, percent);
+        QFETCH(Theme, theme);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        applyFontSize(percent);
+        Seat student(language, theme);
+        student.begin();
+        QCOMPARE(student.window.size(), QSize(1366, 768));
+        const QString pictures = qEnvironmentVariable("SPARKOUT_LESSON_PICTURES");
+        for (std::size_t step = 0; step < student.run().lesson().steps.size(); ++step) {
+            student.show(step);
+            for (const bool isAnswered : {false, true}) {
+                if (isAnswered) {
+                    student.answer();
+                    student.handIn();
+                }
+                const QStringList cut = textsWithoutRoom(
+                    *student.window.findChild<QDockWidget*>(QStringLiteral("lesson")));
+                if (!pictures.isEmpty()) {
+                    student.window.grab().save(QStringLiteral("%1/%2-%3-%4-step%5%6.png")
+                                                   .arg(pictures, language, themeCode(theme))
+                                                   .arg(percent)
+                                                   .arg(step + 1)
+                                                   .arg(isAnswered ? u"b" : u"a"));
+                }
+                QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
+            }
+            if (language == u"ru") {
+                for (const ShownText& shown : textsOf(student.panel())) {
+                    QString text = shown.text;
+                    text.remove(QRegularExpression(QStringLiteral("<style>.*</style>|a+ b+")));
+                    QVERIFY2(englishIn(text).isEmpty(), qPrintable(text));
+                }
+            }
+        }
+    }
+
+    void theDialogsHaveRoom_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<int>("percent");
+        for (const char* language : {"en", "ru"}) {
+            for (const int percent : {100, 130}) {
+                QTest::addRow("%s %d", language, percent) << QString::fromUtf8(language) << percent;
+            }
+        }
+    }
+
+    void theDialogsHaveRoom() {
+        QFETCH(QString, language);
+        QFETCH(int, percent);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        applyFontSize(percent);
+        Seat student(language);
+        LessonsDialog lessons;
+        StudentDialog begin(student.out.lesson, QStringLiteral("Иванов"), {}, nullptr);
+        MarksDialog marks(student.bench.settings, nullptr);
+        const samples::GivenOut out = samples::giveOut(student.out.lesson, 2, 3);
+        for (std::size_t i = 0; i < out.works.size(); ++i) {
+            const QString path = student.folder.filePath(QStringLiteral("%1.sparkout-work").arg(i));
+            QVERIFY(!writeFileSafely(path.toStdString(), writeWork(samples::solved(out, i, {2}))));
+        }
+        marks.add({shippedLesson(), student.folder.path()});
+        QSignalSpy marked(&marks, &MarksDialog::marked);
+        marks.mark();
+        QVERIFY(marked.wait(60'000));
+        QVERIFY(!lessons.chosen().isEmpty());
+        const QString pictures = qEnvironmentVariable("SPARKOUT_LESSON_PICTURES");
+        for (QDialog* dialog : std::initializer_list<QDialog*>{&lessons, &begin, &marks}) {
+            dialog->show();
+            student.settle();
+            const QStringList cut = textsWithoutRoom(*dialog);
+            if (!pictures.isEmpty()) {
+                dialog->grab().save(QStringLiteral("%1/%2-%3-%4.png")
+                                        .arg(pictures, language)
+                                        .arg(percent)
+                                        .arg(QString::fromLatin1(dialog->metaObject()->className())
+                                                 .section(u':', -1)));
+            }
+            QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
+            QVERIFY(dialog->width() <= 1366 && dialog->height() <= 728);
+        }
+    }
+};
+
+} // namespace test_lesson_mode
+
+SPARKOUT_TEST(test_lesson_mode, TestLessonMode)
+#include "test_lesson_mode.moc"

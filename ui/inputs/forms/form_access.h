@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lesson/lesson.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <memory>
+#include <optional>
+#include <string_view>
+
+class QWidget;
+
+namespace sparkout {
+
+/// What may be done with the inputs: all of them, or what a step of a lesson lets a student do.
+class FormAccess {
+    Q_DECLARE_TR_FUNCTIONS(FormAccess)
+public:
+    FormAccess() = default; ///< every input is free
+    /// While a prediction is awaited no input is.
+    FormAccess(const LessonStep& step, bool isAwaited);
+
+    [[nodiscard]] Access at(std::string_view path) const;
+    /// Whether it, or something below it, may be changed or is shown.
+    [[nodiscard]] bool hasFree(std::string_view path) const;
+    [[nodiscard]] bool hasShown(std::string_view path) const;
+    [[nodiscard]] QString lockText() const; ///< why a locked input is
+
+    /// Locks a widget, or undoes that: what was not locked stays as it is.
+    static void lock(QWidget& widget, bool locked);
+    static bool hide(QWidget& widget, bool hidden); ///< the same; true: it was undone
+
+private:
+    [[nodiscard]] Access given(std::string_view path) const;
+
+    std::optional<LessonStep> m_step; ///< with its access alone
+    bool m_isAwaited = false;
+};
+
+using FormAccessPtr = std::shared_ptr<const FormAccess>;
+
+} // namespace sparkout

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lesson/answer.h"
+#include "core/lesson/goal_check.h"
+#include "core/lesson/lesson.h"
+
+#include <QWidget>
+
+namespace sparkout {
+
+/// Where a student answers a step, by the kind of its goal.
+class AnswerField : public QWidget {
+    Q_OBJECT
+
+public:
+    using QWidget::QWidget;
+
+    /// For a step about a project; null: the step is answered by what is set in the inputs.
+    [[nodiscard]] static AnswerField* make(const LessonStep& step, const Project& project,
+                                           QWidget* parent);
+
+    virtual void show(const Answer& answer) = 0;
+    virtual void put(Answer& answer) const = 0;     ///< what stands here into an answer
+    [[nodiscard]] virtual bool isWhole() const = 0; ///< whether it can be handed in
+    virtual void lock() = 0;                        ///< it was handed in for good
+    /// The engine's result beside what was predicted.
+    virtual void showResult(const GoalResult&) {}
+    virtual void retranslate() = 0;
+
+signals:
+    void edited();
+};
+
+} // namespace sparkout

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lesson/hidden_things.h"
+
+#include <QAction>
+
+#include <algorithm>
+#include <utility>
+
+namespace sparkout {
+
+void HiddenThings::add(Things with, std::function<void(bool hidden)> hide) {
+    m_entries.push_back({std::move(with), std::move(hide)});
+}
+
+void HiddenThings::add(Things with, QAction* command) {
+    add(std::move(with), [command](bool hidden) {
+        command->setVisible(!hidden);
+        command->setEnabled(!hidden); // else it could be triggered all the same
+    });
+}
+
+HiddenThings::Things HiddenThings::of(const LessonStep& step) {
+    Things things;
+    for (const HiddenThing& each : step.hidden) {
+        things.insert(each.name);
+    }
+    const auto hides = [&things](std::initializer_list<Hideable> any) {
+        return std::any_of(any.begin(), any.end(),
+                           [&things](Hideable each) { return things.contains(each); });
+    };
+    if (hides({Hideable::verdict})) {
+        things.insert(Hideable::remedies);
+    }
+    if (hides({Hideable::overview, Hideable::feeds, Hideable::profiles, Hideable::constraints,
+               Hideable::compliance, Hideable::layers, Hideable::verdict, Hideable::formulas})) {
+        things.insert(Hideable::reports);
+        things.insert(Hideable::exportResults);
+    }
+    if (hides({Hideable::keptRuns})) {
+        things.insert(Hideable::compare);
+    }
+    if (hides({Hideable::measured})) {
+        things.insert(Hideable::calibrate);
+    }
+    return things;
+}
+
+void HiddenThings::hide(const Things& things) {
+    m_hidden = things;
+    for (Entry& entry : m_entries) {
+        const bool hidden = std::any_of(entry.with.begin(), entry.with.end(),
+                                        [&things](Hideable each) { return things.contains(each); });
+        if (hidden != entry.isHidden) {
+            entry.isHidden = hidden;
+            entry.hide(hidden);
+        }
+    }
+}
+
+} // namespace sparkout

@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lesson/lesson_desk.h"
+
+#include "core/course/make_variants.h"
+#include "core/course/work_file.h"
+#include "core/course/work_seal.h"
+#include "core/format/project_file.h"
+#include "core/lesson/lesson_file.h"
+#include "core/setup/setup_file.h"
+#include "core/study/new_project.h"
+#include "ui/dialogs/faults_dialog.h"
+#include "ui/dialogs/notice_bar.h"
+#include "ui/dialogs/save_dialog.h"
+#include "ui/dialogs/watched_work.h"
+#include "ui/kit/file_dialog.h"
+#include "ui/lesson/lesson_panel.h"
+#include "ui/lesson/lesson_text.h"
+#include "ui/lesson/lessons_dialog.h"
+#include "ui/lesson/marks_dialog.h"
+#include "ui/lesson/student_dialog.h"
+#include "ui/session/document.h"
+#include "ui/session/program_log.h"
+#include "ui/session/project_io.h"
+#include "ui/session/settings.h"
+#include "ui/text/file_error_text.h"
+#include "ui/text/texts.h"
+#include "ui/window/dialogs/file_questions.h"
+#include "words/lesson_words.h"
+
+#include <QFile>
+#include <QFileInfo>
+
+#include <stop_token>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+const QString lessonEnding = QStringLiteral(".sparkout-lesson");
+const QString workEnding = QStringLiteral(".sparkout-work");
+const QString saveNotice = QStringLiteral("lesson-not-saved");
+const QString changedNotice = QStringLiteral("lesson-changed-outside");
+constexpr int draftPause_ms = 1000;
+/// Whoever draws variants by number from a lesson gets the same ones everywhere.
+constexpr std::uint32_t seedByNumber = 1;
+
+/// What is handed in of a set-up: no kept runs and measurements.
+std::string handedIn(Setup setup) {
+    for (GroundSurface& surface : setup.surfaces) {
+        surface.project.runs.clear();
+        surface.project.measured.reset();
+    }
+    return writeSetup(setup);
+}
+
+} // namespace
+
+LessonDesk::LessonDesk(Document& document, Settings& settings, NoticeBar& notices, QWidget* window)
+    : QObject(window)
+    , m_document(document)
+    , m_settings(settings)
+    , m_notices(notices)
+    , m_window(window)
+    , m_panel(new LessonPanel(m_run, window)) {
+    m_draft.setSingleShot(true);
+    m_draft.setInterval(draftPause_ms);
+    connect(&m_draft, &QTimer::timeout, this, &LessonDesk::keepDraft);
+    connect(m_panel, &LessonPanel::edited, this, [this] { m_draft.start(); });
+    connect(m_panel, &LessonPanel::handInAsked, this, &LessonDesk::handIn);
+    connect(m_panel, &LessonPanel::stepAsked, this, &LessonDesk::showStep);
+    connect(&m_document, &Document::edited, this, [this] {
+        if (isRunning()) {
+            m_draft.start();
+        }
+    });
+    connect(&m_document, &Document::replaced, this, [this] {
+        if (!m_isOwn && isRunning()) { // another one was opened
+            finish();
+        }
+    });
+    connect(&m_run, &LessonRun::saved, this, [this] { m_notices.remove(saveNotice); });
+    connect(&m_run, &LessonRun::saveFailed, this, [this](const FileError& error) {
+        m_notices.add(
+            {saveNotice,
+             Mark::error,
+             [error] { return tr("The work is not saved. %1").arg(saveErrorText(error)); },
+             {{[] { return tr("Try again"); }, [this] { save(); }},
+              {[] { return tr("Save elsewhere…"); }, [this] { saveAs(); }}}});
+    });
+}
+
+LessonDesk::~LessonDesk() {
+    m_document.disconnect(this);
+    if (isRunning()) {
+        keepDraft();
+        m_run.flush();
+    }
+}
+
+void LessonDesk::protect(const QString& stateFolder) {
+    m_run.keepDraftsIn(stateFolder + QStringLiteral("/lessons"));
+}
+
+bool LessonDesk::isOfLesson(const QString& path) {
+    return path.endsWith(lessonEnding, Qt::CaseInsensitive)
+           || path.endsWith(workEnding, Qt::CaseInsensitive);
+}
+
+void LessonDesk::open(const QString& path) {
+    if (path.endsWith(workEnding, Qt::CaseInsensitive)) {
+        openWork(path);
+    } else {
+        openLesson(path);
+    }
+}
+
+void LessonDesk::choose() {
+    LessonsDialog dialog(m_window);
+    if (dialog.exec() == QDialog::Accepted && !dialog.chosen().isEmpty() && mayLeave()) {
+        openLesson(dialog.chosen());
+    }
+}
+
+void LessonDesk::markWorks() {
+    if (!m_marks) {
+        m_marks = new MarksDialog(m_settings, m_window);
+    }
+    m_marks->show();
+    m_marks->raise();
+    m_marks->activateWindow();
+}
+
+std::optional<std::string> LessonDesk::textOf(const QString& path) {
+    if (path.startsWith(u':')) {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? std::optional(file.readAll().toStdString())
+                                              : std::nullopt;
+    }
+    auto read = readFile(systemPath(path), limits::fileBytes);
+    if (const auto* error = std::get_if<FileError>(&read)) {
+        showFailure(m_window, tr("The file was not opened"), readErrorText(*error));
+        return std::nullopt;
+    }
+    return std::get<std::string>(std::move(read));
+}
+
+void LessonDesk::showFaults(const QString& path, const Issues& issues) {
+    FaultsDialog(path, issues, m_window).exec();
+}
+
+void LessonDesk::openLesson(const QString& path) {
+    const auto text = textOf(path);
+    if (!text) {
+        return;
+    }
+    const ReadLesson read = readLesson(*text);
+    if (!read.lesson) {
+        showFaults(path, read.issues);
+        return;
+    }
+    begin(*read.lesson, QFileInfo(path).completeBaseName());
+}
+
+/// Who does it, which variant, and where it is kept: asked once.
+void LessonDesk::begin(const Lesson& lesson, const QString& name) {
+    const QStringList before = m_settings.student();
+    StudentDialog dialog(lesson, before.value(0), before.value(1), m_window);
+    if (dialog.exec() != QDialog::Accepted) {
+        return;
+    }
+    m_settings.setStudent(dialog.name(), dialog.group());
+    auto work = makeWork(lesson, dialog.variant(), dialog.name(), dialog.group());
+    if (!work) {
+        return;
+    }
+    const QString file = fileNameOf({name, dialog.group(), dialog.name()});
+    const QString path = FileDialog::savePath(m_window, tr("Keep the work in"),
+                                              m_settings.lastFolder() + u'/' + file + workEnding,
+                                              tr("Works (*%1)").arg(workEnding), workEnding);
+    if (!path.isEmpty()) {
+        start(std::move(*work), path, true);
+    }
+}
+
+std::optional<Work> LessonDesk::makeWork(const Lesson& lesson, int variant, const QString& name,
+                                         const QString& group) {
+    MadeVariants made;
+    if (lesson.variants || asksForBest(lesson)) {
+        std::stop_source stop;
+        const bool done = runWatched(
+            m_window, tr("Making the variant"),
+            [&](const KeepGoing& keepGoing) {
+                made = makeVariants(lesson, std::size_t(variant), seedByNumber, stop.get_token(),
+                                    [&](std::size_t count) {
+                                        if (!keepGoing(double(count) / variant)) {
+                                            stop.request_stop();
+                                        }
+                                    });
+            },
+            stop);
+        if (!done || made.isStopped) {
+            return std::nullopt;
+        }
+        if (made.fault != LessonFault::none) {
+            const QString why =
+                QCoreApplication::translate("Variants", lessonFaultText(made.fault));
+            showFailure(m_window, tr("The lesson cannot be begun"),
+                        why.left(1).toUpper() + why.mid(1) + u'.');
+            return std::nullopt;
+        }
+        if (made.variants.size() < std::size_t(variant)) {
+            showFailure(m_window, tr("There is no such variant"),
+                        tr("The lesson has %1 variants.").arg(made.variants.size()));
+            return std::nullopt;
+        }
+    } else {
+        made.variants.assign(std::size_t(variant), MadeVariant());
+    }
+    const MadeVariant& drawn = made.variants[std::size_t(variant) - 1];
+    return newWork(lesson, drawn.levels,
+                   drawn.best ? std::optional(drawn.best->time_min) : std::nullopt, variant,
+                   name.toStdString(), group.toStdString());
+}
+
+void LessonDesk::openWork(const QString& path) {
+    const auto text = textOf(path);
+    if (!text) {
+        return;
+    }
+    ReadWork read = readWork(*text);
+    if (!read.work) {
+        showFaults(path, read.issues);
+        return;
+    }
+    const bool isBroken = brokenSeal(*read.work).has_value();
+    start(std::move(*read.work), path, false);
+    if (isBroken) {
+        m_notices.add({changedNotice,
+                       Mark::warning,
+                       [] {
+                           return tr("This work was changed outside of the program. Whoever marks "
+                                     "it will be told.");
+                       },
+                       {}});
+    }
+}
+
+void LessonDesk::start(Work work, const QString& path, bool isNew) {
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    if (isRunning()) {
+        keepDraft();
+        finish();
+    }
+    m_notices.remove(changedNotice);
+    m_run.start(std::move(work), absolute, isNew);
+    ProgramLog::note(tr("Opened: %1").arg(printableText(absolute)));
+    emit opened(absolute);
+    putStep();
+}
+
+void LessonDesk::showStep(std::size_t step) {
+    if (!isRunning() || step >= m_run.lesson().steps.size()) {
+        return;
+    }
+    m_endTyping();
+    keepDraft();
+    m_run.show(step);
+    putStep();
+}
+
+void LessonDesk::showNext(int by) {
+    const auto to = static_cast<qsizetype>(m_run.step()) + by;
+    if (isRunning() && to >= 0) {
+        showStep(static_cast<std::size_t>(to));
+    }
+}
+
+/// The step in front comes into the window: its inputs, what is free and hidden, and its moment.
+void LessonDesk::putStep() {
+    const LessonStep& step = m_run.current();
+    m_moment = step.moment;
+    m_isOwn = true;
+    m_hidden.hide(HiddenThings::of(step));
+    m_document.startUntitled(m_run.setupFor(m_run.step()));
+    m_document.showSurface(static_cast<std::size_t>(step.surface) - 1);
+    m_document.setGate([this](const SetupState& after) { return allows(after); });
+    m_document.keepElsewhere();
+    m_isOwn = false;
+    m_draft.stop();
+    m_run.announce();
+    emit limitsChanged();
+}
+
+/// Whether a set-up differs from that of the step only where the step lets it.
+bool LessonDesk::allows(const SetupState& after) const {
+    Lesson one;
+    one.base = m_run.lesson().base;
+    one.steps = {m_run.current()};
+    if (isCovered()) {
+        one.steps.front().others = Access::locked;
+        one.steps.front().inputs.clear();
+    }
+    return forbiddenChanges(one, 0, after.setup()).empty();
+}
+
+void LessonDesk::handIn(Answer answer) {
+    m_endTyping();
+    const bool wasCovered = isCovered();
+    if (isMetBySetting(m_run.current().goal.kind())) {
+        answer.setup.text = handedIn(m_document.setup());
+    }
+    m_draft.stop();
+    m_run.handIn(std::move(answer));
+    if (wasCovered && !isCovered()) {
+        emit limitsChanged();
+        emit uncovered();
+    }
+}
+
+/// A set-up is kept with it where something was set.
+void LessonDesk::keepDraft() {
+    m_draft.stop();
+    if (!isRunning()) {
+        return;
+    }
+    Answer draft = m_panel->answer();
+    const std::string setup = handedIn(m_document.setup());
+    if (setup != handedIn(setupOf(m_run.lesson(), m_run.step()))) {
+        draft.setup.text = setup;
+    }
+    m_run.setDraft(std::move(draft));
+}
+
+void LessonDesk::save() {
+    keepDraft();
+    m_run.save();
+    emit reported(tr("Saved."));
+}
+
+void LessonDesk::saveAs() {
+    const QString path = FileDialog::savePath(m_window, tr("Keep the work in"), m_run.file(),
+                                              tr("Works (*%1)").arg(workEnding), workEnding);
+    if (!path.isEmpty()) {
+        m_run.saveAs(QFileInfo(path).absoluteFilePath());
+        emit opened(m_run.file());
+    }
+}
+
+bool LessonDesk::mayLeave() {
+    if (!isRunning()) {
+        return true;
+    }
+    m_endTyping();
+    keepDraft();
+    m_run.flush();
+    if (m_run.isSaved()) {
+        return true;
+    }
+    if (!m_run.saveError()) { // another attempt
+        m_run.save();
+        m_run.flush();
+    }
+    if (m_run.saveError()) {
+        showFailure(m_window, tr("The work is not saved"), saveErrorText(*m_run.saveError()));
+        saveAs();
+        m_run.flush();
+    }
+    return m_run.isSaved();
+}
+
+void LessonDesk::leave() {
+    if (isRunning() && mayLeave()) {
+        finish();
+        m_document.startUntitled(newProject());
+    }
+}
+
+void LessonDesk::finish() {
+    m_draft.stop();
+    m_moment.reset();
+    m_notices.remove(saveNotice);
+    m_run.end();
+    m_hidden.hide({});
+    emit limitsChanged();
+}
+
+void LessonDesk::takeOutcome(bool ran) {
+    if (ran && m_moment && isRunning() && !isCovered()) {
+        const ShownMoment moment = *m_moment;
+        m_moment.reset();
+        emit momentWanted(moment);
+    }
+}
+
+void LessonDesk::retranslate() {
+    m_panel->retranslate();
+}
+
+} // namespace sparkout

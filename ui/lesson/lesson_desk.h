@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/course/work.h"
+#include "core/issue.h"
+#include "ui/lesson/hidden_things.h"
+#include "ui/session/lesson_run.h"
+#include "ui/session/setup_state.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <functional>
+#include <optional>
+
+class QWidget;
+
+namespace sparkout {
+
+class Document;
+class LessonPanel;
+class MarksDialog;
+class NoticeBar;
+class Settings;
+
+/// Laboratory works in the window: opens lessons and works of students, puts each step's set-up
+/// into the document with a gate around what is free, and keeps the work. A lesson ends when
+/// another document comes.
+class LessonDesk : public QObject {
+    Q_OBJECT
+
+public:
+    LessonDesk(Document& document, Settings& settings, NoticeBar& notices, QWidget* window);
+    ~LessonDesk() override;
+
+    [[nodiscard]] LessonRun& run() { return m_run; }
+    [[nodiscard]] const LessonRun& run() const { return m_run; }
+    [[nodiscard]] LessonPanel& panel() { return *m_panel; }
+    [[nodiscard]] HiddenThings& hidden() { return m_hidden; }
+    [[nodiscard]] bool isRunning() const { return m_run.isRunning(); }
+    [[nodiscard]] bool isCovered() const { return m_run.isCovered(); }
+
+    /// Drafts of works are kept below this folder.
+    void protect(const QString& stateFolder);
+    /// What is typed in the inputs is taken before anything else.
+    void endTypingBy(std::function<void()> end) { m_endTyping = std::move(end); }
+
+    [[nodiscard]] static bool isOfLesson(const QString& path); ///< by its ending
+    void open(const QString& path); ///< a lesson or a work; what is wrong with it is said
+    void choose();                  ///< one of the shipped lessons
+    void markWorks();               ///< shows the window that does
+    void save();
+    void saveAs();
+    void leave(); ///< to a new project
+    void showStep(std::size_t step);
+    void showNext(int by);
+    /// Before the window closes or another document comes: all of it is on the disk, or the user
+    /// gives it up.
+    [[nodiscard]] bool mayLeave();
+    /// The views show a run of the present inputs.
+    void takeOutcome(bool ran);
+    void takeKeptRun(const KeptRun& run) { m_run.keepRun(run); }
+    void retranslate();
+
+signals:
+    void limitsChanged(); ///< another step, or none: what is free, hidden and covered
+    void uncovered();     ///< the result may be shown now
+    void momentWanted(const sparkout::ShownMoment& moment);
+    void opened(const QString& path); ///< a work
+    void reported(const QString& text);
+
+private:
+    void openLesson(const QString& path);
+    void openWork(const QString& path);
+    void begin(const Lesson& lesson, const QString& name);
+    void start(Work work, const QString& path, bool isNew);
+    [[nodiscard]] std::optional<std::string> textOf(const QString& path);
+    [[nodiscard]] std::optional<Work> makeWork(const Lesson& lesson, int variant,
+                                               const QString& name, const QString& group);
+    void showFaults(const QString& path, const Issues& issues);
+    void putStep();
+    void handIn(Answer answer);
+    void keepDraft();
+    [[nodiscard]] bool allows(const SetupState& after) const;
+    void finish();
+
+    Document& m_document;
+    Settings& m_settings;
+    NoticeBar& m_notices;
+    QWidget* m_window;
+    LessonRun m_run;
+    LessonPanel* m_panel;
+    MarksDialog* m_marks = nullptr; ///< once it was asked for
+    HiddenThings m_hidden;
+    std::function<void()> m_endTyping = [] {};
+    std::optional<ShownMoment> m_moment; ///< to be gone to with the next outcome
+    QTimer m_draft;
+    bool m_isOwn = false; ///< the document is being replaced by a step
+};
+
+} // namespace sparkout

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lesson/goal_check.h"
+#include "ui/session/lesson_run.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+namespace sparkout {
+
+/// Lessons in the window's words.
+class LessonText {
+    Q_DECLARE_TR_FUNCTIONS(LessonText)
+public:
+    /// In the present language, or the one there is.
+    [[nodiscard]] static QString of(const Bilingual& text);
+    /// The same of a text with markup, to be shown by Qt: formulas stand apart.
+    [[nodiscard]] static QString markup(const Bilingual& text);
+
+    /// "Actual feed: zone НЗ, stage 1, double stroke 20".
+    [[nodiscard]] static QString figure(const Figure& figure, const Project& project);
+    [[nodiscard]] static QString unit(const Figure& figure);
+    [[nodiscard]] static QString value(double value, const Figure& figure); ///< with its unit
+    [[nodiscard]] static QString place(const Project& project, std::size_t index);
+    /// Where a predicted curve is compared: "5", "Stage 2", "НЗ".
+    [[nodiscard]] static QString at(const CurvePrediction& goal, double at, const Project& project);
+    /// What it runs along: "Double stroke", "Stage", "Zone".
+    [[nodiscard]] static QString along(const CurvePrediction& goal, const Project& project);
+
+    /// What is asked for, as the engine holds it: "Cycle time at most 2.500 min; every
+    /// requirement holds." Empty where the task says all.
+    [[nodiscard]] static QString asked(const Goal& goal, const Project& project);
+    /// What the engine found: "Not passed: cycle time 2.610 min, fails: roundness."
+    [[nodiscard]] static QString found(const Goal& goal, const GoalResult& result);
+    [[nodiscard]] static QString points(double points);
+    [[nodiscard]] static QString mark(LessonRun::Mark mark);
+
+private:
+    [[nodiscard]] static QString numbers(const Goal& goal, const GoalResult& result);
+};
+
+} // namespace sparkout

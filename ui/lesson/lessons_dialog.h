@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lesson/lesson.h"
+
+#include <QDialog>
+
+#include <vector>
+
+class QListWidget;
+class QTextBrowser;
+
+namespace sparkout {
+
+/// The shipped laboratory works, each with its aim, steps and points.
+class LessonsDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit LessonsDialog(QWidget* parent = nullptr);
+
+    [[nodiscard]] QString chosen() const; ///< path of the lesson; empty: none
+
+    /// Paths of the shipped lessons in the resources, in order.
+    [[nodiscard]] static QStringList paths();
+
+private:
+    void showChosen();
+
+    struct Entry {
+        QString path;
+        Lesson lesson;
+    };
+    std::vector<Entry> m_entries;
+    QListWidget* m_list;
+    QTextBrowser* m_about;
+};
+
+} // namespace sparkout

@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lesson/marks_dialog.h"
+
+#include "core/course/best_table.h"
+#include "core/course/group_list.h"
+#include "core/files/safe_file.h"
+#include "core/format/project_file.h"
+#include "core/lesson/lesson_file.h"
+#include "ui/dialogs/faults_dialog.h"
+#include "ui/dialogs/save_dialog.h"
+#include "ui/kit/file_dialog.h"
+#include "ui/kit/help_topic.h"
+#include "ui/kit/metrics.h"
+#include "ui/lesson/lesson_text.h"
+#include "ui/lesson/marks_model.h"
+#include "ui/session/project_io.h"
+#include "ui/session/settings.h"
+#include "ui/text/file_error_text.h"
+#include "ui/text/texts.h"
+#include "ui/window/dialogs/file_questions.h"
+#include "words/lesson_words.h"
+
+#include <QDir>
+#include <QDropEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTableView>
+#include <QTextBrowser>
+#include <QUrl>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+const QString workSuffix = QStringLiteral("sparkout-work");
+const QString lessonSuffix = QStringLiteral("sparkout-lesson");
+constexpr qsizetype mostWorks = 5000;
+
+std::optional<std::string> fileContent(const QString& path, QStringList& faults) {
+    auto read = readFile(systemPath(path), limits::fileBytes);
+    if (const auto* error = std::get_if<FileError>(&read)) {
+        faults += readErrorText(*error);
+        return std::nullopt;
+    }
+    return std::get<std::string>(std::move(read));
+}
+
+QStringList worksIn(const QString& folder) {
+    QStringList paths;
+    const QDir dir(folder);
+    for (const QString& name :
+         dir.entryList({QStringLiteral("*.") + workSuffix}, QDir::Files, QDir::Name)) {
+        paths += dir.filePath(name);
+    }
+    return paths;
+}
+
+} // namespace
+
+MarksDialog::MarksDialog(Settings& settings, QWidget* parent)
+    : QDialog(parent)
+    , m_settings(settings)
+    , m_model(new MarksModel(this))
+    , m_inputs(new QLabel(this))
+    , m_progress(new QProgressBar(this))
+    , m_table(new QTableView(this))
+    , m_detail(new QTextBrowser(this)) {
+    setHelpTopic(*this, QStringLiteral("lessons#mark"));
+    setWindowTitle(tr("Mark works"));
+    setAcceptDrops(true);
+    build();
+    showInputs();
+    resize(1000, 600);
+}
+
+MarksDialog::~MarksDialog() {
+    m_job.stop();
+}
+
+void MarksDialog::build() {
+    m_inputs->setObjectName(QStringLiteral("marksInputs"));
+    m_inputs->setTextFormat(Qt::PlainText);
+    m_inputs->setWordWrap(true);
+    m_table->setObjectName(QStringLiteral("marksTable"));
+    m_table->setAccessibleName(tr("Marks"));
+    m_table->setModel(m_model);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setWordWrap(false);
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_detail->setObjectName(QStringLiteral("marksDetail"));
+    m_detail->setAccessibleName(tr("The work by its steps"));
+    m_detail->setOpenLinks(false);
+    m_progress->setVisible(false);
+    auto* buttons = new QHBoxLayout;
+    const auto button = [&](const QString& text, const char* name, auto act) {
+        auto* made = new QPushButton(text, this);
+        made->setObjectName(QString::fromLatin1(name));
+        made->setAutoDefault(false);
+        connect(made, &QPushButton::clicked, this, act);
+        buttons->addWidget(made);
+        return made;
+    };
+    button(tr("&Lesson…"), "marksLesson", [this] { addLesson(); });
+    button(tr("&Work…"), "marksWork", [this] { addWorks(false); });
+    button(tr("Works of a &folder…"), "marksFolder", [this] { addWorks(true); });
+    button(tr("List or &table…"), "marksList", [this] { addList(); });
+    buttons->addStretch(1);
+    m_mark = button(tr("&Mark"), "marksMark", [this] { mark(); });
+    m_mark->setDefault(true);
+    m_stop = button(tr("&Stop"), "marksStop", [this] {
+        m_job.stop();
+        setBusy(false);
+    });
+    m_export = button(tr("&Export CSV…"), "marksExport", [this] { exportCsv(); });
+    auto* layout = new QVBoxLayout(this);
+    layout->setSpacing(metrics::margin);
+    layout->addWidget(m_inputs);
+    layout->addLayout(buttons);
+    layout->addWidget(m_progress);
+    layout->addWidget(m_table, 3);
+    layout->addWidget(m_detail, 2);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            &MarksDialog::showWork);
+}
+
+void MarksDialog::showInputs() {
+    QStringList lines;
+    lines += m_lesson ? tr("Lesson: %1").arg(LessonText::of(m_lesson->title))
+                      : tr("Lesson: none yet. Drop it here, or choose it.");
+    lines += m_works.isEmpty() ? tr("Works: none yet. Drop files or a folder here, or choose them.")
+                               : tr("Works: %1").arg(m_works.size());
+    if (!m_wish.group.empty()) {
+        lines += tr("List of students: %1").arg(m_wish.group.size());
+    }
+    if (!m_wish.best.empty()) {
+        lines += tr("Table of best answers: %1 variants").arg(m_wish.best.size());
+    }
+    m_inputs->setText(lines.join(u'\n'));
+    setBusy(m_isBusy);
+}
+
+void MarksDialog::setBusy(bool busy) {
+    m_isBusy = busy;
+    m_progress->setVisible(busy);
+    m_stop->setVisible(busy);
+    m_mark->setVisible(!busy);
+    m_mark->setEnabled(m_lesson && (!m_works.isEmpty() || !m_wish.group.empty()));
+    m_export->setEnabled(!busy && !m_model->works().empty());
+}
+
+void MarksDialog::addFile(const QString& path, QStringList& faults) {
+    const QFileInfo file(path);
+    if (file.isDir()) {
+        m_works += worksIn(path);
+        for (const QString& name : QDir(path).entryList({QStringLiteral("*.csv")}, QDir::Files)) {
+            if (name.startsWith(QStringLiteral("teacher-best-answers"))) {
+                addFile(QDir(path).filePath(name), faults);
+            }
+        }
+        return;
+    }
+    if (file.suffix() == workSuffix) {
+        m_works += path;
+        return;
+    }
+    const auto content = fileContent(path, faults);
+    if (!content) {
+        return;
+    }
+    if (file.suffix() == lessonSuffix) {
+        ReadLesson read = readLesson(*content);
+        if (read.lesson) {
+            m_lesson = std::move(read.lesson);
+            m_lessonName = file.completeBaseName();
+        } else {
+            FaultsDialog(path, read.issues, this).exec();
+        }
+        return;
+    }
+    if (ReadBestTable table = readBestTable(*content); table.faultLine == 0) {
+        m_wish.best = std::move(table.rows);
+        return;
+    }
+    GroupList list = readGroup(*content);
+    if (list.faults.empty()) {
+        m_wish.group = std::move(list.students);
+        return;
+    }
+    const GroupFault& fault = list.faults.front();
+    faults += tr("%1, line %2: %3.")
+                  .arg(printableText(file.fileName()))
+                  .arg(fault.line)
+                  .arg(QCoreApplication::translate("Grading", groupFaultText(fault.kind)));
+}
+
+void MarksDialog::add(const QStringList& paths) {
+    QStringList faults;
+    for (const QString& path : paths) {
+        addFile(QFileInfo(path).absoluteFilePath(), faults);
+    }
+    m_works.removeDuplicates();
+    m_works.sort();
+    if (m_works.size() > mostWorks) {
+        m_works = m_works.mid(0, mostWorks);
+        faults += tr("There are more than %1 works; the first ones are taken.").arg(mostWorks);
+    }
+    showInputs();
+    if (!faults.isEmpty()) {
+        showFailure(this, tr("Not taken"), faults.join(u'\n'));
+    }
+}
+
+void MarksDialog::addLesson() {
+    const QString path = FileDialog::openPath(this, tr("The lesson"), m_settings.lastFolder(),
+                                              tr("Lessons (*.%1)").arg(lessonSuffix));
+    if (!path.isEmpty()) {
+        add({path});
+    }
+}
+
+void MarksDialog::addWorks(bool wholeFolder) {
+    const QString path = FileDialog::openPath(
+        this, wholeFolder ? tr("One of the works of the folder") : tr("A work"),
+        m_settings.lastFolder(), tr("Works (*.%1)").arg(workSuffix));
+    if (!path.isEmpty()) {
+        m_settings.setLastFolder(QFileInfo(path).absolutePath());
+        add({wholeFolder ? QFileInfo(path).absolutePath() : path});
+    }
+}
+
+void MarksDialog::addList() {
+    const QString path =
+        FileDialog::openPath(this, tr("List of students or table of best answers"),
+                             m_settings.lastFolder(), tr("Tables (*.csv);;All files (*)"));
+    if (!path.isEmpty()) {
+        add({path});
+    }
+}
+
+void MarksDialog::mark() {
+    if (m_isBusy || !m_lesson) {
+        return;
+    }
+    m_progress->setRange(0, static_cast<int>(m_works.size()));
+    m_progress->setValue(0);
+    setBusy(true);
+    m_job.start([this, lesson = *m_lesson, paths = m_works,
+                 wish = m_wish](const std::stop_token& stop, const NewestJob::Post& post) {
+        std::vector<HandedIn> files;
+        for (const QString& path : paths) {
+            QStringList faults; // it is marked as one that cannot be read
+            files.push_back({QFileInfo(path).fileName().toStdString(),
+                             fileContent(path, faults).value_or(std::string())});
+            if (stop.stop_requested()) {
+                return;
+            }
+        }
+        auto works = gradeClass(lesson, files, wish, stop, [&](std::size_t done) {
+            post([this, done] { m_progress->setValue(static_cast<int>(done)); });
+        });
+        post([this, marked = std::move(works)] { take(marked); });
+    });
+}
+
+void MarksDialog::take(std::vector<GradedWork> works) {
+    m_model->setMarks(*m_lesson, std::move(works));
+    setBusy(false);
+    m_table->resizeColumnsToContents();
+    if (!m_model->works().empty()) {
+        m_table->selectRow(0);
+    }
+    showWork();
+    emit marked();
+}
+
+QString MarksDialog::detail(const GradedWork& work) const {
+    const QString name = QString::fromStdString(work.name.empty() ? work.file : work.name);
+    QString text = QStringLiteral("<p><b>%1</b>, %2</p>")
+                       .arg(name.toHtmlEscaped(), tr("%1 of %2 points")
+                                                      .arg(LessonText::points(work.points),
+                                                           LessonText::points(work.most)));
+    if (const QString remarks = MarksModel::remarks(work); !remarks.isEmpty()) {
+        text += QStringLiteral("<p>%1</p>").arg(remarks.toHtmlEscaped());
+    }
+    for (const QString& line : FaultsDialog::lines(work.issues)) {
+        text += QStringLiteral("<p>%1</p>").arg(line.toHtmlEscaped());
+    }
+    for (std::size_t i = 0; i < work.steps.size(); ++i) {
+        const GradedStep& step = work.steps[i];
+        QString line = tr("Step %1, points: %2 of %3. %4")
+                           .arg(i + 1)
+                           .arg(LessonText::points(step.points), LessonText::points(step.most),
+                                LessonText::found(m_model->lesson().steps[i].goal, step.result));
+        if (step.hints > 0) {
+            line += u' ' + tr("Hints: −%1.").arg(LessonText::points(step.hints));
+        }
+        text += QStringLiteral("<p>%1</p>").arg(line.toHtmlEscaped());
+        if (!step.answer.text.empty()) {
+            text += QStringLiteral("<blockquote>%1</blockquote>")
+                        .arg(harmlessText(QString::fromStdString(step.answer.text))
+                                 .toHtmlEscaped()
+                                 .replace(u'\n', QStringLiteral("<br>")));
+        }
+    }
+    return text;
+}
+
+void MarksDialog::showWork() {
+    const int row = m_table->currentIndex().row();
+    m_detail->setHtml(row < 0 ? QString() : detail(m_model->works()[std::size_t(row)]));
+}
+
+void MarksDialog::exportCsv() {
+    saveWithDialog(this, &m_settings,
+                   {tr("Export the marks"), fileNameOf({m_lessonName, tr("marks")}),
+                    QStringLiteral("csv"), tr("Tables (*.csv)"),
+                    [csv = QByteArray::fromStdString(gradesCsv(
+                         m_model->lesson(), m_model->works()))] { return [csv] { return csv; }; }});
+}
+
+void MarksDialog::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls()) {
+        event->acceptProposedAction();
+    }
+}
+
+void MarksDialog::dropEvent(QDropEvent* event) {
+    QStringList paths;
+    for (const QUrl& url : event->mimeData()->urls()) {
+        if (url.isLocalFile()) {
+            paths += url.toLocalFile();
+        }
+    }
+    event->acceptProposedAction();
+    // Later: the program it was dragged from shall not wait for an answer.
+    QMetaObject::invokeMethod(
+        this, [this, paths] { add(paths); }, Qt::QueuedConnection);
+}
+
+} // namespace sparkout

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/course/grading.h"
+#include "core/lesson/lesson.h"
+#include "ui/session/newest_job.h"
+
+#include <QDialog>
+#include <QStringList>
+
+#include <optional>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QTableView;
+class QTextBrowser;
+
+namespace sparkout {
+
+class MarksModel;
+class Settings;
+
+/// Marks works against their lesson, beside the window, as `sparkout-cli course grade` does. Files
+/// and folders come by buttons or are dropped: lessons, works, the list of students and the
+/// teacher's table of best answers are known by what they are.
+class MarksDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    MarksDialog(Settings& settings, QWidget* parent);
+    ~MarksDialog() override;
+
+    void add(const QStringList& paths);
+    void mark();
+    [[nodiscard]] const MarksModel& model() const { return *m_model; }
+    [[nodiscard]] bool busy() const { return m_isBusy; }
+
+signals:
+    void marked();
+
+protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void build();
+    void addFile(const QString& path, QStringList& faults);
+    void addLesson();
+    void addWorks(bool wholeFolder);
+    void addList();
+    void showInputs();
+    void showWork();
+    void setBusy(bool busy);
+    void take(std::vector<GradedWork> works);
+    void exportCsv();
+    [[nodiscard]] QString detail(const GradedWork& work) const;
+
+    Settings& m_settings;
+    std::optional<Lesson> m_lesson;
+    QString m_lessonName;
+    QStringList m_works; ///< paths
+    GradeWish m_wish;
+    bool m_isBusy = false;
+    MarksModel* m_model;
+    QLabel* m_inputs;
+    QPushButton* m_mark = nullptr;
+    QPushButton* m_export = nullptr;
+    QPushButton* m_stop = nullptr;
+    QProgressBar* m_progress;
+    QTableView* m_table;
+    QTextBrowser* m_detail;
+    NewestJob m_job; ///< last: stopped before what it uses is gone
+};
+
+} // namespace sparkout

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/lesson_wiring.h"
+
+#include "core/simulation/stroke_step.h"
+#include "ui/inputs/forms/form_access.h"
+#include "ui/inputs/inputs_panel.h"
+#include "ui/kit/font_size.h"
+#include "ui/kit/metrics.h"
+#include "ui/lesson/lesson_desk.h"
+#include "ui/plot/view.h"
+#include "ui/session/cycle_cursor.h"
+#include "ui/window/actions.h"
+#include "ui/window/remedy_offers.h"
+#include "ui/window/view_tabs.h"
+#include "ui/window/window_layout.h"
+
+#include <QLabel>
+#include <QStackedWidget>
+
+#include <memory>
+
+namespace sparkout {
+
+LessonWiring::LessonWiring(QWidget* views, QObject* parent)
+    : QObject(parent), m_middle(new QStackedWidget), m_cover(new QLabel) {
+    m_cover->setObjectName(QStringLiteral("lessonCover"));
+    m_cover->setAlignment(Qt::AlignCenter);
+    m_cover->setWordWrap(true);
+    m_cover->setMargin(metrics::wide);
+    m_cover->setTextFormat(Qt::PlainText);
+    setRelativeFont(*m_cover, 1.2);
+    m_middle->addWidget(views);
+    m_middle->addWidget(m_cover);
+}
+
+QWidget* LessonWiring::middle() const {
+    return m_middle;
+}
+
+void LessonWiring::connectTo(const Parts& parts) {
+    enter(parts);
+    enterViews(parts);
+    WindowLayout& layout = parts.layout;
+    connect(&parts.desk.run(), &LessonRun::started, this, [&layout] { layout.showLesson(true); });
+    connect(&parts.desk, &LessonDesk::limitsChanged, this, [this, parts] { apply(parts); });
+    LessonDesk& desk = parts.desk;
+    connect(parts.actions.lessons, &QAction::triggered, &desk, &LessonDesk::choose);
+    connect(parts.actions.markWorks, &QAction::triggered, &desk, &LessonDesk::markWorks);
+    connect(parts.actions.leaveLesson, &QAction::triggered, &desk, &LessonDesk::leave);
+    connect(parts.actions.previousStep, &QAction::triggered, &desk, [&desk] { desk.showNext(-1); });
+    connect(parts.actions.nextStep, &QAction::triggered, &desk, [&desk] { desk.showNext(1); });
+    parts.actions.followLesson(false, false);
+}
+
+void LessonWiring::enter(const Parts& parts) {
+    HiddenThings& hidden = parts.desk.hidden();
+    Actions& actions = parts.actions;
+    RemedyOffers& remedies = parts.remedies;
+    hidden.add({Hideable::remedies}, [&remedies](bool away) { remedies.offer(!away); });
+    hidden.add({Hideable::keptRuns}, actions.keepRun);
+    hidden.add({Hideable::calibrate}, actions.calibrate);
+    hidden.add({Hideable::measured}, actions.importMeasured);
+    hidden.add({Hideable::examples}, actions.examples);
+    hidden.add({Hideable::exportResults}, actions.exportResults);
+    for (const ReportActions& report : actions.reports) {
+        hidden.add({Hideable::reports}, report.menu->menuAction());
+        for (QAction* action : report.all()) {
+            hidden.add({Hideable::reports}, action);
+        }
+    }
+}
+
+void LessonWiring::enterViews(const Parts& parts) {
+    HiddenThings& hidden = parts.desk.hidden();
+    ViewTabs& tabs = parts.tabs;
+    for (std::size_t i = 0; i < tabs.views().size(); ++i) {
+        View* const view = tabs.views()[i];
+        if (const auto thing = viewNamed(view->objectName().toStdString())) {
+            hidden.add({*thing}, [&tabs, view](bool away) { tabs.takeAway(view, away); });
+            hidden.add({*thing}, parts.actions.showViews()[qsizetype(i)]);
+        }
+    }
+}
+
+/// Panels go when a step hides them, and with the views.
+void LessonWiring::apply(const Parts& parts) {
+    const LessonDesk& desk = parts.desk;
+    const bool isCovered = desk.isCovered();
+    if (isCovered) {
+        parts.tabs.attachAll();
+    }
+    m_middle->setCurrentIndex(isCovered ? 1 : 0);
+    const auto step =
+        desk.isRunning() ? HiddenThings::of(desk.run().current()) : HiddenThings::Things();
+    parts.layout.takeAway(WindowLayout::Panel::verdict,
+                          isCovered || step.contains(Hideable::verdict));
+    parts.layout.takeAway(WindowLayout::Panel::messages,
+                          isCovered || step.contains(Hideable::messages));
+    parts.layout.takeAway(WindowLayout::Panel::sheet,
+                          isCovered || step.contains(Hideable::formulas));
+    parts.inputs.setAccess(desk.isRunning()
+                               ? std::make_shared<const FormAccess>(desk.run().current(), isCovered)
+                               : std::make_shared<const FormAccess>());
+    parts.actions.followLesson(desk.isRunning(), isCovered);
+    if (!desk.isRunning()) {
+        parts.layout.showLesson(false);
+    }
+}
+
+void LessonWiring::goTo(CycleCursor& cursor, const ShownMoment& moment) {
+    if (moment.count) {
+        cursor.toStroke(*moment.count);
+    } else if (moment.stage) { // to the end of the stage
+        cursor.toStroke(0);
+        cursor.step(CursorUnit::stage, *moment.stage);
+    }
+    if (moment.step == Step::none || !moment.count) {
+        return;
+    }
+    const Zone zone = moment.place.zone ? static_cast<Zone>(*moment.place.zone) : Zone::rz1;
+    const StrokeStep wanted = strokeStep(zone, moment.step);
+    while (cursor.stroke() == *moment.count && cursor.pass()) {
+        const Place& at = cursor.pass()->place;
+        if (strokeStep(at.zone, at.step) == wanted) {
+            return;
+        }
+        cursor.step(CursorUnit::step, -1);
+    }
+    cursor.toStroke(*moment.count); // no such step
+}
+
+void LessonWiring::retranslate() {
+    m_cover->setText(tr("The views are covered until you have given your prediction in the panel "
+                        "of the laboratory work. Then the result is shown beside it."));
+}
+
+} // namespace sparkout

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lesson/lesson.h"
+
+#include <QObject>
+
+class QLabel;
+class QStackedWidget;
+class QWidget;
+
+namespace sparkout {
+
+class Actions;
+class CycleCursor;
+class InputsPanel;
+class LessonDesk;
+class RemedyOffers;
+class ViewTabs;
+class WindowLayout;
+
+/// What a lesson takes of the window: views, panels and commands that a step hides, inputs that are
+/// locked or hidden, and the views as a whole while a prediction is awaited.
+class LessonWiring : public QObject {
+    Q_OBJECT
+
+public:
+    /// The parts of the window that a lesson takes from.
+    struct Parts {
+        LessonDesk& desk;
+        Actions& actions;
+        ViewTabs& tabs;
+        WindowLayout& layout;
+        InputsPanel& inputs;
+        RemedyOffers& remedies;
+    };
+
+    /// `views`: what is covered.
+    LessonWiring(QWidget* views, QObject* parent);
+
+    [[nodiscard]] QWidget* middle() const; ///< the views, or their cover
+    void connectTo(const Parts& parts);
+    void retranslate();
+
+    /// To the moment a step shows.
+    static void goTo(CycleCursor& cursor, const ShownMoment& moment);
+
+private:
+    void enter(const Parts& parts);
+    void enterViews(const Parts& parts);
+    void apply(const Parts& parts);
+
+    QStackedWidget* m_middle;
+    QLabel* m_cover;
+};
+
+} // namespace sparkout
