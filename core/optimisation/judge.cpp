@@ -129,7 +129,7 @@ bool Judge::holdsOnAll(FeasibleCycle& found) {
         return false; // a test that is stopped shows nothing
     }
     found.leastRelativeMargin = std::min(found.leastRelativeMargin, *whole.margin);
-    return true;
+    return !m_options.beyondMargin || found.leastRelativeMargin > *m_options.beyondMargin;
 }
 
 void Judge::settle(double time_s) {

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -47,8 +49,8 @@ std::vector<std::int64_t> cornersOf(const std::vector<GivenFactor>& factors) {
 }
 
 /// The project with a stock of the range for which its cycle fails.
-std::optional<Project> failing(Project project, const StockRange& stocks,
-                               const std::stop_token& stop) {
+std::optional<Project> failingOf(Project project, const StockRange& stocks,
+                                 const std::stop_token& stop) {
     const std::optional<double> stock_mm = failingStock_mm(project, stocks, stop);
     if (!stock_mm) {
         return std::nullopt;
@@ -56,6 +58,37 @@ std::optional<Project> failing(Project project, const StockRange& stocks,
     project.part->stock_mm = *stock_mm;
     return project;
 }
+
+/// The part as it stands, as −1, and corners of its batch, each with all stocks of the range.
+class Cases {
+public:
+    explicit Cases(const Project& best) : m_part(best), m_cases(phaseCases(best)) {
+        m_part.runs.clear();
+        if (m_cases.corners > 0) {
+            Project sampled = m_part;
+            sampled.batch->scenarios = Scenarios::corners;
+            m_source.emplace(std::move(sampled));
+        }
+    }
+
+    [[nodiscard]] std::vector<std::int64_t> all() const {
+        std::vector<std::int64_t> cases{-1};
+        if (m_source) {
+            const std::vector<std::int64_t> corners = cornersOf(m_source->factors());
+            cases.insert(cases.end(), corners.begin(), corners.end());
+        }
+        return cases;
+    }
+    [[nodiscard]] std::optional<Project> failing(std::int64_t one,
+                                                 const std::stop_token& stop) const {
+        return failingOf(one < 0 ? m_part : m_source->project(one), m_cases.stocks, stop);
+    }
+
+private:
+    Project m_part;
+    PhaseCases m_cases;
+    std::optional<ScenarioSource> m_source;
+};
 
 /// Puts the worst of the stocks of the range in the place of one that is better; false: the cycle
 /// fails for one of them, or has less there.
@@ -102,21 +135,36 @@ PhaseCases phaseCases(const Project& project) {
 }
 
 std::optional<Project> failingCase(const Project& best, const std::stop_token& stop) {
-    const PhaseCases cases = phaseCases(best);
-    Project part = best;
-    part.runs.clear();
-    std::optional<Project> found = failing(part, cases.stocks, stop);
-    if (found || cases.corners == 0) {
-        return found;
+    return CaseOrder().failingElse(best, stop);
+}
+
+std::optional<Project> CaseOrder::failingAgain(const Project& best, const std::stop_token& stop) {
+    if (m_failed.empty()) {
+        return std::nullopt;
     }
-    part.batch->scenarios = Scenarios::corners;
-    const ScenarioSource source(std::move(part));
-    for (const std::int64_t corner : cornersOf(source.factors())) {
-        if (stop.stop_requested()) {
-            return std::nullopt;
-        }
-        if ((found = failing(source.project(corner), cases.stocks, stop))) {
+    const Cases cases(best);
+    for (const std::int64_t each : m_failed) {
+        if (auto found = cases.failing(each, stop)) {
+            std::rotate(m_failed.begin(), std::ranges::find(m_failed, each),
+                        std::next(std::ranges::find(m_failed, each)));
             return found;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<Project> CaseOrder::failingElse(const Project& best, const std::stop_token& stop) {
+    const Cases cases(best);
+    for (const std::int64_t each : cases.all()) {
+        if (std::ranges::find(m_failed, each) != m_failed.end()) {
+            continue;
+        }
+        if (auto found = cases.failing(each, stop)) {
+            m_failed.insert(m_failed.begin(), each);
+            return found;
+        }
+        if (stop.stop_requested()) {
+            break;
         }
     }
     return std::nullopt;

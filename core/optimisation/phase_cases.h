@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <stop_token>
+#include <vector>
 
 namespace sparkout {
 
@@ -28,6 +29,22 @@ struct PhaseCases {
 /// nothing.
 [[nodiscard]] std::optional<Project> failingCase(const Project& best,
                                                  const std::stop_token& stop = {});
+
+/// Decides on cycles of one project, one after the other, those cases first in which others failed:
+/// a cycle that fails does so mostly in one of these.
+class CaseOrder {
+public:
+    /// Of the cases in which others failed; nothing: it holds for these.
+    [[nodiscard]] std::optional<Project> failingAgain(const Project& best,
+                                                      const std::stop_token& stop = {});
+    /// Of the others. After failingAgain() of the same cycle the answer is that of failingCase().
+    [[nodiscard]] std::optional<Project> failingElse(const Project& best,
+                                                     const std::stop_token& stop = {});
+
+private:
+    /// Corners of ScenarioSource; −1: the part as it stands. The one that failed last first.
+    std::vector<std::int64_t> m_failed;
+};
 
 /// The requirement with the least relative margin over all of these cases; nothing: the project's
 /// cycle fails for one of them, or has less than `least` there, or it was stopped.

@@ -180,18 +180,24 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
     const Variants variants(project, search.stop);
     int draws = 0; // from the source
     Trials trials;
+    CaseOrder cases;
     std::vector<FeasibleCycle> candidates; // in the order of their tests on fresh phases
     const auto challenge = [&](const FeasibleCycle& found) {
         Project best = variants.project(found.variant);
         best.optimisation = project.optimisation;
         *best.cycle = variants.grid(found.variant).cycle(found.cycle);
-        auto failing = trials.failing(best, source(best, draws++), options.search.stop);
-        if (!failing && !options.search.stop.stop_requested()) {
+        const std::stop_token& stop = options.search.stop;
+        const bool canDecide = canDecidePhases(best);
+        auto failing = canDecide ? cases.failingAgain(best, stop) : std::nullopt;
+        if (failing) {
+            return failing;
+        }
+        failing = trials.failing(best, source(best, draws++), stop);
+        if (!failing && !stop.stop_requested()) {
             candidates.push_back(found);
             ++summary.candidates;
-            failing = canDecidePhases(best) ? failingCase(best, options.search.stop)
-                                            : failingPhase(best, static_cast<std::uint32_t>(draws),
-                                                           options.search.stop);
+            failing = canDecide ? cases.failingElse(best, stop)
+                                : failingPhase(best, static_cast<std::uint32_t>(draws), stop);
             summary.freshFailures += failing ? 1 : 0;
         }
         return failing;
@@ -241,6 +247,26 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
         }
     }
     return summary;
+}
+
+TradeOff tradeOffRobustly(const Project& asked, const FreshScenarios& source, SearchOptions search,
+                          std::size_t most) {
+    Project project = asked;
+    project.runs.clear();
+    project.notes.clear();
+    if (!canDecidePhases(project)) {
+        return {};
+    }
+    const Variants variants(project, search.stop);
+    WholeMargins margins(project, variants, source, search.stop);
+    search.everyStageSteps = true;
+    search.wholeMargin = [&margins](const FeasibleCycle& found, double least) {
+        return margins.of(found, least);
+    };
+    const SearchSummary quickest = optimise(project, search);
+    return quickest.status == SearchStatus::proved
+               ? tradeOff(project, quickest, std::move(search), most)
+               : TradeOff{};
 }
 
 std::vector<Project> stockPhases(const Project& project, int phases, double from) {

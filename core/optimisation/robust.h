@@ -3,9 +3,11 @@
 
 #include "core/optimisation/optimise.h"
 #include "core/optimisation/phase_cases.h"
+#include "core/optimisation/trade_off.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -42,12 +44,13 @@ struct RobustSummary {
 /// it must hold in, and again, until none fails [MODEL-8]. Added is the one that fails by most;
 /// where draws correspond they are tried in the order of the last cycle that was tried on all, the
 /// worst first, and added is the first that fails. The answer is the best of the grid for the
-/// scenarios in the set. Under gauge control it is then decided for each cycle that may be the
-/// answer whether it holds in all its phaseCases(); one in which it fails is added and the search
-/// goes on. Under position control that is not proved: it is tried on phases of the
-/// stock drawn at random, fresh for each such cycle; the answer is one that failed in none of its
-/// own, so that with 95 % confidence no more than mostFailing() of the phases fail. A stop leaves a
-/// trial unchecked: it counts neither as one that failed nor as one that held.
+/// scenarios in the set. Under gauge control it is decided for each cycle that may be the answer
+/// whether it holds in all its phaseCases(), before the source's scenarios those in which others
+/// failed; one in which it fails is added and the search goes on. Under position control that is
+/// not proved: it is tried on phases of the stock drawn at random, fresh for each such cycle; the
+/// answer is one that failed in none of its own, so that with 95 % confidence no more than
+/// mostFailing() of the phases fail. A stop leaves a trial unchecked: it counts neither as one that
+/// failed nor as one that held.
 ///
 /// Every stage of the answer makes a step on the part itself (SearchOptions::everyStageSteps). A
 /// stage that the stage before overruns there would be in use for other stocks only; a cycle with
@@ -67,6 +70,12 @@ struct RobustSummary {
 /// stock of its phaseCases(). Under position control it is then tried on fresh phases as above.
 [[nodiscard]] RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& source,
                                              const RobustOptions& options = {});
+
+/// Time against margin of a robust search under gauge control: tradeOff() with the margin on all
+/// that an answer for the greatest margin must hold for, from the quickest cycle that holds there.
+/// None where that is not proved, or phases are not decided.
+[[nodiscard]] TradeOff tradeOffRobustly(const Project& asked, const FreshScenarios& source,
+                                        SearchOptions search, std::size_t most);
 
 /// The project with stocks spread evenly over one infeed of each stage of its cycle around its own,
 /// `phases` a stage, from a share of a phase on: where the last step falls decides on the size, and

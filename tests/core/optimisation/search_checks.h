@@ -11,6 +11,7 @@
 #include "tests/core/optimisation/search_cases.h"
 #include "tests/core/support/project_samples.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -72,6 +73,11 @@ inline bool same(const SearchSummary& a, const SearchSummary& b) {
 /// Fewer under the sanitizers.
 inline unsigned searches(int usual) {
     return static_cast<unsigned>(samples::sized(usual, usual * 2 / 5, usual * 4));
+}
+
+/// Of an option held against all cycles of its grids: 500 in --long.
+inline unsigned plainGrids(int usual) {
+    return static_cast<unsigned>(samples::sized(usual, usual * 2 / 5, std::max(usual, 500)));
 }
 
 inline SearchSummary search(const Project& project, SearchMethod method = SearchMethod::pruned,

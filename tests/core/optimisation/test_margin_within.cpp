@@ -149,7 +149,7 @@ class TestMarginWithin : public QObject {
 private slots:
     void theAnswerIsThatOfAllCyclesOfTheGrid() {
         int found = 0, notTheQuickest = 0, none = 0;
-        for (unsigned seed = 0; seed < searches(100); ++seed) {
+        for (unsigned seed = 0; seed < plainGrids(100); ++seed) {
             const Project project = withVariants(smallCase(seed), seed);
             const std::vector<Held> all = allHeld(project);
             for (const std::int64_t within_us : timesOf(all)) {
@@ -197,7 +197,7 @@ private slots:
 
     void itHoldsInScenariosToo() {
         int found = 0, others = 0;
-        for (unsigned seed = 0; seed < searches(60); ++seed) {
+        for (unsigned seed = 0; seed < plainGrids(60); ++seed) {
             const Project project = withVariants(smallCase(seed), seed);
             const std::vector<Project> parts = otherParts(project);
             const std::vector<Held> all = allHeld(project, parts), alone = allHeld(project);
@@ -219,7 +219,7 @@ private slots:
     // has a greater one, and no stock a smaller one of the answer.
     void underGaugeControlTheMarginIsThatOverEveryStock() {
         int found = 0, less = 0;
-        for (unsigned seed = 0; seed < searches(40); ++seed) {
+        for (unsigned seed = 0; seed < plainGrids(40); ++seed) {
             Project project = smallCase(seed);
             project.gauge->control = Control::gauge;
             project.gauge->datum_mm.reset();

@@ -98,7 +98,7 @@ private slots:
 
     void scenariosAreAsLateAsThePart() {
         int found = 0;
-        for (unsigned seed = 0; seed < searches(100); ++seed) {
+        for (unsigned seed = 0; seed < plainGrids(100); ++seed) {
             const Project p = practical(seed);
             Project dull = p, more = p;
             dull.wheel->dullness = p.wheel->dullness * 1.2;
@@ -122,7 +122,7 @@ private slots:
 
     void theRobustCycleHoldsWithDelays() {
         int found = 0;
-        for (unsigned seed = 0; seed < searches(40); ++seed) {
+        for (unsigned seed = 0; seed < plainGrids(40); ++seed) {
             const Project p = practical(seed);
             const RobustSummary robust = optimiseRobustly(p, freshStockPhases, {});
             SearchOptions options;
