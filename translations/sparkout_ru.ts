@@ -19770,7 +19770,15 @@ s</source>
             <source>As given</source>
             <translation>Как дано</translation>
         </message>
-    </context>
+        <message>
+        <source>Answer</source>
+        <translation>Ответ</translation>
+    </message>
+    <message>
+        <source>Answer and result</source>
+        <translation>Ответ и результат</translation>
+    </message>
+</context>
     <context>
         <name>LabReport</name>
         <message>
@@ -20694,7 +20702,15 @@ s</source>
         <source>Result of the run</source>
         <translation>Результат расчёта</translation>
     </message>
-    </context>
+        <message>
+        <source>Your answer</source>
+        <translation>Ваш ответ</translation>
+    </message>
+    <message>
+        <source>Your answer: %1</source>
+        <translation>Ваш ответ: %1</translation>
+    </message>
+</context>
     <context>
         <name>sparkout::OrderAnswer</name>
     <message>

@@ -213,7 +213,7 @@ void LessonPanel::showAnswered() {
     const LessonStep& step = m_run.current();
     const StepRecord record = m_run.record(m_run.step());
     const GoalResult* const result = m_run.result(m_run.step());
-    const bool predicts = isPrediction(step.goal.kind());
+    const bool predicts = isPrediction(step.goal);
     const bool isOver = predicts && record.answer;
     if (isOver) {
         m_field->show(*record.answer);
@@ -256,7 +256,7 @@ void LessonPanel::showHints() {
     }
     // What is answered for good, or rightly, needs none.
     const bool isOver = m_run.mark(m_run.step()) == LessonRun::Mark::passed
-                        || (isPrediction(step.goal.kind()) && !m_run.isCovered());
+                        || (isPrediction(step.goal) && !m_run.isCovered());
     m_takeHint->setVisible(taken < step.hints.size() && !isOver);
     if (taken < step.hints.size()) {
         m_takeHint->setText(tr("Hint %1 of %2, price in points: %3")

@@ -81,9 +81,10 @@ void NumberAnswer::showResult(const GoalResult& result) {
 }
 
 void NumberAnswer::retranslate() {
-    m_label->setText(tr("Your prediction"));
+    m_label->setText(m_goal.after_run ? tr("Your answer") : tr("Your prediction"));
     m_field->setAccessibleName(
-        tr("Your prediction: %1").arg(LessonText::figure(m_goal.figure, m_project)));
+        (m_goal.after_run ? tr("Your answer: %1") : tr("Your prediction: %1"))
+            .arg(LessonText::figure(m_goal.figure, m_project)));
     m_field->retranslate();
     m_unit->setText(LessonText::unit(m_goal.figure));
     m_resultLabel->setText(tr("Result of the run"));

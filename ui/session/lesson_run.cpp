@@ -84,7 +84,7 @@ StepRecord LessonRun::record(std::size_t step) const {
 }
 
 bool LessonRun::isCovered() const {
-    return m_work && isPrediction(current().goal.kind()) && !record(m_step).answer;
+    return m_work && isPrediction(current().goal) && !record(m_step).answer;
 }
 
 const GoalResult* LessonRun::result(std::size_t step) const {
@@ -138,7 +138,7 @@ void LessonRun::handIn(Answer answer) {
     if (isFull()) {
         return;
     }
-    const bool predicts = isPrediction(current().goal.kind());
+    const bool predicts = isPrediction(current().goal);
     if (predicts && record(m_step).answer) {
         return; // the first one counts
     }

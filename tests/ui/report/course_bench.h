@@ -97,8 +97,8 @@ inline Answer answerTo(const Lesson& lesson, std::size_t step) {
 
 inline void handIn(Work& work, std::size_t step) {
     WorkEntry entry;
-    entry.event = isPrediction(work.lesson.steps[step].goal.kind()) ? WorkEvent::prediction
-                                                                    : WorkEvent::attempt;
+    entry.event =
+        isPrediction(work.lesson.steps[step].goal) ? WorkEvent::prediction : WorkEvent::attempt;
     entry.step = static_cast<int>(step) + 1;
     entry.when = "2026-11-26T10:00:00Z";
     entry.answer = answerTo(work.lesson, step);

@@ -132,7 +132,7 @@ private slots:
         int compared = 0;
         for (std::size_t i = 0; i < work.lesson.steps.size(); ++i) {
             const Goal& goal = work.lesson.steps[i].goal;
-            if (!isPrediction(goal.kind())) {
+            if (!isPrediction(goal)) {
                 continue;
             }
             const GoalResult engine = checkStep(work.lesson, i, {});
@@ -165,7 +165,7 @@ private slots:
         Work work = givenOut(lesson);
         std::size_t open = work.lesson.steps.size();
         for (std::size_t i = 0; i < work.lesson.steps.size(); ++i) {
-            if (isPrediction(work.lesson.steps[i].goal.kind())) {
+            if (isPrediction(work.lesson.steps[i].goal)) {
                 open = i; // the last one
             }
         }

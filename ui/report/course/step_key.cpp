@@ -22,7 +22,7 @@ void StepKey::write(PaperWriter& paper, const Lesson& lesson, std::size_t step) 
         }
         return;
     }
-    if (!isPrediction(goal.kind())) {
+    if (!isAnsweredByEngine(goal.kind())) {
         paper.say(GoalWords::asked(goal, project));
         return;
     }

@@ -164,18 +164,22 @@ void StepResults::writeSetting(PaperWriter& paper, std::size_t step, Run& run) c
 }
 
 void StepResults::writePrediction(PaperWriter& paper, std::size_t step) const {
-    const sparkout::Figure& figure = m_work.lesson.steps[step].goal.prediction->figure;
+    const NumberPrediction& goal = *m_work.lesson.steps[step].goal.prediction;
+    const sparkout::Figure& figure = goal.figure;
     const GoalResult& result = m_results[step];
+    // What is read off a run can be answered again: the engine's number is not given away.
+    const bool shows = !goal.after_run || result.passed();
     Table table;
-    table.head = {tr("Quantity"), tr("Unit"), tr("Predicted"), tr("By the engine"),
-                  tr("Allowed difference")};
+    table.head = {tr("Quantity"), tr("Unit"), goal.after_run ? tr("Answer") : tr("Predicted"),
+                  tr("By the engine"), tr("Allowed difference")};
     table.texts = {true, true};
     table.rows.push_back(
         {GoalWords::quantity(figure, given(step)), GoalWords::unit(figure),
          result.asked ? printedNumber(*result.asked, saidDigits) : cell({}),
-         numberOrDash(figure, result.value),
+         shows ? numberOrDash(figure, result.value) : cell({}),
          QStringLiteral("±") + Names::fixed(result.tolerance, rowOf(figure.name).digits + 1)});
-    paper.table(std::move(table), tr("Prediction and result"));
+    paper.table(std::move(table),
+                goal.after_run ? tr("Answer and result") : tr("Prediction and result"));
 }
 
 void StepResults::writeCurve(PaperWriter& paper, std::size_t step) const {
@@ -285,7 +289,7 @@ Table StepResults::predictions() const {
     for (std::size_t i = 0; i < m_results.size(); ++i) {
         const Goal& goal = m_work.lesson.steps[i].goal;
         const GoalResult& result = m_results[i];
-        if (!isPrediction(goal.kind()) || !m_records[i].answer) {
+        if (!isPrediction(goal) || !m_records[i].answer) {
             continue;
         }
         const sparkout::Figure& figure = *goal.asked();

@@ -81,7 +81,7 @@ Table StudentView::inputs(const Project& project) const {
 std::vector<std::size_t> StudentView::unpredicted(const Work& work) {
     std::vector<std::size_t> steps;
     for (std::size_t i = 0; i < work.lesson.steps.size(); ++i) {
-        if (isPrediction(work.lesson.steps[i].goal.kind()) && !recordOf(work, i).answer) {
+        if (isPrediction(work.lesson.steps[i].goal) && !recordOf(work, i).answer) {
             steps.push_back(i);
         }
     }
