@@ -3,6 +3,7 @@
 
 #include "tests/ui/support/setup_fixtures.h"
 #include "tests/ui/support/text_checks.h"
+#include "ui/inputs/inputs_panel.h"
 #include "ui/plot/view.h"
 #include "ui/window/view_tabs.h"
 
@@ -28,14 +29,20 @@ namespace sparkout {
 
 namespace {
 
-constexpr int patience = 12;    ///< events a dialog or a menu may stay: the window is the larger
-constexpr int notesToTell = 20; ///< of a monkey in trouble
+constexpr int patience = 12; ///< events a dialog or a menu may stay: the window is the larger …
+constexpr int mostPatience = 48; ///< … or a dialog as long as something in it is new
+constexpr int notesToTell = 20;  ///< of a monkey in trouble
 
 /// Which widget it is, over restarts of the window. The editors of the rows of a file that is read
-/// are one for each column, however many rows it has.
+/// are one for each column, however many rows it has; those of a view are the same in a window of
+/// its own.
 QString identityOf(const QWidget& widget) {
     static const QRegularExpression row(QStringLiteral("column-\\d+-"));
-    QString path = pathOf(&widget).replace(row, QStringLiteral("column-"));
+    static const QRegularExpression own(
+        QStringLiteral("> ViewTabs > (QStackedWidget|\\w+Window) > (?=\\w+ > )"));
+    QString path = pathOf(&widget)
+                       .replace(row, QStringLiteral("column-"))
+                       .replace(own, QStringLiteral("> ViewTabs > "));
     if (const QWidget* parent = widget.parentWidget(); parent && widget.objectName().isEmpty()) {
         int number = 0;
         for (const QObject* sibling : parent->children()) {
@@ -198,7 +205,9 @@ bool Monkey::answerDialog(QWidget* modal) {
     }
     const bool foreign = modal->inherits("QAbstractPrintDialog") || modal->inherits("QColorDialog")
                          || modal->inherits("QFontDialog");
-    if (foreign || m_sinceModal > patience) {
+    const bool isTired =
+        m_sinceModal > mostPatience || (m_sinceModal > patience && inSight(*modal).fresh.isEmpty());
+    if (foreign || isTired) {
         note(QStringLiteral("close the dialog ") + identityOf(*modal));
         modal->close();
         return true;
@@ -242,9 +251,50 @@ void Monkey::useMenu() {
             }
         }
     }
-    QAction* action = usable[random(int(usable.size()))];
+    QList<QAction*> fresh;
+    for (QAction* action : usable) {
+        if (!m_usedActions.contains(action->text())) {
+            fresh += action;
+        }
+    }
+    const QList<QAction*>& from = !fresh.isEmpty() && random(8) != 0 ? fresh : usable;
+    QAction* action = from[random(int(from.size()))];
+    m_usedActions += action->text();
     note(QStringLiteral("menu: ") + action->text());
     action->trigger();
+}
+
+/// To the view or the page of the inputs that was gone to least.
+void Monkey::turnPage() {
+    MainWindow& window = *m_bench.window;
+    auto* const inputs = window.findChild<InputsPanel*>();
+    QStringList least;
+    const auto offer = [&](const QString& page) {
+        const int times = m_turnedTo.value(page);
+        const int few = least.isEmpty() ? times : m_turnedTo.value(least.front());
+        if (times < few) {
+            least.clear();
+        }
+        if (times <= few) {
+            least += page;
+        }
+    };
+    for (const View* view : window.views()) {
+        offer(view->objectName());
+    }
+    for (std::size_t i = 0; inputs->isVisible() && i < inputs->pages().size(); ++i) {
+        offer(QString::number(i));
+    }
+    const QString page = least[random(int(least.size()))];
+    ++m_turnedTo[page];
+    note(QStringLiteral("turn to page ") + page);
+    bool isInput = false;
+    const int index = page.toInt(&isInput);
+    if (isInput) {
+        inputs->showPage(index);
+    } else {
+        static_cast<void>(window.showView(page));
+    }
 }
 
 void Monkey::resizeWindow() {
@@ -273,24 +323,33 @@ QWidget* Monkey::place() {
     return usable(*window) ? window : nullptr;
 }
 
-/// Seven times of eight one that was not used before, where there is one.
-QWidget* Monkey::pick(QWidget& from) {
-    QList<QWidget*> candidates;
-    QList<QWidget*> fresh;
-    for (QWidget* widget : interactiveWidgets(from)) {
-        if (usable(*widget) && widget->window() == from.window()) {
-            candidates += widget;
+Monkey::InSight Monkey::inSight(QWidget& window) {
+    InSight found;
+    for (QWidget* widget : interactiveWidgets(window)) {
+        if (usable(*widget) && widget->window() == window.window()) {
+            found.all += widget;
             const QString identity = identityOf(*widget);
             m_seen += identity;
             if (!m_reached.contains(identity)) {
-                fresh += widget;
+                found.fresh += widget;
             }
         }
     }
-    if (!fresh.isEmpty() && random(8) != 0) {
-        return fresh[random(int(fresh.size()))];
+    return found;
+}
+
+/// Seven times of eight one that was not used before; where there is none, as often another page
+/// first.
+QWidget* Monkey::pick(QWidget& from) {
+    InSight found = inSight(from);
+    if (found.fresh.isEmpty() && &from == m_bench.window.get() && random(8) != 0) {
+        turnPage();
+        found = inSight(from);
     }
-    return candidates.isEmpty() ? &from : candidates[random(int(candidates.size()))];
+    if (!found.fresh.isEmpty() && random(8) != 0) {
+        return found.fresh[random(int(found.fresh.size()))];
+    }
+    return found.all.isEmpty() ? &from : found.all[random(int(found.all.size()))];
 }
 
 QPoint Monkey::pointIn(const QWidget& widget) {

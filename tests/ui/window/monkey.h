@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A user without a plan: random mouse, key and wheel events at whatever is in sight.
+// A user without a plan: random mouse, key and wheel events at whatever is in sight, rather at what
+// is new, and on to another page where nothing is.
 #pragma once
 
 #include "tests/ui/support/window_bench.h"
 
 #include <QElapsedTimer>
 #include <QFile>
+#include <QHash>
 #include <QPointer>
 #include <QRandomGenerator>
 #include <QSet>
@@ -42,6 +44,7 @@ private:
     void answerFileDialog(QWidget* dialog);
     void closeOldPopup(QWidget* popup);
     void useMenu();
+    void turnPage();
     void resizeWindow();
     void useWidget(QWidget* widget);
     void click(QWidget* widget);
@@ -52,6 +55,11 @@ private:
     void note(const QString& what);
     [[nodiscard]] QWidget* place();
     [[nodiscard]] QWidget* pick(QWidget& from);
+    /// What can be used of a window, and what of it was not yet.
+    struct InSight {
+        QList<QWidget*> all, fresh;
+    };
+    [[nodiscard]] InSight inSight(QWidget& window);
     [[nodiscard]] QPoint pointIn(const QWidget& widget);
     [[nodiscard]] int random(int below) { return int(m_random.bounded(quint32(below))); }
 
@@ -65,6 +73,8 @@ private:
     QPointer<QWidget> m_lastModal;
     QSet<QString> m_seen;
     QSet<QString> m_reached;
+    QSet<QString> m_usedActions;    ///< of menus, by their names
+    QHash<QString, int> m_turnedTo; ///< how often to which page
     QString m_trouble;
     QTemporaryDir m_folder;
     QStringList m_files;

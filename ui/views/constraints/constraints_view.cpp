@@ -234,6 +234,17 @@ void ConstraintsView::takeOutcome(const OutcomePtr& before) {
     showSheet();
 }
 
+/// Without rows and zones nothing of it can be chosen any more.
+void ConstraintsView::dropOutcome() {
+    m_group.reset();
+    m_chosen.reset();
+    m_model->setOutcome(nullptr);
+    fillGroups();
+    m_plot->setRun(nullptr, -1);
+    m_plot->setMarked(std::nullopt);
+    showSheet();
+}
+
 // --- zones --------------------------------------------------------------------------------------
 
 void ConstraintsView::fillGroups() {

@@ -49,6 +49,7 @@ protected:
     void nameParts() override;
     void recolour() override;
     void takeOutcome(const OutcomePtr& before) override;
+    void dropOutcome() override;
     [[nodiscard]] bool drawn() const override;
     void showState() override;
     void followCycle() override;
