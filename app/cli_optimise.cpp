@@ -10,6 +10,7 @@
 #include "core/printable.h"
 #include "core/project/optimisation.h"
 #include "core/setup/setup_file.h"
+#include "core/setup/worn_project.h"
 #include "words/search_words.h"
 
 #include <algorithm>
@@ -133,13 +134,23 @@ int parseOptimise(const std::vector<std::string>& arguments, OptimiseOptions& op
                : done;
 }
 
-GridSearchReport search(const Project& project, const OptimiseOptions& options) {
+/// How the wheel goes on from part to part, where that counts; with the cycles found before.
+std::optional<SurfaceWear> wearOf(const Setup& answers, std::size_t surface,
+                                  const Project& project) {
+    return answers.wear.isGiven() && objectiveOf(project) != SearchObjective::time ? std::optional(
+               surfaceWear(answers, surface, wornProject(answers, surface).before_mm3))
+                                                                                   : std::nullopt;
+}
+
+GridSearchReport search(const Project& project, const std::optional<SurfaceWear>& wear,
+                        const OptimiseOptions& options) {
     SearchWatch watch(options.timeLimit_s); // of everything that follows
     return searchGrid(
         project, {.method = options.method,
                   .threads = options.threads,
                   .robust = options.robust,
                   .refine = options.refine,
+                  .wear = wear,
                   .onProgress = [&watch](const SearchProgress& progress) { watch.note(progress); },
                   .stop = watch.token()});
 }
@@ -150,7 +161,7 @@ int optimise(Project project, std::size_t surface, const std::string& name,
     if (project.optimisation && !options.stages.empty()) {
         project.optimisation->stages = options.stages;
     }
-    const GridSearchReport report = search(project, options);
+    const GridSearchReport report = search(project, wearOf(answers, surface, project), options);
     if (!report.ran()) {
         printIssues(name, report.issues);
         if (const std::string reason = searchRefusal(report); !reason.empty()) {

@@ -132,15 +132,70 @@ std::vector<FreeSetting> freeSettings(const GridSearchReport& report) {
     return settings;
 }
 
-std::string costText(const GridSearchReport& report, double best_s) {
-    const auto cost = costPerPart(report.project, best_s);
-    return cost ? "cost per part        " + fixed(*cost, 4) + " (it grows with the time alone)\n"
-                : "";
+/// Of the answer, with the parts between dressings that it holds for or that the file states.
+std::optional<double> costOf(const GridSearchReport& report, double best_s) {
+    return report.interval ? report.interval->cost : costPerPart(report.project, best_s);
 }
 
-ordered_json costJson(const GridSearchReport& report, double time_s) {
-    const auto cost = costPerPart(report.project, time_s);
+std::string costText(const GridSearchReport& report, double best_s) {
+    const auto cost = costOf(report, best_s);
+    if (!cost) {
+        return "";
+    }
+    const auto held = report.interval ? report.interval->held : std::nullopt;
+    const auto parts = held ? std::optional(held->parts) : partsBetweenDressings(report.project);
+    const bool isDressed = parts && !(held && held->isEndless);
+    return "cost per part        " + fixed(*cost, 4)
+           + (isDressed ? ", dressed after " + std::to_string(*parts) + " parts\n"
+                        : ", without dressing\n");
+}
+
+ordered_json costJson(const std::optional<double>& cost) {
     return cost ? ordered_json(*cost) : ordered_json(nullptr);
+}
+
+/// The parts between dressings that the answer holds for.
+std::string heldText(const GridSearchReport& report) {
+    if (!report.interval) {
+        return "";
+    }
+    const std::optional<PartsHeld>& held = report.interval->held;
+    if (!held) {
+        return "parts to a dressing  not searched: the file says nothing of how the wheel wears "
+               "(/wear)\n";
+    }
+    if (held->isEndless) {
+        return "parts to a dressing  any number: the wheel gets no duller, and every part holds\n";
+    }
+    std::string text = "parts to a dressing  " + std::to_string(held->parts);
+    text += held->isAll ? ", no more were tried"
+            : held->end ? "; the next one breaks " + std::string(requirementOf(*held->end).key)
+                        : "; the next one does not reach size";
+    return text + "; " + fixed(minutes(held->meanTime_s), 4) + " min each on average\n";
+}
+
+ordered_json dressingJson(const GridSearchReport& report) {
+    if (!report.interval || !report.interval->held) {
+        return nullptr;
+    }
+    const PartsHeld& held = *report.interval->held;
+    return {{"parts", held.parts},
+            {"endless", held.isEndless},
+            {"at_least", held.isAll && !held.isEndless},
+            {"mean_time_min", minutes(held.meanTime_s)},
+            {"ends_by", held.end ? ordered_json(requirementOf(*held.end).key) : nullptr}};
+}
+
+const char* aimKey(const GridSearchReport& report) {
+    if (report.marginWithin_us) {
+        return "greatest_margin";
+    }
+    switch (objectiveOf(report.project)) {
+    case SearchObjective::time: break;
+    case SearchObjective::cost: return "least_cost";
+    case SearchObjective::wheel_life: return "longest_wheel_life";
+    }
+    return "least_time";
 }
 
 std::string machineText(const GridSearchReport& report) {
@@ -196,8 +251,25 @@ std::string marginStatusText(const GridSearchReport& report) {
     return text + ", proved";
 }
 
+/// Of a search over the parts between dressings.
+std::string intervalStatusText(const GridSearchReport& report) {
+    const bool isCost = objectiveOf(report.project) == SearchObjective::cost;
+    if (report.search.status != SearchStatus::stopped) {
+        return isCost ? "the cheapest of the grid for all parts of its interval, proved"
+                      : "of the grid the most parts between dressings, proved";
+    }
+    const auto& bound = report.interval->bound;
+    return std::string("stopped: the best so far")
+           + (!bound   ? ""
+              : isCost ? "; no part of the grid costs less than " + fixed(*bound, 4)
+                       : "; none of the grid holds for more than " + fixed(*bound, 0) + " parts");
+}
+
 std::string statusText(const GridSearchReport& report) {
     const SearchSummary& search = report.search;
+    if (report.interval && report.interval->held) {
+        return intervalStatusText(report);
+    }
     if (report.marginWithin_us) {
         return marginStatusText(report);
     }
@@ -350,7 +422,7 @@ std::string optimiseText(const GridSearchReport& report) {
     for (std::size_t z = 0; z < cycle.stages.size(); ++z) {
         text += stageLine(report.project.operation, cycle.stages[z], z + 1);
     }
-    text += machineText(report) + costText(report, best_s);
+    text += machineText(report) + heldText(report) + costText(report, best_s);
     if (report.refined) {
         text += refinedText(report);
     }
@@ -374,12 +446,13 @@ std::string optimiseJson(const GridSearchReport& report) {
     root["status"] = searchStatusName(isRefined(report) ? SearchStatus::found : search.status);
     root["method"] = searchMethodName(report.method);
     root["heuristic"] = isHeuristic(report.method);
-    root["aim"] = report.marginWithin_us ? "greatest_margin" : "least_time";
+    root["aim"] = aimKey(report);
     root["margin_within_min"] =
         report.marginWithin_us ? ordered_json(within_min(report)) : ordered_json(nullptr);
     root["cycle"] = nullptr;
     root["cycle_time_min"] = nullptr;
     root["cost_per_part"] = nullptr;
+    root["dressing"] = dressingJson(report);
     root["evaluations"] = report.robust ? report.robust->evaluations : search.evaluations;
     root["limit_time_min"] = minutes(report.limit_s);
     root["limit_by"] = limitByKey(report.limit.by);
@@ -394,7 +467,7 @@ std::string optimiseJson(const GridSearchReport& report) {
             root["machine"][each.key] = each.value;
         }
         root["cycle_time_min"] = minutes(best_s);
-        root["cost_per_part"] = costJson(report, best_s);
+        root["cost_per_part"] = costJson(costOf(report, best_s));
         root["gap"] = gapToLimit(best_s, report.limit_s);
         root["least_relative_margin"] = leastMargin(report);
     }
@@ -421,7 +494,8 @@ std::string optimiseJson(const GridSearchReport& report) {
     root["given"] = {
         {"cycle_time_min",
          given.time_s ? ordered_json(minutes(*given.time_s)) : ordered_json(nullptr)},
-        {"cost_per_part", given.time_s ? costJson(report, *given.time_s) : ordered_json(nullptr)},
+        {"cost_per_part", given.time_s ? costJson(costPerPart(report.project, *given.time_s))
+                                       : ordered_json(nullptr)},
         {"fails", given.isStopped ? ordered_json(nullptr) : ordered_json(namesOf(given.fails))}};
     if (report.robust) {
         root["rounds"] = report.robust->rounds;

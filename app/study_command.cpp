@@ -7,6 +7,7 @@
 #include "core/project/batch.h"
 #include "core/study/evaluate.h"
 #include "ui/export/export_file.h"
+#include "ui/session/document.h"
 #include "ui/views/optimise/optimise_text.h"
 
 #include <QDateTime>
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <thread>
 
 namespace sparkout {
@@ -61,8 +63,19 @@ int ranSweep(const Project& project, Study& study) {
     return 0;
 }
 
+/// With the set-up of the file, whose wheel may wear.
+SearchWish wishFor(const ExportRequest& request) {
+    Document document;
+    SearchWish wish;
+    if (openOrSay(document, request.file, request.surface)) {
+        wish.setup = std::make_shared<const Setup>(document.setup());
+        wish.surface = document.surface();
+    }
+    return wish;
+}
+
 /// A line a second; the search is stopped by Ctrl+C and SIGTERM.
-int ranSearch(const Project& project, Study& study) {
+int ranSearch(const Project& project, const SearchWish& wish, Study& study) {
     if (!project.optimisation) {
         return refuseFor(QStringLiteral("the project has no search (/optimisation)"));
     }
@@ -88,7 +101,7 @@ int ranSearch(const Project& project, Study& study) {
             say(stderr, OptimiseText::state(state));
         }
     };
-    study.search = runWholeSearch(project, {}, stop.get_token(), note);
+    study.search = runWholeSearch(project, wish, stop.get_token(), note);
     if (!study.search->ran()) {
         return refuseFor(OptimiseText::fault(*study.search));
     }
@@ -119,7 +132,7 @@ int writeStudy(const ExportRequest& request) {
     Study study;
     const int failed = kind == StudyKind::batch   ? ranBatch(*project, study)
                        : kind == StudyKind::sweep ? ranSweep(*project, study)
-                                                  : ranSearch(*project, study);
+                                                  : ranSearch(*project, wishFor(request), study);
     if (cli::caughtSignal() != 0) {
         say(stderr, QStringLiteral("sparkout: ended, nothing was written"));
         return exitInterrupted + cli::caughtSignal();

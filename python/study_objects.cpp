@@ -429,7 +429,9 @@ void bindSearch(py::module_& module) {
     module.def("search", &runSearchOf, py::arg("project"), py::kw_only(), py::arg("robust") = false,
                py::arg("refine") = false, py::arg("time_limit_s") = py::none(),
                "Finds the quickest cycle of the project's grid that holds every requirement, or "
-               "where margin_within_min is given the one of the greatest margin within that time.");
+               "where margin_within_min is given the one of the greatest margin within that time. "
+               "A project has no wear of the wheel: an objective of cost or wheel life has the "
+               "quickest cycle as its answer.");
 }
 
 } // namespace

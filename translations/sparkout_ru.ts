@@ -600,6 +600,18 @@
             <source>normal force</source>
             <translation>нормальная сила</translation>
         </message>
+        <message>
+            <source>least time</source>
+            <translation>наименьшее время</translation>
+        </message>
+        <message>
+            <source>least cost</source>
+            <translation>наименьшая стоимость</translation>
+        </message>
+        <message>
+            <source>most parts per dressing</source>
+            <translation>больше всего деталей на правку</translation>
+        </message>
     </context>
     <context>
         <name>Company</name>
@@ -4772,10 +4784,6 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>как растёт затупление в партии, иначе без правки</translation>
         </message>
         <message>
-            <source>The model does not tell it from the cycle, so the quickest cycle is the cheapest.</source>
-            <translation>Модель не выводит его из цикла, поэтому самый быстрый цикл и самый дешёвый.</translation>
-        </message>
-        <message>
             <source>Levels of the work speed</source>
             <translation>Уровни частоты вращения заготовки</translation>
         </message>
@@ -4830,10 +4838,6 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>not computed</source>
             <translation>не считается</translation>
-        </message>
-        <message>
-            <source>Shown beside the time; the choice is the quickest cycle.</source>
-            <translation>Указывается рядом со временем; выбирается самый быстрый цикл.</translation>
         </message>
         <message>
             <source>Least Ppk</source>
@@ -5602,6 +5606,22 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>The search then answers the cycle farthest from its limits whose machining time is at most that: the one with the largest least margin of all requirements, each as a share of its limit.</source>
             <translation>Тогда поиск находит цикл с основным временем не больше заданного, который дальше всех от пределов: его наименьший запас по всем требованиям, каждый в долях своего предела, наибольший.</translation>
+        </message>
+        <message>
+            <source>For the least cost with a wheel that wears the search finds it, and this is the most it may be.</source>
+            <translation>При поиске наименьшей стоимости с изнашивающимся кругом его находит поиск, а это — наибольшее допустимое.</translation>
+        </message>
+        <message>
+            <source>Shown beside the time; the least is searched where that is the objective.</source>
+            <translation>Указывается рядом со временем; наименьшая ищется, если это цель поиска.</translation>
+        </message>
+        <message>
+            <source>Objective</source>
+            <translation>Цель поиска</translation>
+        </message>
+        <message>
+            <source>Cost and wheel life are searched over the parts from one dressing to the next: the cycle holds for all of them, with the wheel as the part&apos;s wear makes it. The least cost needs the cost of a part.</source>
+            <translation>Стоимость и стойкость круга ищутся по деталям от правки до правки: цикл годен для каждой из них, с кругом, каким его делает износ, заданный у детали. Для наименьшей стоимости нужна стоимость детали.</translation>
         </message>
     </context>
     <context>
@@ -6518,10 +6538,6 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Запас %1 %, цикл за %2 мин: наибольший запас за %4 мин, доказано (%3).</translation>
         </message>
         <message>
-            <source>Margins by time are searched for the part as it stands; this search must hold for more.</source>
-            <translation>Запас по времени ищется только для детали, как она задана, а этот поиск должен выдержать больше.</translation>
-        </message>
-        <message>
             <source>No margins by time: the search was stopped before, or no cycle holds.</source>
             <translation>Запаса по времени нет: поиск остановлен раньше или ни один цикл не годен.</translation>
         </message>
@@ -6544,6 +6560,78 @@ Reloading takes that version; your changes stay in Undo.</source>
                 <numerusform>Все %n цикла сетки, для которых нет и более быстрого, и более далёкого от пределов.</numerusform>
                 <numerusform>Все %n циклов сетки, для которых нет и более быстрого, и более далёкого от пределов.</numerusform>
             </translation>
+        </message>
+        <message>
+            <source>Margins by time over all phases of the stock are searched under gauge control alone.</source>
+            <translation>Запас по времени по всем фазам припуска ищется только при управлении от прибора.</translation>
+        </message>
+        <message>
+            <source>The least cost needs the cost of a part: page Search of the inputs.</source>
+            <translation>Для наименьшей стоимости нужна стоимость детали: страница «Поиск» исходных данных.</translation>
+        </message>
+        <message>
+            <source>The largest margin within a time is searched with the objective “least time” alone.</source>
+            <translation>Наибольший запас за время ищется только с целью «наименьшее время».</translation>
+        </message>
+        <message>
+            <source>Cost and wheel life are searched for the part as it stands, without the phases of the stock and the batch.</source>
+            <translation>Стоимость и стойкость круга ищутся для детали, как она задана: без фаз припуска и партии.</translation>
+        </message>
+        <message>
+            <source>any number</source>
+            <translation>любое число</translation>
+        </message>
+        <message>
+            <source>at least %1</source>
+            <translation>не менее %1</translation>
+        </message>
+        <message>
+            <source>“Search” finds the cycle of the grid with the least cost of a part, together with the parts between dressings: it holds for all of them.</source>
+            <translation>«Найти» ищет цикл сетки с наименьшей стоимостью детали вместе с числом деталей между правками: он годен для каждой из них.</translation>
+        </message>
+        <message>
+            <source>“Search” finds the cycle of the grid that holds for the most parts from one dressing to the next, the quickest of these.</source>
+            <translation>«Найти» ищет цикл сетки, который годен для наибольшего числа деталей от правки до правки, из таких самый быстрый.</translation>
+        </message>
+        <message>
+            <source>%1 min: the quickest of %2. How the wheel wears is not given, so it is the cheapest too, and the wheel&apos;s life is not searched.</source>
+            <translation>%1 мин: самый быстрый из %2. Износ круга не задан, поэтому он и самый дешёвый, а стойкость круга не ищется.</translation>
+        </message>
+        <message>
+            <source>%1 a part, in %2 min: of %3 the least cost, proved.</source>
+            <translation>%1 за деталь, за %2 мин: наименьшая стоимость из %3, доказано.</translation>
+        </message>
+        <message>
+            <source>%1 a part, in %2 min, is the least cost so far.</source>
+            <translation>%1 за деталь, за %2 мин — пока наименьшая стоимость.</translation>
+        </message>
+        <message>
+            <source>%1 min: of %2 none holds for more parts between dressings, proved.</source>
+            <translation>%1 мин: из %2 ни один не годен для большего числа деталей между правками, доказано.</translation>
+        </message>
+        <message>
+            <source>%1 min: the most parts between dressings so far.</source>
+            <translation>%1 мин: пока наибольшее число деталей между правками.</translation>
+        </message>
+        <message>
+            <source>Parts to a dressing: %1; %2 min each on average.</source>
+            <translation>Деталей на правку: %1, в среднем по %2 мин.</translation>
+        </message>
+        <message>
+            <source>The next part breaks: %1.</source>
+            <translation>Следующая деталь нарушит: %1.</translation>
+        </message>
+        <message>
+            <source>A part costs %1.</source>
+            <translation>Деталь стоит %1.</translation>
+        </message>
+        <message>
+            <source>Margins by time are searched for the least time, or for the largest margin; this search is of parts between dressings.</source>
+            <translation>Запас по времени ищется с целью «наименьшее время» или для наибольшего запаса; этот поиск — по деталям между правками.</translation>
+        </message>
+        <message>
+            <source>The margin is the least over all that the search must hold for.</source>
+            <translation>Запас — наименьший по всему, для чего цикл должен быть годен.</translation>
         </message>
     </context>
     <context>
@@ -12003,6 +12091,38 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>The farthest of its number of stages from its limits, within the time</source>
             <translation>Дальше всех от пределов для своего числа ступеней, за заданное время</translation>
         </message>
+        <message>
+            <source>The cheapest of the grid</source>
+            <translation>Самый дешёвый из сетки</translation>
+        </message>
+        <message>
+            <source>The cheapest of its number of stages</source>
+            <translation>Самый дешёвый для своего числа ступеней</translation>
+        </message>
+        <message>
+            <source>The one of the grid that keeps the wheel longest</source>
+            <translation>Тот из сетки, с которым круг работает дольше всего</translation>
+        </message>
+        <message>
+            <source>The one of its number of stages that keeps the wheel longest</source>
+            <translation>Для своего числа ступеней — тот, с которым круг работает дольше всего</translation>
+        </message>
+        <message>
+            <source>Parts</source>
+            <translation>Детали</translation>
+        </message>
+        <message>
+            <source>Cost</source>
+            <translation>Стоимость</translation>
+        </message>
+        <message>
+            <source>Parts from one dressing to the next that it holds for</source>
+            <translation>Для скольких деталей от правки до правки он годен</translation>
+        </message>
+        <message>
+            <source>Cost of a part with its share of the dressing</source>
+            <translation>Стоимость детали с её долей правки</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::HandoutDialog</name>
@@ -13181,10 +13301,6 @@ target, µm</source>
             <translation>Сетка динамического программирования</translation>
         </message>
         <message>
-            <source>A click chooses a cycle, “Take this cycle” or Enter takes it.</source>
-            <translation>Щелчок выбирает цикл, «Взять этот цикл» или Enter берёт его.</translation>
-        </message>
-        <message>
             <source>Largest margin over the machining time; the table below lists its cycles</source>
             <translation>Наибольший запас в зависимости от основного времени; циклы перечислены в таблице ниже</translation>
         </message>
@@ -13199,6 +13315,10 @@ target, µm</source>
         <message>
             <source>Levels of each feed over the machine&apos;s range, which follow the answer, steps of stock, and the usual least overlap and steps of a stage where none are given; can be undone and changed on the pages Search and Cycle</source>
             <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, шаги припуска и, если не заданы, обычные наименьшие перекрытие и число шагов ступени; можно отменить и изменить на страницах «Поиск» и «Цикл»</translation>
+        </message>
+        <message>
+            <source>A click or the arrow keys choose a cycle, “Take this cycle” or Enter takes it.</source>
+            <translation>Щелчок или стрелки выбирают цикл, «Взять этот цикл» или Enter берёт его.</translation>
         </message>
     </context>
     <context>

@@ -38,11 +38,23 @@ std::string searchRefusal(const GridSearchReport& report) {
                + " is for plunge grinding; --method search takes traverse cycles";
     }
     if (report.isOtherAim) {
-        return std::string("/optimisation/margin_within_min: ")
+        return std::string(report.marginWithin_us ? "/optimisation/margin_within_min: "
+                                                  : "/optimisation/objective: ")
                + (isHeuristic(report.method)
                       ? std::string("--method ") + searchMethodName(report.method)
                       : "--refine")
                + " looks for the least time alone";
+    }
+    switch (report.objectiveFault) {
+    case ObjectiveFault::none: break;
+    case ObjectiveFault::noRates:
+        return "/optimisation/cost: not given; the objective cost needs what an hour costs";
+    case ObjectiveFault::otherAim:
+        return "/optimisation/margin_within_min: the largest margin is searched with the objective "
+               "time alone";
+    case ObjectiveFault::otherParts:
+        return "/optimisation/objective: cost and wheel_life are searched for the part as it "
+               "stands, without phases of the stock and batch";
     }
     switch (report.fault) {
     case GridFault::none: break;

@@ -6,17 +6,16 @@
 
 namespace sparkout {
 
-namespace {
-
 std::optional<std::int64_t> partsBetweenDressings(const Project& project) {
+    if (!project.optimisation || !project.optimisation->cost) {
+        return std::nullopt;
+    }
     const Cost& cost = *project.optimisation->cost;
     if (cost.parts_between_dressings || !project.batch || !project.batch->factors.dullness) {
         return cost.parts_between_dressings;
     }
     return project.batch->factors.dullness->parts_between_dressings;
 }
-
-} // namespace
 
 double partCost(const Cost& cost, double time_s, std::optional<std::int64_t> parts) {
     constexpr double secondsPerHour = 3600;

@@ -19,10 +19,13 @@ struct Cost;
 /// no dressing.
 [[nodiscard]] double partCost(const Cost& cost, double time_s, std::optional<std::int64_t> parts);
 
-/// By the rates of a project, with the parts between dressings it gives, else those of its batch's
-/// dullness, else without dressing. N then does not depend on the cycle, C grows with T alone, and
-/// of a grid the quickest cycle is the cheapest: the cost is reported, not searched. What the wear
-/// of a wheel makes of N is in dressing_interval.h.
+/// Those that the rates of a project give, else those of its batch's dullness; nothing: no
+/// dressing.
+[[nodiscard]] std::optional<std::int64_t> partsBetweenDressings(const Project& project);
+
+/// By the rates of a project, with its partsBetweenDressings(). N then does not depend on the
+/// cycle, and of a grid the quickest cycle is the cheapest. What the wear of a wheel makes of N is
+/// in dressing_interval.h, and of the cheapest cycle in interval_search.h.
 ///
 /// Nothing where the project gives no rates.
 [[nodiscard]] std::optional<double> costPerPart(const Project& project, double time_s);

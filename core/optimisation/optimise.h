@@ -104,8 +104,8 @@ struct SearchOptions {
     /// The greatest margin of the cycles that take no longer is looked for. Of methods that prove,
     /// without a challenge.
     std::optional<std::int64_t> marginWithin_us;
-    /// For the greatest margin: of a cycle that would be the best its margin on further parts, to
-    /// be no less than the one given. What it says of a cycle must not depend on the others.
+    /// Of a cycle that would be the best its margin on further parts, to be no less than the one
+    /// given. What it says of a cycle must not depend on the others. Without a challenge.
     std::function<WholeMargin(const FeasibleCycle&, double least)> wholeMargin;
 
     [[nodiscard]] SearchAim aim() const {

@@ -31,6 +31,15 @@ std::span<const Choice> choicesOf<OptimisationScenarios>() {
 }
 
 template <>
+std::span<const Choice> choicesOf<SearchObjective>() {
+    static const std::array choices{
+        Choice{"time", SPARKOUT_NOOP("Choice", "least time")},
+        Choice{"cost", SPARKOUT_NOOP("Choice", "least cost")},
+        Choice{"wheel_life", SPARKOUT_NOOP("Choice", "most parts per dressing")}};
+    return choices;
+}
+
+template <>
 const StructInfo& tableOf<Cost>() {
     static const std::array rows{
         SPARKOUT_FIELD(Cost, machine_per_h, .label = SPARKOUT_NOOP("Input", "Machine and operator"),
@@ -58,8 +67,8 @@ const StructInfo& tableOf<Cost>() {
             .nullMeaning =
                 SPARKOUT_NOOP("Input", "as the batch's dullness grows, else no dressing"),
             .page = Page::search,
-            .hint = SPARKOUT_NOOP("Input", "The model does not tell it from the cycle, so the "
-                                           "quickest cycle is the cheapest."),
+            .hint = SPARKOUT_NOOP("Input", "For the least cost with a wheel that wears the search "
+                                           "finds it, and this is the most it may be."),
             .formula = "C = C_m·(T + t_h + t_d/N) + C_d/N", .source = "GILBERT1950"),
     };
     static const StructInfo info = makeTable<Cost>(SPARKOUT_NOOP("Struct", "Cost of a part"), rows);
@@ -92,6 +101,16 @@ Field adaptiveLevels() {
                               "where it stands at the edge of its grid and the machine lets it "
                               "pass; then the grid is searched again."),
         .source = "MODEL-8");
+}
+
+Field objective() {
+    return SPARKOUT_FIELD(
+        Optimisation, objective, .label = SPARKOUT_NOOP("Input", "Objective"), .page = Page::search,
+        .hint = SPARKOUT_NOOP("Input",
+                              "Cost and wheel life are searched over the parts from one dressing "
+                              "to the next: the cycle holds for all of them, with the wheel as "
+                              "the part's wear makes it. The least cost needs the cost of a part."),
+        .source = "MODEL-12");
 }
 
 Field marginWithin() {
@@ -132,6 +151,7 @@ const StructInfo& tableOf<Optimisation>() {
                        .label = SPARKOUT_NOOP("Input", "Feeds never rise"), .page = Page::search,
                        .hint = SPARKOUT_NOOP("Input", "Neither feed rises from stage to stage."),
                        .source = "MODEL-8"),
+        objective(),
         adaptiveLevels(),
         marginWithin(),
         SPARKOUT_FIELD(Optimisation, scenarios, .label = SPARKOUT_NOOP("Input", "Must hold for"),
@@ -221,8 +241,9 @@ const StructInfo& tableOf<Optimisation>() {
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(Optimisation, cost, .label = SPARKOUT_NOOP("Input", "Cost of a part"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "not computed"), .page = Page::search,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Shown beside the time; the choice is the quickest cycle."),
+                       .hint =
+                           SPARKOUT_NOOP("Input", "Shown beside the time; the least is searched "
+                                                  "where that is the objective."),
                        .source = "GILBERT1950"),
     };
     static const StructInfo info =

@@ -11,14 +11,17 @@ namespace sparkout {
 
 enum class OptimisationScenarios { nominal, corners, batch };
 
-/// What a part costs, in any currency. Only reported: it grows with the time, so the quickest cycle
-/// is the cheapest.
+/// What of a grid is the best: the quickest cycle, the cheapest, or the one for which the wheel
+/// need be dressed after the most parts.
+enum class SearchObjective { time, cost, wheel_life };
+
+/// What a part costs, in any currency. Reported, and searched where that is the objective.
 struct Cost {
     double machine_per_h = 0;                   ///< of machine and operator [1/h]
     double handling_s = 0;                      ///< loading and measuring, a part [s]
     double dressing_s = 0;                      ///< a dressing [s]
     double dressing_cost = 0;                   ///< wheel and diamond worn by a dressing
-    std::optional<int> parts_between_dressings; ///< not given: the batch's, of its dullness
+    std::optional<int> parts_between_dressings; ///< not given: see costPerPart()
 };
 
 /// The grid the optimiser searches.
@@ -28,6 +31,7 @@ struct Optimisation {
     std::optional<std::vector<double>>
         last_stock_mm; ///< least and most of the last of several [mm]
     bool non_increasing = false;
+    SearchObjective objective = SearchObjective::time;
     bool adaptive = false; ///< levels are added around and beyond the answer
     /// The greatest margin within this time is searched; not given: the least time [min].
     std::optional<double> margin_within_min;
@@ -52,6 +56,8 @@ struct Optimisation {
 
 template <>
 std::span<const Choice> choicesOf<OptimisationScenarios>();
+template <>
+std::span<const Choice> choicesOf<SearchObjective>();
 template <>
 const StructInfo& tableOf<Cost>();
 template <>

@@ -22,7 +22,7 @@ Issues errorsOf(const Project& project) {
 } // namespace
 
 WornProject wornProject(const Setup& setup, std::size_t surface, double removed_mm3) {
-    WornProject made{surface, setup.surfaces[surface].project, {}};
+    WornProject made{surface, setup.surfaces[surface].project, {}, removed_mm3};
     if (removed_mm3 > 0 && setup.wear.isGiven()) {
         *made.project.wheel = wheelAfter(*made.project.wheel, setup.wear, removed_mm3);
         made.issues = errorsOf(made.project);

@@ -19,6 +19,7 @@ struct WornProject {
     std::size_t surface;
     Project project;
     Issues issues;
+    double before_mm3 = 0; ///< that the surfaces before have lost, where the wheel wears
 };
 
 /// After so much was removed before.

@@ -7,6 +7,7 @@
 #include "core/project/cycle.h"
 #include "core/project/optimisation.h"
 #include "core/project/validate.h"
+#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 #include "core/study/refine_answer.h"
 
@@ -19,7 +20,7 @@ namespace {
 
 const std::vector<Project>& scenariosAdded(const GridSearchReport& report) {
     static const std::vector<Project> none;
-    return report.robust ? report.robust->added : none;
+    return report.robust ? report.robust->added : report.interval ? report.interval->parts : none;
 }
 
 /// The limit, and what binds the best of the grid.
@@ -83,7 +84,9 @@ GridSearchReport checked(const Project& project, const GridSearchOptions& option
         report.isOtherOperation = isHeuristic(options.method) && project.operation->axial();
         report.marginWithin_us = marginWithinOf(project);
         report.isOtherAim =
-            report.marginWithin_us && (isHeuristic(options.method) || options.refine);
+            (report.marginWithin_us || objectiveOf(project) != SearchObjective::time)
+            && (isHeuristic(options.method) || options.refine);
+        report.objectiveFault = objectiveFault(project, options.robust);
         report.fault = Variants(project, options.stop).fault();
         if (report.ran() && asksForABatch(project)) {
             report.issues = checkBatch(project);
@@ -96,7 +99,11 @@ GridSearchReport checked(const Project& project, const GridSearchOptions& option
 void searchOnce(GridSearchReport& report, const Project& searched, const GridSearchOptions& options,
                 const SearchOptions& search) {
     report.searched = searched;
-    if (options.robust || asksForABatch(searched)) {
+    if (objectiveOf(searched) != SearchObjective::time) {
+        const SurfaceWear none{*searched.wheel, {}};
+        report.interval = searchInterval(searched, options.wear.value_or(none), {.search = search});
+        report.search = report.interval->search;
+    } else if (options.robust || asksForABatch(searched)) {
         report.robust = optimiseRobustly(searched, scenariosAskedFor(searched, options.stop),
                                          {.search = search});
         report.search = report.robust->search;

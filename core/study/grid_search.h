@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/dressing/interval_search.h"
 #include "core/issue.h"
 #include "core/optimisation/limit.h"
 #include "core/optimisation/optimise.h"
 #include "core/optimisation/refine.h"
 #include "core/optimisation/robust.h"
+#include "core/setup/surface_wear.h"
 #include "core/study/search_levels.h"
 
 #include <functional>
@@ -23,6 +25,8 @@ struct GridSearchOptions {
     /// its batch does so whatever is wished.
     bool robust = false;
     bool refine = false; ///< go on off the grid
+    /// For the objectives between dressings; not given: the wheel does not wear.
+    std::optional<SurfaceWear> wear;
     std::function<void(const SearchProgress&)> onProgress;
     std::stop_token stop;
 };
@@ -42,12 +46,14 @@ struct GridSearchReport {
     GridFault fault = GridFault::none; ///< why its grid cannot be searched
     bool isOtherOperation = false;     ///< the method is for plunge grinding alone
     bool isOtherAim = false; ///< the method, or the refinement, looks for the least time alone
-    Project searched;        ///< the project with the levels of the last round
-    int rounds = 1;          ///< of SearchLevels
+    ObjectiveFault objectiveFault = ObjectiveFault::none;
+    Project searched;               ///< the project with the levels of the last round
+    int rounds = 1;                 ///< of SearchLevels
     bool areLevelsCutShort = false; ///< a further round was stopped
     std::vector<LevelEdge> edges;   ///< of its grid that the answer of the grid reaches
     SearchSummary search;
-    std::optional<RobustSummary> robust; ///< of which the search is the last
+    std::optional<RobustSummary> robust;     ///< of which the search is the last
+    std::optional<IntervalSummary> interval; ///< of which it is that for the answer's parts
     std::optional<RefineSummary> refined;
     double limit_s = 0;  ///< stepless
     SteplessLimit limit; ///< the same, with what makes it
@@ -59,7 +65,8 @@ struct GridSearchReport {
 
     /// Else nothing was searched.
     [[nodiscard]] bool ran() const {
-        return issues.empty() && fault == GridFault::none && !isOtherOperation && !isOtherAim;
+        return issues.empty() && fault == GridFault::none && !isOtherOperation && !isOtherAim
+               && objectiveFault == ObjectiveFault::none;
     }
 };
 

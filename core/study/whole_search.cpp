@@ -11,6 +11,8 @@
 #include "core/optimisation/variants.h"
 #include "core/project/optimisation.h"
 #include "core/project/validate.h"
+#include "core/project/wheel.h"
+#include "core/setup/worn_project.h"
 #include "core/study/refine_answer.h"
 #include "core/study/search_levels.h"
 
@@ -37,7 +39,8 @@ public:
         , m_levels(project)
         , m_now(project, stop)
         , m_within_us(marginWithinOf(project))
-        , m_refine(wish.refine && !m_within_us)
+        , m_objective(objectiveOf(project))
+        , m_refine(wish.refine && !m_within_us && m_objective == SearchObjective::time)
         , m_stop(std::move(stop))
         , m_note(std::move(note)) {
         m_outcome->project = project;
@@ -49,6 +52,10 @@ public:
             if (asked) {
                 m_outcome->batchIssues = checkBatch(project);
             }
+            m_outcome->objectiveFault = objectiveFault(project, wish.phases);
+        }
+        if (m_outcome->ran() && m_objective != SearchObjective::time) {
+            m_outcome->wear = wearOf(project, wish, m_stop);
         }
     }
 
@@ -59,7 +66,8 @@ public:
             while (goOn()) {
             }
             takeRound();
-            if (!m_outcome->stopped && !m_outcome->robust && !m_now.found.empty()) {
+            if (!m_outcome->stopped && !m_now.found.empty()
+                && m_objective == SearchObjective::time) {
                 lookForMargins();
             }
             finish();
@@ -76,7 +84,29 @@ private:
         FeasibleCycle cycle;
         FoundBy by = FoundBy::search;
         int candidate = 0; ///< on fresh phases
+        std::shared_ptr<const IntervalSummary> interval{};
+        bool isOfFront = false; ///< alone: of another sample of the scenarios than the answer
     };
+
+    /// Of the surface; without a set-up the wheel does not wear.
+    static SurfaceWear wearOf(const Project& project, const SearchWish& wish,
+                              const std::stop_token& stop) {
+        if (!wish.setup || !wish.setup->wear.isGiven()) {
+            return {*project.wheel, {}};
+        }
+        return surfaceWear(*wish.setup, wish.surface,
+                           wornProject(*wish.setup, wish.surface, stop).before_mm3);
+    }
+
+    /// What it is compared by before anything else.
+    [[nodiscard]] double valueOf(const Noted& each) const {
+        return each.interval ? each.interval->value(m_objective) : 0;
+    }
+
+    [[nodiscard]] bool isBefore(const Noted& a, const Noted& b, SearchAim aim) const {
+        return valueOf(a) != valueOf(b) ? valueOf(a) < valueOf(b)
+                                        : isBetter(a.cycle, b.cycle, gridOf(a), aim);
+    }
 
     /// What is known of the grid with the levels of a round.
     struct Round {
@@ -139,14 +169,14 @@ private:
     [[nodiscard]] const Noted* first() const {
         const auto best =
             std::ranges::min_element(m_now.found, [this](const Noted& a, const Noted& b) {
-                return isBetter(a.cycle, b.cycle, gridOf(a), m_outcome->aim());
+                return isBefore(a, b, m_outcome->aim());
             });
         return best == m_now.found.end() ? nullptr : &*best;
     }
 
     /// Whether it takes no longer than the answer may; others are of the front alone.
-    [[nodiscard]] bool mayAnswer(const FeasibleCycle& each) const {
-        return !m_within_us || each.time_us <= *m_within_us;
+    [[nodiscard]] bool mayAnswer(const Noted& each) const {
+        return !each.isOfFront && (!m_within_us || each.cycle.time_us <= *m_within_us);
     }
 
     [[nodiscard]] static std::optional<double> best_s(const std::vector<Noted>& found) {
@@ -167,14 +197,19 @@ private:
         options.stop = m_stop;
         options.marginWithin_us = m_within_us;
         options.onProgress = [this, stages](const SearchProgress& progress) {
-            if (progress.best && !m_outcome->robust) {
+            if (progress.best && !m_outcome->robust && !m_outcome->wear) {
                 addFound(*progress.best);
             }
             report(stages, progress.bound_s, progress.evaluations, FoundBy::search, progress.share);
         };
         SearchedNumber number{.stages = stages};
         int candidate = 0;
-        if (m_outcome->robust) {
+        std::shared_ptr<IntervalSummary> interval;
+        if (m_outcome->wear) {
+            interval = std::make_shared<IntervalSummary>(
+                searchInterval(project, *m_outcome->wear, {.search = options}));
+            number.search = interval->search;
+        } else if (m_outcome->robust) {
             RobustSummary robust =
                 optimiseRobustly(project, scenariosAskedFor(project, m_stop), {.search = options});
             candidate = m_now.candidates + robust.candidate;
@@ -192,6 +227,7 @@ private:
         }
         if (number.search.best && number.holds) {
             addFound(*number.search.best, FoundBy::search, candidate);
+            m_now.found.back().interval = std::move(interval);
         }
         m_now.numbers.push_back(std::move(number));
     }
@@ -205,6 +241,7 @@ private:
             m_now.found.push_back({cycle, by, candidate});
         } else if (by == FoundBy::margin) {
             known->by = by;
+            known->cycle.leastRelativeMargin = cycle.leastRelativeMargin;
         }
     }
 
@@ -252,16 +289,27 @@ private:
             }
             report(0, 0, progress.evaluations, FoundBy::margin);
         };
-        const std::optional<SearchSummary> from =
-            m_within_us ? optimise(m_now.searched, options) : quickest();
-        if (!from || !from->best || from->status != SearchStatus::proved) {
-            return;
-        }
-        const TradeOff front = tradeOff(m_now.searched, *from, options, most);
+        const TradeOff front = frontOf(options, most);
         for (const SearchSummary& each : front.cycles) {
+            const std::size_t before = m_now.found.size();
             addFound(*each.best, FoundBy::margin);
+            if (m_now.found.size() > before) {
+                m_now.found.back().isOfFront = m_outcome->robust;
+            }
         }
         m_outcome->isFrontWhole = front.isWhole;
+    }
+
+    [[nodiscard]] TradeOff frontOf(const SearchOptions& options, std::size_t most) const {
+        if (m_outcome->robust) {
+            return tradeOffRobustly(m_now.searched, scenariosAskedFor(m_now.searched, options.stop),
+                                    options, most);
+        }
+        const std::optional<SearchSummary> from =
+            m_within_us ? optimise(m_now.searched, options) : quickest();
+        return from && from->best && from->status == SearchStatus::proved
+                   ? tradeOff(m_now.searched, *from, options, most)
+                   : TradeOff{};
     }
 
     /// From the best of the grid, as it stands in the outcome.
@@ -294,16 +342,16 @@ private:
 
     void finish() {
         std::ranges::sort(m_now.found, [this](const Noted& a, const Noted& b) {
-            if (mayAnswer(a.cycle) != mayAnswer(b.cycle)) {
-                return mayAnswer(a.cycle);
+            if (mayAnswer(a) != mayAnswer(b)) {
+                return mayAnswer(a);
             }
-            return isBetter(a.cycle, b.cycle, gridOf(a),
-                            mayAnswer(a.cycle) ? m_outcome->aim() : SearchAim::leastTime);
+            return isBefore(a, b, mayAnswer(a) ? m_outcome->aim() : SearchAim::leastTime);
         });
         std::vector<std::size_t> numbers; // of stages, met already
-        for (const auto& [each, by, candidate] : m_now.found) {
+        for (const Noted& noted : m_now.found) {
+            const auto& [each, by, candidate, interval, isOfFront] = noted;
             const bool first =
-                mayAnswer(each) && std::ranges::find(numbers, each.cycle.size()) == numbers.end();
+                mayAnswer(noted) && std::ranges::find(numbers, each.cycle.size()) == numbers.end();
             m_outcome->found.push_back(
                 {.by = by,
                  .cycle = m_now.variants->grid(each.variant).cycle(each.cycle),
@@ -312,13 +360,16 @@ private:
                  .leastRelativeMargin = each.leastRelativeMargin,
                  .isBest = first && numbers.empty(),
                  .isBestOfItsNumber = first,
-                 .candidate = candidate});
+                 .candidate = candidate,
+                 .held = interval ? interval->held : std::nullopt,
+                 .cost = interval ? interval->cost : std::nullopt});
             if (first) {
                 numbers.push_back(each.cycle.size());
             }
         }
         for (FoundCycle& found : m_outcome->found) {
-            if (found.candidate > 0 && canDecidePhases(m_outcome->project)) {
+            const bool isHeldByAll = found.candidate > 0 || found.by == FoundBy::margin;
+            if (m_outcome->robust && isHeldByAll && canDecidePhases(m_outcome->project)) {
                 found.decided = phaseCases(withFound(m_outcome->project, found));
             }
         }
@@ -330,8 +381,10 @@ private:
                 leastMarginRequirements(withFound(m_now.searched, m_outcome->found.front()),
                                         m_outcome->robust, grace.token());
         } else if (!m_now.found.empty()) {
-            m_outcome->binding = bindingRequirements(m_now.searched, m_now.found.front().cycle,
-                                                     m_now.scenarios, grace.token());
+            const Noted& best = m_now.found.front();
+            m_outcome->binding = bindingRequirements(
+                m_now.searched, best.cycle, best.interval ? best.interval->parts : m_now.scenarios,
+                grace.token());
         }
     }
 
@@ -354,6 +407,7 @@ private:
     Round m_now;
     std::optional<double> m_best_s; ///< of the rounds before
     std::optional<std::int64_t> m_within_us;
+    SearchObjective m_objective;
     bool m_refine;
     Clock::time_point m_began;
     std::stop_token m_stop;

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/dressing/interval_search.h"
 #include "core/issue.h"
 #include "core/optimisation/optimise.h"
 #include "core/optimisation/phase_cases.h"
 #include "core/optimisation/variants.h"
 #include "core/project/cycle.h"
+#include "core/setup/setup.h"
+#include "core/setup/surface_wear.h"
 #include "core/study/search_levels.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -39,6 +43,8 @@ struct FoundCycle {
     int candidate = 0; ///< its number among those tried on fresh phases, from 1; 0: not tried
     /// Of a robust search under gauge control the cases for each of which it holds.
     std::optional<PhaseCases> decided{};
+    std::optional<PartsHeld> held{}; ///< of a search between dressings, where the wheel wears
+    std::optional<double> cost{};    ///< of a part, there too
 };
 
 /// A project with the cycle and the machine's settings that were found.
@@ -59,6 +65,8 @@ struct SearchOutcome {
     GridFault fault = GridFault::none;
     Issues issues;      ///< errors of the project, with which it is not searched
     Issues batchIssues; ///< why the batch that the cycle must hold for cannot be run
+    ObjectiveFault objectiveFault = ObjectiveFault::none;
+    std::optional<SurfaceWear> wear; ///< for an objective between dressings
     bool robust = false;
     bool refines = false; ///< looked between the levels too
     /// The greatest margin within this time was searched; nothing: the least time.
@@ -69,7 +77,8 @@ struct SearchOutcome {
     bool areLevelsCutShort = false;      ///< a further round was stopped
     std::vector<LevelEdge> edges;        ///< of its grid that the best of the grid reaches
     std::vector<SearchedNumber> numbers; ///< of stages, as listed; fewer when it was stopped
-    /// The best first; for the greatest margin those of the front that take longer come last.
+    /// The best first; those of the front that take longer than the greatest margin may, or that
+    /// are of a robust search and not its answer, come last.
     std::vector<FoundCycle> found;
     double limit_s = 0; ///< of the stepless cycle
     double bound_s = 0; ///< no cycle of the grid that holds is quicker; 0: not known
@@ -79,8 +88,10 @@ struct SearchOutcome {
     bool stopped = false;
 
     [[nodiscard]] bool ran() const {
-        return fault == GridFault::none && issues.empty() && batchIssues.empty();
+        return fault == GridFault::none && issues.empty() && batchIssues.empty()
+               && objectiveFault == ObjectiveFault::none;
     }
+    [[nodiscard]] SearchObjective objective() const { return objectiveOf(project); }
     [[nodiscard]] SearchAim aim() const {
         return marginWithin_us ? SearchAim::greatestMargin : SearchAim::leastTime;
     }
@@ -103,6 +114,9 @@ using SearchOutcomePtr = std::shared_ptr<const SearchOutcome>;
 struct SearchWish {
     bool phases = false; ///< hold in every phase of the stock too
     bool refine = false; ///< go on between the levels
+    /// That the project is a surface of, for the objectives between dressings; null: none.
+    std::shared_ptr<const Setup> setup = {};
+    std::size_t surface = 0;
 };
 
 /// How far a search is.

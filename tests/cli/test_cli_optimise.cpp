@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `sparkout-cli optimize` as a user meets it: the real program, its exit status, what it prints and
 // writes, and Ctrl+C.
+#include "core/dressing/interval_search.h"
 #include "core/optimisation/binding.h"
 #include "core/optimisation/limit.h"
 #include "core/optimisation/optimise.h"
+#include "core/setup/setup_file.h"
 #include "core/simulation/simulate.h"
 #include "tests/cli/cli_process.h"
 #include "tests/cli/search_samples.h"
@@ -303,6 +305,59 @@ private slots:
         file["optimisation"]["cost"].erase("parts_between_dressings");
         file["batch"] = nullptr;
         QVERIFY(std::abs(cost() - 0.5) < 1e-9);
+    }
+
+    /// With a wheel that wears: the answer is the engine's, and the cheapest cycle is not the
+    /// quickest.
+    void theLeastCostAndTheLongestLifeAreAskedForByTheFile() {
+        Setup setup = plainSetup(projectOf(shaft()));
+        Project& project = setup.surfaces[0].project;
+        project.optimisation->cost = Cost{60, 30, 100, 8, {}};
+        setup.wear.dulling_per_mm2 = 3e-5;
+        const auto saved = [&](SearchObjective objective) {
+            project.optimisation->objective = objective;
+            return save("worn.sparkout", json::parse(writeSetup(setup)));
+        };
+        const json quickest = json::parse(optimize({saved(SearchObjective::time), "--json"}).out);
+        QVERIFY(quickest.at("dressing").is_null());
+        for (const SearchObjective objective :
+             {SearchObjective::cost, SearchObjective::wheel_life}) {
+            const bool isCost = objective == SearchObjective::cost;
+            const QString file = saved(objective);
+            const Outcome outcome = optimize({file, "--json"});
+            QVERIFY2(outcome.status == 0, outcome.err.c_str());
+            const json answer = json::parse(outcome.out);
+            const IntervalSummary engine = searchInterval(project, surfaceWear(setup, 0, 0), {});
+            QVERIFY(answer.at("status") == "proved");
+            QVERIFY(answer.at("aim") == (isCost ? "least_cost" : "longest_wheel_life"));
+            const json& dressing = answer.at("dressing");
+            QVERIFY(dressing.at("parts") == engine.held->parts && engine.held->parts > 1);
+            QVERIFY(dressing.at("endless") == false && dressing.at("at_least") == false);
+            QVERIFY(dressing.at("mean_time_min") == engine.held->meanTime_s / 60);
+            QVERIFY(answer.at("cost_per_part") == *engine.cost);
+            QVERIFY(answer.at("cycle_time_min") == engine.search.best->time_s / 60);
+            QVERIFY(answer.at("cycle_time_min") >= quickest.at("cycle_time_min"));
+            const std::string text = optimize({file}).out;
+            QVERIFY2(text.find(isCost ? "the cheapest of the grid for all parts"
+                                      : "of the grid the most parts between dressings")
+                         != std::string::npos,
+                     text.c_str());
+            const std::string parts = std::to_string(engine.held->parts);
+            QVERIFY2(text.find("parts to a dressing  " + parts + "; the next one ")
+                         != std::string::npos,
+                     text.c_str());
+            QVERIFY2(text.find(", dressed after " + parts + " parts") != std::string::npos,
+                     text.c_str());
+            const Outcome robust = optimize({file, "--robust"});
+            QVERIFY(robust.status != 0);
+            QVERIFY2(robust.err.find("/optimisation/objective: ") != std::string::npos,
+                     robust.err.c_str());
+        }
+        setup.wear = {};
+        const json unworn = json::parse(optimize({saved(SearchObjective::cost), "--json"}).out);
+        QVERIFY(unworn.at("cycle") == quickest.at("cycle") && unworn.at("dressing").is_null());
+        QVERIFY(optimize({saved(SearchObjective::wheel_life)}).out.find("not searched")
+                != std::string::npos);
     }
 
     void stagesReplaceTheFiles() {

@@ -97,8 +97,10 @@ void PartStudy::startSearches(const Setup& setup) {
                SearchCount progress(*means.done);
                study.isSetUp = project.optimisation.has_value();
                if (study.isSetUp) {
+                   const SearchWish wish{.setup = std::make_shared<const Setup>(present),
+                                         .surface = study.surface};
                    study.search =
-                       runWholeSearch(project, {}, means.stop,
+                       runWholeSearch(project, wish, means.stop,
                                       [&progress](const SearchState& s) { progress.note(s); });
                    if (const FoundCycle* best = study.search->best()) {
                        Project& own = present.surfaces[study.surface].project;

@@ -139,6 +139,7 @@ void MainWindow::buildViews() {
             m_keeper->keepAside(*std::move(inputs), name);
         }
     });
+    optimise->setDocument(m_document);
     connect(optimise, &OptimiseView::editWanted, this, edit);
     auto* sweep = new SweepView(this, &m_settings);
     connect(sweep, &SweepView::editWanted, this, edit);

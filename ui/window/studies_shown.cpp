@@ -46,7 +46,7 @@ std::vector<StudyOffer> studiesShown(const std::vector<View*>& views, const Proj
         if (const auto* search = qobject_cast<const OptimiseView*>(view);
             search && search->search() && search->search()->ran()) {
             offer(*search, {.search = search->search(), .before_s = search->before_s()},
-                  sameSearch(search->search()->project, now));
+                  !search->hasOtherWear() && sameSearch(search->search()->project, now));
         }
     }
     return offers;

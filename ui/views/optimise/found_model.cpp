@@ -38,6 +38,8 @@ QString FoundModel::text(const FoundCycle& found, int column) const {
                    : QStringLiteral("–");
     case margin: return OptimiseText::percent(found.leastRelativeMargin);
     case cycle: return OptimiseText::found(found, m_outcome->project);
+    case parts: return found.held ? OptimiseText::parts(*found.held) : QStringLiteral("–");
+    case cost: return found.cost ? OptimiseText::cost(*found.cost) : QStringLiteral("–");
     default: return {};
     }
 }
@@ -47,6 +49,14 @@ QString FoundModel::kindOf(const FoundCycle& found) const {
         return found.isBest
                    ? tr("The farthest of the grid from its limits within the time given")
                    : tr("The farthest of its number of stages from its limits, within the time");
+    }
+    if (m_outcome->wear && m_outcome->objective() == SearchObjective::cost) {
+        return found.isBest ? tr("The cheapest of the grid")
+                            : tr("The cheapest of its number of stages");
+    }
+    if (m_outcome->wear) {
+        return found.isBest ? tr("The one of the grid that keeps the wheel longest")
+                            : tr("The one of its number of stages that keeps the wheel longest");
     }
     if (found.isBest) {
         return tr("The quickest of the grid");
@@ -99,6 +109,8 @@ QVariant FoundModel::head(int column, int role) const {
         case change: return tr("To yours, %");
         case gap: return tr("Gap, %");
         case margin: return tr("Margin, %");
+        case parts: return tr("Parts");
+        case cost: return tr("Cost");
         default: return tr("Cycle");
         }
     }
@@ -113,6 +125,8 @@ QVariant FoundModel::head(int column, int role) const {
                   "took the place of");
     case gap: return tr("By how much a stepless cycle might at most be quicker");
     case margin: return tr("The least margin of all requirements, of its limit");
+    case parts: return tr("Parts from one dressing to the next that it holds for");
+    case cost: return tr("Cost of a part with its share of the dressing");
     default:
         return m_outcome ? OptimiseText::cycleHint(m_outcome->project.operation)
                          : tr("Feeds and stocks of the stages");
@@ -123,6 +137,9 @@ CsvTable FoundModel::table() const {
     CsvTable table;
     table.header << tr("Stages") << tr("Time, min") << tr("To yours, %") << tr("Gap, %")
                  << tr("Margin, %") << tr("Cycle");
+    if (hasInterval()) {
+        table.header << tr("Parts") << tr("Cost");
+    }
     for (int row = 0; row < rowsShown(); ++row) {
         const FoundCycle& found = m_outcome->found[static_cast<std::size_t>(row)];
         CsvCell toBefore;
@@ -133,6 +150,11 @@ CsvTable FoundModel::table() const {
             {double(found.cycle.stages.size()), found.time_s / units::secondsPerMinute, toBefore,
              100 * gapToLimit(found.time_s, m_outcome->limit_s), 100 * found.leastRelativeMargin,
              OptimiseText::found(found, m_outcome->project)});
+        if (hasInterval()) {
+            table.rows.back().push_back(found.held ? CsvCell(double(found.held->parts))
+                                                   : CsvCell());
+            table.rows.back().push_back(found.cost ? CsvCell(*found.cost) : CsvCell());
+        }
     }
     return table;
 }

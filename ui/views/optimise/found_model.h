@@ -13,7 +13,8 @@ namespace sparkout {
 class FoundModel : public TableModel {
     Q_OBJECT
 public:
-    enum Column { time, cycle, stages, change, gap, margin, columnCount_ };
+    /// The last two of a search between dressings alone.
+    enum Column { time, cycle, stages, change, gap, margin, parts, cost, columnCount_ };
 
     using TableModel::TableModel;
 
@@ -26,12 +27,14 @@ private:
     [[nodiscard]] int rowsShown() const override {
         return m_outcome ? static_cast<int>(m_outcome->found.size()) : 0;
     }
-    [[nodiscard]] int columnsShown() const override { return columnCount_; }
+    [[nodiscard]] int columnsShown() const override { return hasInterval() ? columnCount_ : parts; }
     [[nodiscard]] QVariant cell(int row, int column, int role) const override;
     [[nodiscard]] QVariant head(int column, int role) const override;
     [[nodiscard]] QVariant side(int row, int role) const override;
     [[nodiscard]] QString text(const FoundCycle& found, int column) const;
     [[nodiscard]] QString kindOf(const FoundCycle& found) const;
+
+    [[nodiscard]] bool hasInterval() const { return m_outcome && m_outcome->wear; }
 
     SearchOutcomePtr m_outcome;
     std::optional<double> m_before_s;

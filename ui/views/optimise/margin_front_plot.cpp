@@ -4,6 +4,8 @@
 #include "core/units.h"
 #include "ui/views/optimise/optimise_text.h"
 
+#include <QAccessible>
+#include <QKeyEvent>
 #include <QLineF>
 
 #include <algorithm>
@@ -63,15 +65,21 @@ void MarginFrontPlot::setSearch(SearchOutcomePtr outcome, std::optional<TimedMar
     m_outcome = std::move(outcome);
     m_own = yours;
     m_chosen->data()->clear();
+    m_chosen_s.reset();
     fill();
     contentSet();
 }
 
 void MarginFrontPlot::setChosen(const FoundCycle* found) {
     m_chosen->data()->clear();
+    m_chosen_s.reset();
     if (found) {
+        m_chosen_s = found->time_s;
         m_chosen->addData(frontMinutes(found->time_s), frontPercent * found->leastRelativeMargin);
     }
+    setAccessibleDescription(found && m_outcome ? described(*found) : QString());
+    QAccessibleEvent changed(this, QAccessible::DescriptionChanged);
+    QAccessible::updateAccessibility(&changed);
     emit contentChanged();
 }
 
@@ -148,13 +156,70 @@ std::size_t MarginFrontPlot::rowOf(const FoundCycle& found) const {
     return static_cast<std::size_t>(&found - m_outcome->found.data());
 }
 
+QString MarginFrontPlot::described(const FoundCycle& found) const {
+    return tr("%1 min, margin %2 %: %3")
+        .arg(OptimiseText::minutes(found.time_s), OptimiseText::percent(found.leastRelativeMargin),
+             OptimiseText::found(found, m_outcome->project));
+}
+
 QString MarginFrontPlot::valuesAt(const QPointF& at) const {
     const FoundCycle* const found = cycleAt(at);
-    return found ? tr("%1 min, margin %2 %: %3")
-                       .arg(OptimiseText::minutes(found->time_s),
-                            OptimiseText::percent(found->leastRelativeMargin),
-                            OptimiseText::found(*found, m_outcome->project))
-                 : QString();
+    return found ? described(*found) : QString();
+}
+
+// --- keys ---------------------------------------------------------------------------------------
+
+PlotTools& MarginFrontPlot::addTools(PlotSubject subject, Settings* settings) {
+    PlotTools& tools = ViewPlot::addTools(std::move(subject), settings);
+    installEventFilter(this); // last, hence before the navigation's
+    return tools;
+}
+
+bool MarginFrontPlot::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == this && event->type() == QEvent::KeyPress) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const Qt::KeyboardModifiers modifiers = key->modifiers() & ~Qt::KeypadModifier;
+        if (modifiers == Qt::NoModifier && onKey(key->key())) {
+            event->accept();
+            return true;
+        }
+    }
+    return ViewPlot::eventFilter(watched, event);
+}
+
+const FoundCycle* MarginFrontPlot::beside(bool isLonger) const {
+    const std::vector<const FoundCycle*> points = m_outcome->front(); // the quickest first
+    if (!m_chosen_s) {
+        return isLonger ? points.front() : points.back();
+    }
+    const FoundCycle* found = nullptr;
+    for (const FoundCycle* each : points) {
+        if (isLonger && each->time_s > *m_chosen_s) {
+            return each;
+        }
+        if (!isLonger && each->time_s < *m_chosen_s) {
+            found = each;
+        }
+    }
+    return found;
+}
+
+bool MarginFrontPlot::onKey(int key) {
+    if (!hasFront()) {
+        return false;
+    }
+    if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+        emit cycleEntered();
+        return true;
+    }
+    if (key != Qt::Key_Left && key != Qt::Key_Right) {
+        return false;
+    }
+    if (const FoundCycle* found = beside(key == Qt::Key_Right)) {
+        emit cyclePointed(rowOf(*found));
+        emit pointed(described(*found));
+    }
+    return true; // at an end too
 }
 
 // --- table, look and words ----------------------------------------------------------------------

@@ -16,8 +16,8 @@ struct TimedMargin {
 
 /// Time against margin: the cycles of the grid of which none is both as quick and as far from its
 /// nearest limit as another, as a step curve: what margin a time buys. With the cycle compared
-/// with, the one chosen and the time that a search for the greatest margin leaves. A click chooses
-/// a cycle.
+/// with, the one chosen and the time that a search for the greatest margin leaves. A click or
+/// the arrow keys choose a cycle, Enter takes it.
 class MarginFrontPlot : public ViewPlot {
     Q_OBJECT
 public:
@@ -37,6 +37,7 @@ public:
     [[nodiscard]] QCPGraph* chosen() const { return m_chosen; }
     [[nodiscard]] QCPItemStraightLine* givenTime() const { return m_time; }
 
+    PlotTools& addTools(PlotSubject subject, Settings* settings) override;
     void fit() override;
     void restyle() override;
     [[nodiscard]] LegendEntries legendEntries() const override;
@@ -45,13 +46,20 @@ public:
 
 signals:
     void cycleClicked(std::size_t row); ///< of the outcome's cycles found
+    void cyclePointed(std::size_t row); ///< the same by a key, which stays here
+    void cycleEntered();                ///< the chosen one is to be taken
 
 protected:
     void setTexts() override;
     void showChoice() override;
     [[nodiscard]] QString valuesAt(const QPointF& at) const override;
+    bool eventFilter(QObject* watched, QEvent* event) override; ///< of its own keys
 
 private:
+    [[nodiscard]] bool onKey(int key);
+    /// The next of the front that takes longer than the chosen one, or less; null: none.
+    [[nodiscard]] const FoundCycle* beside(bool isLonger) const;
+    [[nodiscard]] QString described(const FoundCycle& found) const;
     void fill();
     void showTime();
     [[nodiscard]] const FoundCycle* cycleAt(const QPointF& at) const;
@@ -62,6 +70,7 @@ private:
 
     SearchOutcomePtr m_outcome;
     std::optional<TimedMargin> m_own;
+    std::optional<double> m_chosen_s; ///< time of the chosen one
     QCPAxisRect* m_rect;
     QCPGraph *m_curve, *m_yours, *m_chosen;
     QCPItemStraightLine* m_time;

@@ -112,6 +112,9 @@ QString OptimiseText::fault(const SearchOutcome& outcome) {
     if (!outcome.issues.empty()) {
         return Names::refusal(outcome.issues, 2);
     }
+    if (outcome.objectiveFault != ObjectiveFault::none) {
+        return objectiveFault(outcome.objectiveFault);
+    }
     switch (outcome.fault) {
     case GridFault::none: break;
     case GridFault::notGiven: return tr("What is to be searched is not given.");
@@ -135,6 +138,38 @@ QString OptimiseText::fault(const SearchOutcome& outcome) {
     }
     return tr("The batch that the cycle is to hold for cannot be run:") + u'\n'
            + Names::refusal(outcome.batchIssues, 2);
+}
+
+QString OptimiseText::objectiveFault(ObjectiveFault fault) {
+    switch (fault) {
+    case ObjectiveFault::none: break;
+    case ObjectiveFault::noRates:
+        return tr("The least cost needs the cost of a part: page Search of the inputs.");
+    case ObjectiveFault::otherAim:
+        return tr("The largest margin within a time is searched with the objective “least time” "
+                  "alone.");
+    case ObjectiveFault::otherParts:
+        return tr("Cost and wheel life are searched for the part as it stands, without the phases "
+                  "of the stock and the batch.");
+    }
+    return {};
+}
+
+QString OptimiseText::parts(const PartsHeld& held) {
+    const QString count = QLocale().toString(qlonglong(held.parts));
+    return held.isEndless ? tr("any number") : held.isAll ? tr("at least %1").arg(count) : count;
+}
+
+QString OptimiseText::cost(double cost) {
+    return Names::significant(cost, 5);
+}
+
+QString OptimiseText::offer(SearchObjective objective) {
+    return objective == SearchObjective::cost
+               ? tr("“Search” finds the cycle of the grid with the least cost of a part, together "
+                    "with the parts between dressings: it holds for all of them.")
+               : tr("“Search” finds the cycle of the grid that holds for the most parts from one "
+                    "dressing to the next, the quickest of these.");
 }
 
 QString OptimiseText::cutsOf(const SearchOutcome& outcome) {
@@ -193,21 +228,62 @@ QString OptimiseText::marginAnswer(const SearchOutcome& outcome, const FoundCycl
                      .arg(margin, taken, size, within(outcome));
 }
 
+QString OptimiseText::intervalAnswer(const SearchOutcome& outcome, const FoundCycle& best) {
+    const bool isCost = outcome.objective() == SearchObjective::cost;
+    const QString size = gridSize(sparkout::gridSize(outcome.searched)),
+                  taken = minutes(best.time_s);
+    if (!best.held) {
+        return tr("%1 min: the quickest of %2. How the wheel wears is not given, so it is the "
+                  "cheapest too, and the wheel's life is not searched.")
+            .arg(taken, size);
+    }
+    QStringList lines;
+    if (isCost) {
+        lines << (outcome.proved() ? tr("%1 a part, in %2 min: of %3 the least cost, proved.")
+                                         .arg(cost(best.cost.value_or(0)), taken, size)
+                                   : tr("%1 a part, in %2 min, is the least cost so far.")
+                                         .arg(cost(best.cost.value_or(0)), taken));
+    } else {
+        lines << (outcome.proved()
+                      ? tr("%1 min: of %2 none holds for more parts between dressings, proved.")
+                            .arg(taken, size)
+                      : tr("%1 min: the most parts between dressings so far.").arg(taken));
+    }
+    lines << tr("Parts to a dressing: %1; %2 min each on average.")
+                 .arg(parts(*best.held), minutes(best.held->meanTime_s));
+    if (best.held->end) {
+        lines << tr("The next part breaks: %1.")
+                     .arg(Names::inSentence(Names::constraint(*best.held->end)));
+    }
+    if (!isCost && best.cost) {
+        lines << tr("A part costs %1.").arg(cost(*best.cost));
+    }
+    return lines.join(u' ');
+}
+
 QString OptimiseText::front(const SearchOutcome& outcome) {
-    if (outcome.robust) {
-        return tr("Margins by time are searched for the part as it stands; this search must hold "
-                  "for more.");
+    if (outcome.wear) {
+        return tr("Margins by time are searched for the least time, or for the largest margin; "
+                  "this search is of parts between dressings.");
     }
     const std::vector<const FoundCycle*> points = outcome.front();
+    if (points.empty() && outcome.robust && outcome.best() && !outcome.best()->decided) {
+        return tr("Margins by time over all phases of the stock are searched under gauge control "
+                  "alone.");
+    }
     if (points.empty()) {
         return tr("No margins by time: the search was stopped before, or no cycle holds.");
     }
-    return outcome.isFrontWhole
-               ? tr("All %n cycle(s) of the grid of which none is both quicker and farther from "
-                    "its limits.",
-                    nullptr, static_cast<int>(points.size()))
-               : tr("Up to %1 min; cycles that take longer may have larger margins.")
-                     .arg(minutes(points.back()->time_s));
+    const QString all =
+        outcome.isFrontWhole
+            ? tr("All %n cycle(s) of the grid of which none is both quicker and farther from "
+                 "its limits.",
+                 nullptr, static_cast<int>(points.size()))
+            : tr("Up to %1 min; cycles that take longer may have larger margins.")
+                  .arg(minutes(points.back()->time_s));
+    return outcome.robust
+               ? all + u' ' + tr("The margin is the least over all that the search must hold for.")
+               : all;
 }
 
 QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double> before_s) {
@@ -217,7 +293,9 @@ QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double>
         lines << noAnswer(outcome) << cutsOf(outcome);
         return joined(lines, QStringLiteral(" "));
     }
-    if (outcome.marginWithin_us) {
+    if (outcome.wear) {
+        lines << intervalAnswer(outcome, *best);
+    } else if (outcome.marginWithin_us) {
         lines << marginAnswer(outcome, *best);
     } else {
         lines

@@ -24,6 +24,10 @@ public:
     static QString cycleHint(Operation operation); ///< what the numbers of cycle() are
 
     static QString state(const SearchState& state);
+    static QString parts(const PartsHeld& held); ///< "636", "at least 10 000", "any number"
+    static QString cost(double cost);
+    /// What a search between dressings would find.
+    static QString offer(SearchObjective objective);
     static QString fault(const SearchOutcome& outcome);  ///< why nothing could be searched
     static QString within(const SearchOutcome& outcome); ///< the time given, "0.92"
     /// What the margins by time are of, or why there are none.
@@ -36,6 +40,9 @@ private:
     static QString cutsOf(const SearchOutcome& outcome);
     /// Of a search for the greatest margin: what came out, and the margins by time.
     static QString marginAnswer(const SearchOutcome& outcome, const FoundCycle& best);
+    /// Of a search between dressings.
+    static QString intervalAnswer(const SearchOutcome& outcome, const FoundCycle& best);
+    static QString objectiveFault(ObjectiveFault fault);
     static QString noAnswer(const SearchOutcome& outcome);
     static QString robustness(const SearchOutcome& outcome, const FoundCycle& best);
     static QString decided(const PhaseCases& cases);

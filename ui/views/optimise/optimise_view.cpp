@@ -3,6 +3,7 @@
 
 #include "core/format/project_file.h"
 #include "core/project/optimisation.h"
+#include "core/setup/surface_wear.h"
 #include "core/study/search_edits.h"
 #include "ui/charts/compare_plot.h"
 #include "ui/dialogs/copy_table.h"
@@ -31,6 +32,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace sparkout {
@@ -119,7 +121,12 @@ void OptimiseView::connectParts() {
     connect(m_trials, &RunController::finished, this, &OptimiseView::takeTrial);
     connect(m_gridBar, &StateGridBar::changed, this, &OptimiseView::takeGrid);
     connect(m_gridBar, &StateGridBar::moved, this, &OptimiseView::moveGrid);
-    connect(m_margins, &MarginFrontPlot::cycleClicked, this, &OptimiseView::chooseRow);
+    connect(m_margins, &MarginFrontPlot::cycleClicked, this, [this](std::size_t row) {
+        chooseRow(row);
+        m_table->setFocus(); // whose keys go on from there
+    });
+    connect(m_margins, &MarginFrontPlot::cyclePointed, this, &OptimiseView::chooseRow);
+    connect(m_margins, &MarginFrontPlot::cycleEntered, this, &OptimiseView::takeCycle);
     connect(m_grid, &StateGridPlot::stateClicked, this, [this](int level, std::size_t feed) {
         m_gridBar->setMoment(momentOf(m_grid->outcome()->grid, level, feed));
     });
@@ -181,7 +188,20 @@ bool OptimiseView::busy() const {
 }
 
 void OptimiseView::noteStale() {
-    m_stale = !m_search || !good() || !sameSearch(m_search->project, good()->result.project);
+    m_stale = !m_search || !good() || !sameSearch(m_search->project, good()->result.project)
+              || hasOtherWear();
+}
+
+/// What the surfaces before it remove shows in its wheel.
+bool OptimiseView::hasOtherWear() const {
+    if (!m_search || !m_search->wear || !m_document) {
+        return false;
+    }
+    const Setup setup = m_document->setup();
+    return setup.wear != m_search->wear->wear
+           || (setup.wear.isGiven()
+               && surfaceWear(setup, m_document->surface(), 0).part_mm3
+                      != m_search->wear->part_mm3);
 }
 
 void OptimiseView::runSearch() {
@@ -190,7 +210,13 @@ void OptimiseView::runSearch() {
     }
     m_searching = good()->result.project;
     m_bar->showProgress(0, OptimiseText::state({}));
-    m_runner->start(*m_searching, {m_phases->isChecked(), m_refine->isChecked()});
+    SearchWish wish{.phases = m_phases->isChecked() && m_phases->isEnabled(),
+                    .refine = m_refine->isChecked()};
+    if (m_document) {
+        wish.setup = std::make_shared<const Setup>(m_document->setup());
+        wish.surface = m_document->surface();
+    }
+    m_runner->start(*m_searching, wish);
     showState();
 }
 
@@ -240,7 +266,6 @@ void OptimiseView::showBefore() {
 void OptimiseView::chooseRow(std::size_t row) {
     m_table->selectRow(static_cast<int>(row));
     m_table->scrollTo(m_found->index(static_cast<int>(row), 0));
-    m_table->setFocus(); // whose keys go on from there
 }
 
 void OptimiseView::tryCycle() {
@@ -387,9 +412,12 @@ void OptimiseView::showState() {
         wish->setVisible(!searching);
         wish->setEnabled(isGiven());
     }
-    if (isGiven() && good()->result.project.optimisation->margin_within_min) {
+    const bool betweenDressings =
+        isGiven() && objectiveOf(good()->result.project) != SearchObjective::time;
+    if (isGiven() && (betweenDressings || good()->result.project.optimisation->margin_within_min)) {
         m_refine->setEnabled(false); // it looks for the least time alone
     }
+    m_phases->setEnabled(isGiven() && !betweenDressings);
     m_bar->state()->setText(isGiven() && !searching
                                 ? OptimiseText::gridSize(sparkout::gridSize(good()->result.project))
                                 : QString());
@@ -413,8 +441,9 @@ QString OptimiseView::hint() const {
     if (&front() == m_margins) {
         return !isFound() ? QString()
                : m_margins->hasFront()
-                   ? tr("A click chooses a cycle, “Take this cycle” or Enter takes it.") + u' '
-                         + OptimiseText::front(*m_search)
+                   ? tr("A click or the arrow keys choose a cycle, “Take this cycle” or Enter "
+                        "takes it.")
+                         + u' ' + OptimiseText::front(*m_search)
                    : OptimiseText::front(*m_search);
     }
     return &front() == m_curves
@@ -444,6 +473,8 @@ QString OptimiseView::remark() const {
     }
     if (!m_search) {
         return m_runner->running() ? QString()
+               : objectiveOf(good()->result.project) != SearchObjective::time
+                   ? OptimiseText::offer(objectiveOf(good()->result.project))
                : good()->result.project.optimisation->margin_within_min
                    ? tr("“Search” finds the cycle of the grid farthest from its limits within the "
                         "time given. It can be stopped at any time and keeps the best so far.")

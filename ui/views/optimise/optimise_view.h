@@ -36,6 +36,9 @@ class OptimiseView : public PlotView {
 public:
     explicit OptimiseView(QWidget* parent = nullptr, Settings* settings = nullptr);
 
+    /// Whose surface in front is searched, with the wear of its wheel; without one it does not
+    /// wear. It is to outlive the view.
+    void setDocument(const Document& document) { m_document = &document; }
     [[nodiscard]] ComparePlot* curves() const { return m_curves; }
     [[nodiscard]] StageCountPlot* times() const { return m_times; }
     [[nodiscard]] MarginFrontPlot* margins() const { return m_margins; }
@@ -45,6 +48,9 @@ public:
     [[nodiscard]] std::optional<double> before_s() const;
     [[nodiscard]] bool busy() const override;
     [[nodiscard]] bool stale() const { return m_stale; } ///< what is shown is of other inputs
+
+    /// Whether the wheel of the document wears in another way than that of the search shown.
+    [[nodiscard]] bool hasOtherWear() const;
 
     [[nodiscard]] QString title() const override;
 
@@ -99,6 +105,7 @@ private:
     [[nodiscard]] bool isFound() const;   ///< a cycle
     [[nodiscard]] bool hasCurves() const; ///< the front plot
 
+    const Document* m_document = nullptr;
     ComparePlot* m_curves;
     StageCountPlot* m_times;
     MarginFrontPlot* m_margins;

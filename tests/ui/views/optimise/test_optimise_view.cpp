@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view "Optimise" by mouse and keys: what it shows is the engine's, a cycle is taken by one
 // edit, and it says when it is of other inputs.
+#include "core/dressing/interval_search.h"
 #include "core/optimisation/trade_off.h"
 #include "core/project/cycle.h"
 #include "core/project/optimisation.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
+#include "core/setup/surface_wear.h"
 #include "core/study/search_edits.h"
 #include "tests/registry.h"
 #include "tests/ui/support/search_fixtures.h"
@@ -146,6 +148,94 @@ private slots:
         QCOMPARE(OptimiseText::cycle(*desk.project().cycle),
                  OptimiseText::cycle(engine.cycles[last].cycle));
         QVERIFY(!desk.view->stale());
+    }
+
+    /// By keys alone: the arrows go from point to point, Enter takes the one chosen.
+    void theKeysChooseAPointOfTheMarginsByTime() {
+        const Project project = fixtures::searchedShaft();
+        const TradeOff engine = tradeOff(project, optimise(project), {}, 40);
+        const Desk desk(project);
+        QVERIFY(desk.searched());
+        desk.part<QComboBox>("optimiseContent").setCurrentIndex(2);
+        desk.bench.settle();
+        MarginFrontPlot& plot = *desk.view->margins();
+        plot.setFocus();
+        const QCPRange before = plot.curve()->keyAxis()->range();
+        for (int i = 0; i < 60; ++i) {
+            QTest::keyClick(&plot, Qt::Key_Left);
+        }
+        const auto cycleAt = [&] {
+            const int row = desk.part<CopyTable>("optimiseFound").currentIndex().row();
+            return desk.cell(row, FoundModel::cycle);
+        };
+        for (std::size_t i = 0; i < engine.cycles.size(); ++i) {
+            const SearchSummary& point = engine.cycles[i];
+            QCOMPARE(cycleAt(), OptimiseText::cycle(point.cycle));
+            QCOMPARE(plot.chosen()->data()->at(0)->key, point.best->time_s / 60);
+            QVERIFY(
+                plot.accessibleDescription().contains(OptimiseText::minutes(point.best->time_s)));
+            QVERIFY(plot.hasFocus());
+            QTest::keyClick(&plot, Qt::Key_Right);
+        }
+        QCOMPARE(cycleAt(), OptimiseText::cycle(engine.cycles.back().cycle)); // the last stays
+        QVERIFY(plot.curve()->keyAxis()->range() == before);                  // nothing moved
+        QTest::keyClick(&plot, Qt::Key_Left);
+        QTest::keyClick(&plot, Qt::Key_Return);
+        desk.bench.settle();
+        QCOMPARE(OptimiseText::cycle(*desk.project().cycle),
+                 OptimiseText::cycle(engine.cycles[engine.cycles.size() - 2].cycle));
+    }
+
+    /// Over every stock of the range: the answer is its quickest point, and none is better.
+    void aRobustSearchHasMarginsByTime() {
+        Project project = fixtures::searchedShaft();
+        const Desk desk(project);
+        desk.part<QCheckBox>("optimisePhases").setChecked(true);
+        QVERIFY(desk.searched());
+        const SearchOutcome& search = *desk.view->search();
+        QVERIFY(search.robust && search.best() && search.proved());
+        const std::vector<const FoundCycle*> front = search.front();
+        QVERIFY(!front.empty());
+        double margin = -1;
+        for (const FoundCycle* each : front) {
+            QVERIFY(each->decided && each->leastRelativeMargin > margin);
+            margin = each->leastRelativeMargin;
+            QVERIFY(each->time_s >= search.best()->time_s - 1e-6);
+        }
+        desk.part<QComboBox>("optimiseContent").setCurrentIndex(2);
+        desk.bench.settle();
+        QVERIFY(desk.view->margins()->hasFront());
+        QVERIFY(OptimiseText::front(search).contains(QStringLiteral("least over all")));
+    }
+
+    /// The wheel of the set-up wears: the answer has its parts and its cost, and an edit of the
+    /// wear makes it old.
+    void theCheapestCycleIsAnsweredWithItsInterval() {
+        Setup setup = plainSetup(fixtures::searchedShaft());
+        Project& project = setup.surfaces[0].project;
+        project.optimisation->cost = Cost{60, 30, 100, 8, {}};
+        project.optimisation->objective = SearchObjective::cost;
+        setup.wear.dulling_per_mm2 = 3e-5;
+        const IntervalSummary engine = searchInterval(project, surfaceWear(setup, 0, 0), {});
+        const Desk desk(project);
+        desk.bench.window->document().startUntitled(setup);
+        desk.bench.settle();
+        QVERIFY(!desk.part<QCheckBox>("optimiseRefine").isEnabled());
+        QVERIFY(!desk.part<QCheckBox>("optimisePhases").isEnabled());
+        QVERIFY(desk.told().contains(QStringLiteral("least cost")));
+        QVERIFY(desk.searched());
+        QCOMPARE(desk.cell(0, FoundModel::cycle), OptimiseText::cycle(engine.search.cycle));
+        QCOMPARE(desk.cell(0, FoundModel::parts), OptimiseText::parts(*engine.held));
+        QCOMPARE(desk.cell(0, FoundModel::cost), OptimiseText::cost(*engine.cost));
+        QVERIFY2(desk.told().contains(OptimiseText::cost(*engine.cost))
+                     && desk.told().contains(QStringLiteral("the least cost, proved")),
+                 qPrintable(desk.told()));
+        QVERIFY(!desk.view->stale());
+        SetupState worn = desk.bench.window->document().state();
+        worn.wear.dulling_per_mm2 = 4e-5;
+        desk.bench.window->document().editSetup(worn, {"Edit", ""});
+        desk.bench.settle();
+        QTRY_VERIFY(desk.view->stale());
     }
 
     /// With a time in the project the answer is the cycle of the largest margin within it.

@@ -1,0 +1,420 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The cheapest cycle and the one that keeps the wheel longest: found by running all cycles of the
+// grid on all parts, laws, and the closed form of a drive's limit.
+#include "core/dressing/interval_search.h"
+#include "core/dressing/part_cost.h"
+#include "core/process/force.h"
+#include "core/project/wheel.h"
+#include "core/study/grid_search.h"
+#include "core/study/whole_search.h"
+#include "tests/core/optimisation/search_checks.h"
+#include "tests/registry.h"
+#include "words/search_words.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <numeric>
+#include <vector>
+
+namespace test_interval_search {
+
+using namespace search_checks;
+
+namespace {
+
+/// A cycle of a grid that holds for the first part: how long it goes on to, and its margin over so
+/// many.
+struct Lasting {
+    PlainCycle plain;
+    std::int64_t time_us = 0;
+    double time_s = 0;
+    std::vector<double> margins; ///< over the parts 1…n, as many as it holds for
+};
+
+std::vector<Lasting> allLasting(Project project, const SurfaceWear& wear, std::int64_t most) {
+    std::vector<Lasting> all;
+    for (const PlainCycle& each : PlainGrid(project).cycles) {
+        *project.cycle = each.cycle;
+        setMachine(project, each.machine);
+        Lasting lasting{each, 0, 0, {}};
+        double margin = std::numeric_limits<double>::infinity();
+        for (std::int64_t part = 1; part <= most; ++part) {
+            *project.wheel =
+                wheelAfter(wear.dressed, wear.wear, static_cast<double>(part - 1) * wear.part_mm3);
+            const SimulationResult result = simulateUnchecked(project);
+            if (!holds(result)) {
+                break;
+            }
+            lasting.time_s = part == 1 ? result.time_s : lasting.time_s;
+            lasting.time_us = std::llround(lasting.time_s * 1e6);
+            for (const ConstraintResult& constraint : evaluateConstraints(result)) {
+                margin = std::min(margin, constraint.relativeMargin);
+            }
+            lasting.margins.push_back(margin);
+        }
+        if (!lasting.margins.empty()) {
+            all.push_back(std::move(lasting));
+        }
+    }
+    return all;
+}
+
+/// The quickest for so many parts by the definition; null: none.
+const Lasting* quickestFor(const std::vector<Lasting>& all, std::size_t parts) {
+    const Lasting* best = nullptr;
+    for (const Lasting& each : all) {
+        if (each.margins.size() >= parts
+            && (!best || each.time_us < best->time_us
+                || (each.time_us == best->time_us
+                    && each.margins[parts - 1] > best->margins[parts - 1]))) {
+            best = &each;
+        }
+    }
+    return best;
+}
+
+/// By trying every number of parts.
+struct PlainInterval {
+    const Lasting* best = nullptr;
+    std::int64_t parts = 0;
+    double cost = std::numeric_limits<double>::infinity();
+
+    PlainInterval(const std::vector<Lasting>& all, const Project& project, std::int64_t most) {
+        const bool isLife = project.optimisation->objective == SearchObjective::wheel_life;
+        for (std::int64_t n = 1; n <= most; ++n) {
+            const Lasting* const quickest = quickestFor(all, static_cast<std::size_t>(n));
+            if (!quickest) {
+                break;
+            }
+            const double price =
+                partCost(*project.optimisation->cost, double(quickest->time_us) * 1e-6, n);
+            if (isLife || price < cost || (price == cost && quickest->time_us == best->time_us)) {
+                best = quickest;
+                parts = n;
+                cost = price;
+            }
+        }
+    }
+};
+
+bool isThat(const IntervalSummary& found, const PlainInterval& plain) {
+    const auto& best = found.search.best;
+    return best.has_value() == (plain.best != nullptr)
+           && (!best
+               || (found.held && found.held->parts == plain.parts
+                   && best->time_us == plain.best->time_us
+                   && best->leastRelativeMargin
+                          == plain.best->margins[static_cast<std::size_t>(plain.parts - 1)]
+                   && sameCycle(found.search.cycle, plain.best->plain.cycle)
+                   && found.search.machine == plain.best->plain.machine));
+}
+
+Project withRates(Project p, unsigned seed) {
+    p.optimisation->cost = Cost{};
+    p.optimisation->cost->machine_per_h = 60;
+    p.optimisation->cost->handling_s = 20;
+    p.optimisation->cost->dressing_s = 30.0 * (seed % 5);
+    p.optimisation->cost->dressing_cost = 0.3 * (seed % 7);
+    if (seed % 4 == 1) {
+        p.optimisation->work_speed_rpm = std::vector<double>{150, 180};
+    }
+    return p;
+}
+
+/// A wheel whose dullness some parts multiply, so that cycles end after different numbers.
+SurfaceWear wearOf(const Project& project, unsigned seed) {
+    SurfaceWear wear{*project.wheel, {}, nominalVolume_mm3(project), 0};
+    const double exponent = seed % 3 == 0 ? 0.7 : 1;
+    const double grown = project.wheel->dullness * (0.02 + 0.06 * (seed % 6));
+    wear.wear.dulling_exponent = exponent;
+    wear.wear.dulling_per_mm2 = grown / std::pow(wear.part_mm3 / project.wheel->width_mm, exponent);
+    if (seed % 5 == 2) {
+        wear.wear.grinding_ratio = 0.5;
+    }
+    return wear;
+}
+
+IntervalSummary searched(const Project& project, const SurfaceWear& wear, std::int64_t most,
+                         SearchMethod method = SearchMethod::pruned) {
+    SearchOptions search;
+    search.method = method;
+    return searchInterval(project, wear, {.search = search, .most = most});
+}
+
+/// One stage at a stiff machine whose drive ends it: every revolution cuts what it is fed.
+Project stiffDriven() {
+    Project p = driven(1.2);
+    p.machine->compliance_mm_per_n = std::vector<double>{1e-12};
+    p.optimisation->radial_feed_mm_min = std::vector<double>{0.15, 0.3, 0.45, 0.6, 0.9, 1.2};
+    p.machine->wheel_drive_kw = simulateUnchecked(p).peakPower_w / 1000 * 1.05;
+    return p;
+}
+
+/// The power of the wheel at a cut of a revolution and a dullness [kW].
+double power_kw(const Project& project, double feed_mm_min, double dullness) {
+    Project dull = project;
+    dull.wheel->dullness = dullness;
+    const double cut_mm = feed_mm_min / dull.machine->work_speed_rpm;
+    const ForceLaw law = forceLaw(dull);
+    return dull.machine->wheel_speed_m_s * law.tangential(dull.part->length_mm, std::sqrt(cut_mm))
+           / 1000;
+}
+
+} // namespace
+
+class TestIntervalSearch : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theAnswerIsTheBestOfAllCyclesAndAllNumbersOfParts() {
+        constexpr std::int64_t most = 9;
+        int found = 0, slower = 0, ended = 0, none = 0;
+        for (unsigned seed = 0; seed < plainGrids(80); ++seed) {
+            Project project = withRates(smallCase(seed), seed);
+            const SurfaceWear wear = wearOf(project, seed);
+            const std::vector<Lasting> all = allLasting(project, wear, most);
+            const Lasting* const quickest = quickestFor(all, 1);
+            for (const SearchObjective objective :
+                 {SearchObjective::cost, SearchObjective::wheel_life}) {
+                project.optimisation->objective = objective;
+                const PlainInterval plain(all, project, most);
+                for (const SearchMethod method : {SearchMethod::pruned, SearchMethod::full}) {
+                    const IntervalSummary answer = searched(project, wear, most, method);
+                    QVERIFY2(isThat(answer, plain), qPrintable(QString::number(seed)));
+                    QVERIFY(answer.search.status
+                            == (plain.best ? SearchStatus::proved : SearchStatus::infeasible));
+                    QVERIFY(!plain.best
+                            || answer.cost
+                                   == partCost(*project.optimisation->cost, plain.best->time_s,
+                                               plain.parts));
+                }
+                found += plain.best ? 1 : 0;
+                none += plain.best ? 0 : 1;
+                ended += plain.best && plain.parts < most ? 1 : 0;
+                slower += plain.best && plain.best->time_us > quickest->time_us ? 1 : 0;
+            }
+        }
+        std::printf("%d answers, %d end before the last part, %d slower than the quickest\n", found,
+                    ended, slower);
+        QVERIFY(found > samples::sized(40, 10, 240) && none > 0);
+        QVERIFY(ended > samples::sized(12, 3, 80) && slower > samples::sized(6, 1, 40));
+    }
+
+    /// Weighing dressings more never shortens the interval or the time, on grids that are too large
+    /// to run all cycles of; the ends are the quickest cycle and the longest life.
+    void theMoreADressingCostsTheLongerTheInterval() {
+        int grows = 0;
+        for (unsigned seed = 0; seed < searches(30); ++seed) {
+            Project project = withRates(smallCase(seed), seed);
+            project.optimisation->stock_step_mm = 0.01;
+            const SurfaceWear wear = wearOf(project, seed);
+            constexpr std::int64_t most = 30;
+            const SearchSummary quickest = search(project);
+            project.optimisation->objective = SearchObjective::wheel_life;
+            const IntervalSummary longest = searched(project, wear, most);
+            QCOMPARE(longest.search.best.has_value(), quickest.best.has_value());
+            if (!quickest.best) {
+                continue;
+            }
+            project.optimisation->objective = SearchObjective::cost;
+            Cost& cost = *project.optimisation->cost;
+            cost.dressing_s = 0;
+            std::int64_t parts = 0, time_us = 0;
+            for (const double dressing : {0.0, 0.01, 0.1, 1.0, 10.0, 1e8}) {
+                cost.dressing_cost = dressing;
+                const IntervalSummary answer = searched(project, wear, most);
+                QVERIFY(answer.search.best && answer.held);
+                QVERIFY(answer.held->parts >= parts && answer.search.best->time_us >= time_us);
+                grows += parts > 0 && answer.held->parts > parts ? 1 : 0;
+                parts = answer.held->parts;
+                time_us = answer.search.best->time_us;
+                QVERIFY(dressing > 0 || time_us == quickest.best->time_us);
+            }
+            QCOMPARE(parts, longest.held->parts);
+            QVERIFY(same(searched(project, wear, most).search, longest.search));
+        }
+        QVERIFY(grows > samples::sized(5, 2, 20));
+    }
+
+    /// p = 1: the power grows evenly from part to part, and each feed has its life.
+    void ofADriveTheLifeOfEachFeedIsItsClosedForm() {
+        Project project = withRates(stiffDriven(), 3);
+        project.optimisation->cost->dressing_cost = 0.4;
+        const double most_kw = *project.machine->wheel_drive_kw;
+        SurfaceWear wear{*project.wheel, {}, nominalVolume_mm3(project), 0};
+        wear.wear.dulling_per_mm2 = 3e-6;
+        const double perPart = *wear.wear.dulling_per_mm2 * wear.part_mm3 / project.wheel->width_mm;
+        std::int64_t longest = 0;
+        double cheapest = std::numeric_limits<double>::infinity(), cheapestFeed = 0;
+        for (const double feed : levelValues(project.optimisation->radial_feed_mm_min)) {
+            const double sharp_kw = power_kw(project, feed, 0);
+            const double slope_kw = power_kw(project, feed, 1) - sharp_kw;
+            const double left = (most_kw - sharp_kw) / slope_kw - project.wheel->dullness;
+            const auto life = static_cast<std::int64_t>(std::floor(left / perPart)) + 1;
+            Project run = project;
+            run.cycle->stages = {fixtures::plungeStage(feed, run.part->stock_mm)};
+            const double cost =
+                partCost(*project.optimisation->cost, simulateUnchecked(run).time_s, life);
+            longest = std::max(longest, life);
+            if (cost < cheapest) {
+                cheapest = cost;
+                cheapestFeed = feed;
+            }
+        }
+        QVERIFY(longest < mostPartsTried);
+        project.optimisation->objective = SearchObjective::wheel_life;
+        const IntervalSummary life = searched(project, wear, mostPartsTried);
+        QCOMPARE(life.held->parts, longest);
+        QCOMPARE(*life.search.cycle.stages[0].radial_feed_mm_min, 0.15);
+        QVERIFY(life.held->end == ConstraintKind::wheelPower && !life.held->isAll);
+        project.optimisation->objective = SearchObjective::cost;
+        const IntervalSummary cost = searched(project, wear, mostPartsTried);
+        QVERIFY(std::abs(*cost.cost - cheapest) < 1e-12 * cheapest);
+        QCOMPARE(*cost.search.cycle.stages[0].radial_feed_mm_min, cheapestFeed);
+        QVERIFY(cheapestFeed > 0.15 && cheapestFeed < 1.2); // neither of the ends
+        std::printf("life %lld parts, cheapest at %.2f mm/min; %d searches\n",
+                    static_cast<long long>(longest), cheapestFeed, cost.searches);
+        QVERIFY(cost.searches < 60); // of the 10,000 numbers of parts
+    }
+
+    void withoutWearItIsTheQuickestToTheBit() {
+        int found = 0;
+        for (unsigned seed = 0; seed < searches(20); ++seed) {
+            Project project = withRates(smallCase(seed), seed);
+            const SearchSummary quickest = search(project);
+            const SurfaceWear none{*project.wheel, {}, 1000, 0};
+            for (const SearchObjective objective :
+                 {SearchObjective::cost, SearchObjective::wheel_life}) {
+                project.optimisation->objective = objective;
+                const IntervalSummary answer = searched(project, none, mostPartsTried);
+                QVERIFY(same(answer.search, quickest) && !answer.held);
+                QVERIFY(!quickest.best || answer.search.best->time_s == quickest.best->time_s);
+                QVERIFY(!quickest.best
+                        || answer.cost
+                               == partCost(*project.optimisation->cost, quickest.best->time_s, {}));
+                found += quickest.best ? 1 : 0;
+            }
+        }
+        QVERIFY(found > samples::sized(10, 4, 40));
+    }
+
+    /// As dull as can be from a part on, and nothing fails: no dressing is needed.
+    void aWheelThatGetsNoDullerNeedsNoDressing() {
+        Project project = withRates(stiffDriven(), 3);
+        project.machine->wheel_drive_kw = 1000;
+        SurfaceWear wear{*project.wheel, {}, nominalVolume_mm3(project), 0};
+        wear.wear.dulling_per_mm2 = 1e-4;
+        project.optimisation->objective = SearchObjective::cost;
+        const IntervalSummary answer = searched(project, wear, mostPartsTried);
+        QVERIFY(answer.held && answer.held->isEndless && wear.isWornOut(answer.held->parts));
+        QCOMPARE(*answer.cost,
+                 partCost(*project.optimisation->cost, answer.search.best->time_s, {}));
+        project.optimisation->cost->parts_between_dressings = 7; // the most that is allowed
+        const IntervalSummary allowed = searched(project, wear, mostPartsTried);
+        QVERIFY(allowed.held->parts == 7 && !allowed.held->isEndless && allowed.held->isAll);
+        QCOMPARE(*allowed.cost,
+                 partCost(*project.optimisation->cost, allowed.search.best->time_s, 7));
+    }
+
+    /// Whenever it is stopped, what is given holds for its parts, and none is better than the
+    /// bound.
+    void aStoppedSearchKeepsTheBestSoFar() {
+        Project project = withRates(stiffDriven(), 3);
+        SurfaceWear wear{*project.wheel, {}, nominalVolume_mm3(project), 0};
+        wear.wear.dulling_per_mm2 = 3e-5;
+        project.optimisation->objective = SearchObjective::cost;
+        const IntervalSummary whole = searched(project, wear, 500);
+        int stopped = 0, kept = 0;
+        for (int after = 1; after < 400; after += 7) {
+            std::stop_source stop;
+            int left = after;
+            SearchOptions search;
+            search.stop = stop.get_token();
+            search.onProgress = [&](const SearchProgress&) {
+                if (--left <= 0) {
+                    stop.request_stop();
+                }
+            };
+            const IntervalSummary part =
+                searchInterval(project, wear, {.search = search, .most = 500});
+            if (part.search.status != SearchStatus::stopped) {
+                QVERIFY(same(part.search, whole.search));
+                break;
+            }
+            ++stopped;
+            QVERIFY(part.bound && *part.bound <= *whole.cost * (1 + 1e-12));
+            if (part.search.best) {
+                ++kept;
+                QVERIFY(partsHeld(withBest(project, part.search), wear, 500).parts > 0);
+            }
+        }
+        QVERIFY(stopped > 3 && kept > 0);
+    }
+
+    void whatCannotBeSearchedTogetherIsRefused() {
+        Project project = driven(0.6);
+        project.optimisation->objective = SearchObjective::cost;
+        const auto refusalOf = [&](const GridSearchOptions& options) {
+            const GridSearchReport report = searchGrid(project, options);
+            return report.ran() ? std::string() : searchRefusal(report);
+        };
+        QVERIFY(refusalOf({}).find("/optimisation/cost") != std::string::npos);
+        project = withRates(project, 1);
+        QVERIFY(refusalOf({}).empty());
+        GridSearchOptions options;
+        options.refine = true;
+        QVERIFY(refusalOf(options).find("/optimisation/objective: --refine") == 0);
+        options = {};
+        options.method = SearchMethod::labels;
+        QVERIFY(refusalOf(options).find("/optimisation/objective: --method labels") == 0);
+        options = {};
+        options.robust = true;
+        QVERIFY(refusalOf(options).find("/optimisation/objective") == 0);
+        QVERIFY(
+            runWholeSearch(project, {.phases = true}, {}, [](const SearchState&) {})->objectiveFault
+            == ObjectiveFault::otherParts);
+        project.optimisation->margin_within_min = 5;
+        QVERIFY(refusalOf({}).find("/optimisation/margin_within_min") == 0);
+    }
+
+    /// All numbers of stages at once, and one by one, as the window searches.
+    void bothWaysToSearchHaveOneAnswer() {
+        int found = 0;
+        for (unsigned seed = 0; seed < searches(16); ++seed) {
+            Project project = withRates(smallCase(seed), seed);
+            project.optimisation->adaptive = false;
+            const SurfaceWear wear = wearOf(project, seed);
+            auto setup = std::make_shared<Setup>(plainSetup(project));
+            setup->wear = wear.wear;
+            for (const SearchObjective objective :
+                 {SearchObjective::cost, SearchObjective::wheel_life}) {
+                project.optimisation->objective = objective;
+                project.optimisation->cost->parts_between_dressings = 12;
+                setup->surfaces[0].project = project;
+                const SearchOutcomePtr window =
+                    runWholeSearch(project, {.setup = setup}, {}, [](const SearchState&) {});
+                GridSearchOptions options;
+                options.wear = wear;
+                const GridSearchReport line = searchGrid(project, options);
+                QVERIFY(window->ran() && line.ran() && line.interval);
+                QCOMPARE(hasAnswer(line), window->best() != nullptr);
+                if (const FoundCycle* best = window->best()) {
+                    QVERIFY(sameCycle(best->cycle, line.search.cycle));
+                    QVERIFY(best->held && best->held->parts == line.interval->held->parts);
+                    QVERIFY(best->cost == line.interval->cost && window->proved());
+                    ++found;
+                }
+            }
+        }
+        QVERIFY(found > samples::sized(6, 2, 24));
+    }
+};
+
+} // namespace test_interval_search
+
+SPARKOUT_TEST(test_interval_search, TestIntervalSearch)
+#include "test_interval_search.moc"
