@@ -7,4 +7,5 @@ find_package(Qt6 REQUIRED COMPONENTS Core Gui Widgets PrintSupport Charts Lingui
 find_package(QCustomPlotQt6 REQUIRED)
 find_package(qpdf REQUIRED)
 find_library(STEMMER_LIBRARY stemmer REQUIRED)
+find_path(STEMMER_INCLUDE_FOLDER libstemmer.h REQUIRED)
 find_package(ZLIB REQUIRED)

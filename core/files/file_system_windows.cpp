@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-// Windows 7 is enough; its header comes before those that need it.
+// Its own headers need it first.
 #include <windows.h>
 
 namespace sparkout {
@@ -40,8 +40,7 @@ int errnoOf(DWORD error) {
     case ERROR_FILE_EXISTS:
     case ERROR_ALREADY_EXISTS: return EEXIST;
     case ERROR_DISK_FULL:
-    case ERROR_HANDLE_DISK_FULL:
-    case ERROR_DISK_QUOTA_EXCEEDED: return ENOSPC;
+    case ERROR_HANDLE_DISK_FULL: return ENOSPC;
     case ERROR_NOT_ENOUGH_MEMORY:
     case ERROR_OUTOFMEMORY: return ENOMEM;
     case ERROR_INVALID_NAME:
@@ -194,7 +193,9 @@ std::filesystem::path pathFromUtf8(std::string_view text) {
 }
 
 bool sameFile(const FileFacts& a, const FileFacts& b) {
-    return a.device == b.device && a.inode == b.inode;
+    // Wine does not know the volume of an open file that was renamed.
+    const bool sameVolume = a.device == b.device || a.device == 0 || b.device == 0;
+    return sameVolume && a.inode == b.inode;
 }
 
 int factsAt(const std::filesystem::path& path, Links links, FileFacts& facts) {
