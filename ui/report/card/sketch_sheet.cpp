@@ -280,27 +280,27 @@ void SketchSheet::drawDatum(const QPointF& at, const QString& letter) {
 
 std::vector<double> SketchSheet::spread(const std::vector<double>& widths,
                                         const std::vector<double>& places) const {
-    constexpr double apart = 2;
+    constexpr double between = 2;
     // Pushed to the right from the first on, to the left from the last on: between both.
     std::vector<double> wanted = places;
     for (std::size_t i = 1; i < widths.size(); ++i) {
-        wanted[i] = std::max(wanted[i], wanted[i - 1] + widths[i - 1] + apart);
+        wanted[i] = std::max(wanted[i], wanted[i - 1] + widths[i - 1] + between);
     }
     double before = std::numeric_limits<double>::infinity();
     for (std::size_t i = widths.size(); i-- > 0;) {
-        before = std::min(places[i], before - apart - widths[i]);
+        before = std::min(places[i], before - between - widths[i]);
         wanted[i] = (wanted[i] + before) / 2;
     }
     std::vector<double> at(widths.size());
     double next = m_room.left();
     for (std::size_t i = 0; i < widths.size(); ++i) {
         at[i] = std::max(wanted[i], next);
-        next = at[i] + widths[i] + apart;
+        next = at[i] + widths[i] + between;
     }
     double end = m_room.right();
     for (std::size_t i = widths.size(); i-- > 0;) {
         at[i] = std::min(at[i], end - widths[i]);
-        end = at[i] - apart;
+        end = at[i] - between;
     }
     return !at.empty() && at.front() < m_room.left() - 1e-6 ? std::vector<double>() : at;
 }

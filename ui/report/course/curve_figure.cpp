@@ -13,7 +13,7 @@ namespace sparkout::report {
 
 namespace {
 
-constexpr int curveHeight = 340, gridHeight = 420, gridLines = 10;
+constexpr int curveHeight = 340, blankHeight = 420, gridLines = 10;
 constexpr double lineWidth = 2, roomAbove = 0.1;
 constexpr QColor saidColour(0xd5, 0x5e, 0x00), engineColour(0x00, 0x72, 0xb2),
     gridColour(0x96, 0x96, 0x96);
@@ -80,7 +80,7 @@ Figure CurveFigure::compared(const CurvePrediction& goal, const Project& project
 
 Figure CurveFigure::blank(const CurvePrediction& goal, const Project& project) {
     QCustomPlot plot;
-    setUpForPaper(plot, gridHeight);
+    setUpForPaper(plot, blankHeight);
     setUpAxes(plot, goal, project);
     const auto [least, most] = std::ranges::minmax_element(goal.at);
     if (least != goal.at.end()) {

@@ -10,8 +10,8 @@ namespace sparkout::report {
 namespace {
 
 constexpr double textPoints = 12, documentPoints = 16, titlePoints = 14;
-constexpr double apart = 60, groupsApart = 240;    ///< tenths of a point
-constexpr double titleAt = 0.3, peopleFrom = 0.45; ///< shares of height and width
+constexpr double betweenLines = 60, groupsApart = 240; ///< tenths of a point
+constexpr double titleAt = 0.3, peopleFrom = 0.45;     ///< shares of height and width
 
 /// Lines one below the other.
 class Column {
@@ -21,7 +21,7 @@ public:
     void add(const QString& text, const QFont& font, Qt::Alignment align) {
         const TextBox box(text, font, m_width, align);
         m_lines.push_back({box, m_x, m_y});
-        m_y += box.height() + apart;
+        m_y += box.height() + betweenLines;
     }
     void skip(double height) { m_y += height; }
     [[nodiscard]] double bottom() const { return m_y; }
@@ -50,7 +50,7 @@ std::vector<TitleSheet::Line> TitleSheet::lines(const TitlePage& title, QSizeF a
     for (const auto& [part, who] : title.people) {
         people.add(part, plain, Qt::AlignLeft);
         people.add(who, plain, Qt::AlignLeft);
-        people.skip(apart);
+        people.skip(betweenLines);
     }
     std::vector<Line> all = std::move(column.lines());
     all.insert(all.end(), people.lines().begin(), people.lines().end());
