@@ -2,6 +2,7 @@
 #include "ui/views/optimise/margin_front_plot.h"
 
 #include "core/units.h"
+#include "ui/plot/plot_tools.h"
 #include "ui/views/optimise/optimise_text.h"
 
 #include <QAccessible>
