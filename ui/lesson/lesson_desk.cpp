@@ -96,6 +96,7 @@ LessonDesk::~LessonDesk() {
         keepDraft();
         m_run.flush();
     }
+    delete m_panel; // it looks at the run
 }
 
 void LessonDesk::protect(const QString& stateFolder) {

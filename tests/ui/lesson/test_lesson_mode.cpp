@@ -18,6 +18,8 @@
 #include <QScopeGuard>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QTabWidget>
+#include <QTextBrowser>
 
 namespace test_lesson_mode {
 
@@ -421,6 +423,17 @@ private slots:
         student.begin();
         QCOMPARE(student.window.size(), QSize(1366, 768));
         const QString pictures = qEnvironmentVariable("SPARKOUT_LESSON_PICTURES");
+        auto* tabs = student.panel().findChild<QTabWidget*>();
+        tabs->setCurrentIndex(1);
+        student.settle();
+        const QString theory = student.part<QTextBrowser>("lessonTheory")->toPlainText();
+        QVERIFY(theory.contains(language == u"ru" ? QStringLiteral("упругая система")
+                                                  : QStringLiteral("elastic system")));
+        if (!pictures.isEmpty()) {
+            student.window.grab().save(
+                QStringLiteral("%1/%2-%3-theory.png").arg(pictures, language).arg(percent));
+        }
+        tabs->setCurrentIndex(0);
         for (std::size_t step = 0; step < student.run().lesson().steps.size(); ++step) {
             student.show(step);
             for (const bool isAnswered : {false, true}) {
