@@ -20420,6 +20420,10 @@ s</source>
         <source>The work is not saved</source>
         <translation>Работа не сохранена</translation>
     </message>
+    <message>
+        <source>“%1” is open in another window or on another computer.</source>
+        <translation>«%1» открыт в другом окне или на другом компьютере.</translation>
+    </message>
     </context>
     <context>
         <name>sparkout::LessonPanel</name>
@@ -20613,6 +20617,10 @@ s</source>
     <message>
         <source>handed in</source>
         <translation>сдан</translation>
+    </message>
+    <message>
+        <source>prediction %1, result %2</source>
+        <translation>прогноз %1, результат %2</translation>
     </message>
     </context>
     <context>

@@ -179,7 +179,7 @@ void InputsPanel::retranslate() {
 
 void InputsPanel::showPath(const std::string& path, bool focus) {
     const auto page = std::ranges::find_if(m_pages, [&](const auto* p) { return p->holds(path); });
-    if (page != m_pages.end()) {
+    if (page != m_pages.end() && (*page)->hasShown()) {
         showPage(static_cast<int>(page - m_pages.begin()));
         (*page)->showPath(path, focus);
     }

@@ -36,6 +36,14 @@ HiddenThings::Things HiddenThings::of(const LessonStep& step) {
         things.insert(Hideable::reports);
         things.insert(Hideable::exportResults);
     }
+    const bool hidesInputs =
+        step.others == Access::hidden
+        || std::any_of(step.inputs.begin(), step.inputs.end(),
+                       [](const InputAccess& each) { return each.access == Access::hidden; });
+    if (hidesInputs) {
+        things.insert(
+            {Hideable::reports, Hideable::exportResults, Hideable::formulas, Hideable::compare});
+    }
     if (hides({Hideable::keptRuns})) {
         things.insert(Hideable::compare);
     }

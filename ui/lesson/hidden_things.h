@@ -27,7 +27,8 @@ public:
     void add(Things with, QAction* command); ///< neither in a menu nor by keys
 
     /// What a step hides, and what would show it in another way: reports and exports tell what the
-    /// views and the verdict do, remedies stand in the verdict.
+    /// views and the verdict do, remedies stand in the verdict; reports, formulas and compared runs
+    /// state inputs that are hidden.
     [[nodiscard]] static Things of(const LessonStep& step);
     void hide(const Things& things);
     [[nodiscard]] bool isHidden(Hideable thing) const { return m_hidden.contains(thing); }

@@ -96,6 +96,7 @@ LessonDesk::~LessonDesk() {
         keepDraft();
         m_run.flush();
     }
+    delete m_panel; // it looks at the run
 }
 
 void LessonDesk::protect(const QString& stateFolder) {
@@ -235,7 +236,7 @@ void LessonDesk::openWork(const QString& path) {
     }
     const bool isBroken = brokenSeal(*read.work).has_value();
     start(std::move(*read.work), path, false);
-    if (isBroken) {
+    if (isBroken && isRunning()) {
         m_notices.add({changedNotice,
                        Mark::warning,
                        [] {
@@ -252,11 +253,26 @@ void LessonDesk::start(Work work, const QString& path, bool isNew) {
         keepDraft();
         finish();
     }
+    if (!claim(absolute)) {
+        return;
+    }
     m_notices.remove(changedNotice);
     m_run.start(std::move(work), absolute, isNew);
     ProgramLog::note(tr("Opened: %1").arg(printableText(absolute)));
     emit opened(absolute);
     putStep();
+}
+
+/// Two windows would each write over what the other was handed.
+bool LessonDesk::claim(const QString& path) {
+    if (m_lock.acquire(path) != FileLock::State::conflict) {
+        return true; // or there can be no lock, as on a stick that takes no further file
+    }
+    m_lock.release();
+    showFailure(m_window, tr("The file was not opened"),
+                tr("“%1” is open in another window or on another computer.")
+                    .arg(printableText(QFileInfo(path).fileName())));
+    return false;
 }
 
 void LessonDesk::showStep(std::size_t step) {
@@ -341,7 +357,7 @@ void LessonDesk::save() {
 void LessonDesk::saveAs() {
     const QString path = FileDialog::savePath(m_window, tr("Keep the work in"), m_run.file(),
                                               tr("Works (*%1)").arg(workEnding), workEnding);
-    if (!path.isEmpty()) {
+    if (!path.isEmpty() && claim(QFileInfo(path).absoluteFilePath())) {
         m_run.saveAs(QFileInfo(path).absoluteFilePath());
         emit opened(m_run.file());
     }
@@ -381,6 +397,7 @@ void LessonDesk::finish() {
     m_moment.reset();
     m_notices.remove(saveNotice);
     m_run.end();
+    m_lock.release();
     m_hidden.hide({});
     emit limitsChanged();
 }

@@ -3,6 +3,7 @@
 
 #include "core/course/work.h"
 #include "core/issue.h"
+#include "ui/files/file_lock.h"
 #include "ui/lesson/hidden_things.h"
 #include "ui/session/lesson_run.h"
 #include "ui/session/setup_state.h"
@@ -74,6 +75,7 @@ private:
     void openWork(const QString& path);
     void begin(const Lesson& lesson, const QString& name);
     void start(Work work, const QString& path, bool isNew);
+    [[nodiscard]] bool claim(const QString& path);
     [[nodiscard]] std::optional<std::string> textOf(const QString& path);
     [[nodiscard]] std::optional<Work> makeWork(const Lesson& lesson, int variant,
                                                const QString& name, const QString& group);
@@ -94,6 +96,7 @@ private:
     HiddenThings m_hidden;
     std::function<void()> m_endTyping = [] {};
     std::optional<ShownMoment> m_moment; ///< to be gone to with the next outcome
+    FileLock m_lock;                     ///< of the work: one window writes it
     QTimer m_draft;
     bool m_isOwn = false; ///< the document is being replaced by a step
 };

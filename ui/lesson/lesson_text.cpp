@@ -152,6 +152,11 @@ QString LessonText::numbers(const Goal& goal, const GoalResult& result) {
         }
         break;
     case GoalKind::prediction:
+        if (result.value && result.asked) {
+            parts += tr("prediction %1, result %2")
+                         .arg(value(*result.asked, goal.prediction->figure),
+                              value(*result.value, goal.prediction->figure));
+        }
         if (result.value) {
             parts += tr("tolerance ± %1").arg(value(result.tolerance, goal.prediction->figure));
         }

@@ -57,6 +57,7 @@ void LessonWiring::enter(const Parts& parts) {
     Actions& actions = parts.actions;
     RemedyOffers& remedies = parts.remedies;
     hidden.add({Hideable::remedies}, [&remedies](bool away) { remedies.offer(!away); });
+    hidden.add({Hideable::verdict}, actions.wholePart);
     hidden.add({Hideable::keptRuns}, actions.keepRun);
     hidden.add({Hideable::calibrate}, actions.calibrate);
     hidden.add({Hideable::measured}, actions.importMeasured);

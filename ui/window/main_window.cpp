@@ -541,6 +541,9 @@ void MainWindow::connectLesson() {
     connect(m_lesson, &LessonDesk::reported, this,
             [this](const QString& text) { m_status->showForAWhile(text); });
     connect(m_lesson, &LessonDesk::limitsChanged, this, [this] {
+        if (m_partWindow && m_lesson->isRunning()) { // it tells the results of all surfaces
+            m_partWindow->hide();
+        }
         m_actions->follow(m_document, !m_inputs->refusals().empty());
         showPlayback();
         showTitle();

@@ -12,11 +12,14 @@
 #include "ui/lesson/marks_dialog.h"
 #include "ui/lesson/student_dialog.h"
 
+#include <QDir>
 #include <QMenu>
 #include <QRegularExpression>
 #include <QScopeGuard>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QTabWidget>
+#include <QTextBrowser>
 
 namespace test_lesson_mode {
 
@@ -270,7 +273,21 @@ private slots:
         student.typeStage(1, "radial_feed_mm", 0.0011);
         QTest::qWait(1200); // a pause, after which it is kept
         student.run().flush();
-        // Another window, as after a crash: nothing was closed here.
+        // Nobody else writes the work meanwhile.
+        {
+            Bench second(QStringLiteral("en"));
+            DialogAnswers answers({QStringLiteral("cancel")});
+            second.window->files().openInstead(student.file());
+            QCOMPARE(answers.fault(), QString());
+            QVERIFY(answers.text().contains(QStringLiteral("open in another window")));
+            QVERIFY(!second.window->lesson().isRunning());
+        }
+        // As after a crash: what was on the disk before the window went is what there is.
+        const QString drafts = student.folder.filePath(QStringLiteral("lessons"));
+        const QString draft = QDir(drafts).filePath(QDir(drafts).entryList(QDir::Files).value(0));
+        const std::string before = std::get<std::string>(readFile(draft.toStdString(), 1u << 24));
+        student.bench.window.reset();
+        QVERIFY(!writeFileSafely(draft.toStdString(), before));
         Bench other(QStringLiteral("en"));
         other.window->lesson().protect(student.folder.path());
         other.window->files().openInstead(student.file());
@@ -296,6 +313,40 @@ private slots:
         QCOMPARE(work.entries.back().event, WorkEvent::run);
         student.show(5);
         QCOMPARE(student.window.document().project().runs.size(), std::size_t(1));
+    }
+
+    void hiddenInputsAreNotShownByAnyMeans() {
+        Seat student;
+        Lesson lesson = student.out.lesson;
+        lesson.steps[0].inputs = {{"/wheel", Access::hidden},
+                                  {"/machine/work_speed_rpm", Access::hidden},
+                                  {"/cycle/stages/1/stock_mm", Access::hidden}};
+        student.out = samples::giveOut(lesson, 1, 1);
+        student.begin();
+        student.show(0);
+        InputsPanel& inputs = student.window.inputs();
+        for (int key = Qt::Key_1; key <= Qt::Key_8; ++key) { // every page there is
+            QTest::keyClick(&student.window, Qt::Key(key), Qt::AltModifier);
+            student.bench.settle();
+            for (const char* path :
+                 {"/wheel/dullness", "/wheel/diameter_mm", "/machine/work_speed_rpm"}) {
+                const auto* field = inputs.findChild<QWidget*>(QString::fromLatin1(path));
+                QVERIFY2(field && !field->isVisible(), path);
+            }
+        }
+        inputs.focusPath("/wheel/dullness");
+        QVERIFY(!inputs.findChild<QWidget*>(QStringLiteral("/wheel/dullness"))->isVisible());
+        const auto* stages = inputs.findChild<QTableView*>(QStringLiteral("/cycle/stages"));
+        inputs.focusPath("/cycle/stages/1/stock_mm");
+        QCOMPARE(stages->currentIndex().data().toString(), QStringLiteral("—"));
+        // Reports, exports and formulas would state them.
+        QVERIFY(!student.bench.action("exportResults")->isEnabled());
+        QVERIFY(!student.bench.action("preview-card")
+                || !student.bench.action("preview-card")->isEnabled());
+        QVERIFY(!student.bench.action("show-compare")->isVisible());
+        student.show(5); // another step has them again
+        inputs.focusPath("/wheel/dullness");
+        QVERIFY(inputs.findChild<QWidget*>(QStringLiteral("/wheel/dullness"))->isVisible());
     }
 
     void aStudentsFileHoldsNoAnswerAndNoSeed() {
@@ -372,6 +423,17 @@ private slots:
         student.begin();
         QCOMPARE(student.window.size(), QSize(1366, 768));
         const QString pictures = qEnvironmentVariable("SPARKOUT_LESSON_PICTURES");
+        auto* tabs = student.panel().findChild<QTabWidget*>();
+        tabs->setCurrentIndex(1);
+        student.settle();
+        const QString theory = student.part<QTextBrowser>("lessonTheory")->toPlainText();
+        QVERIFY(theory.contains(language == u"ru" ? QStringLiteral("упругая система")
+                                                  : QStringLiteral("elastic system")));
+        if (!pictures.isEmpty()) {
+            student.window.grab().save(
+                QStringLiteral("%1/%2-%3-theory.png").arg(pictures, language).arg(percent));
+        }
+        tabs->setCurrentIndex(0);
         for (std::size_t step = 0; step < student.run().lesson().steps.size(); ++step) {
             student.show(step);
             for (const bool isAnswered : {false, true}) {
