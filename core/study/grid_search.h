@@ -24,6 +24,7 @@ struct GridSearchOptions {
     bool robust = false;
     bool refine = false; ///< go on off the grid
     std::function<void(const SearchProgress&)> onProgress;
+    SearchJournal* journal = nullptr; ///< of the full search
     std::stop_token stop;
 };
 
