@@ -4,8 +4,11 @@
 #include "app/cli_optimise_report.h"
 #include "app/io/cli_io.h"
 #include "app/io/cli_surfaces.h"
+#include "app/kept_search.h"
 #include "app/manual/command_line.h"
 #include "app/search_watch.h"
+#include "core/batch/batch_state.h"
+#include "core/build_id.h"
 #include "core/optimisation/search_names.h"
 #include "core/printable.h"
 #include "core/project/optimisation.h"
@@ -24,7 +27,7 @@ namespace sparkout::cli {
 namespace {
 
 struct OptimiseOptions {
-    std::string file, output, surface;
+    std::string file, output, surface, resume;
     bool json = false, robust = false, refine = false;
     SearchMethod method = SearchMethod::pruned;
     std::vector<double> stages; ///< empty: the file's
@@ -74,7 +77,7 @@ const char* valueOf(const std::string& option) {
     if (option == "--surface") {
         return "a name, a number from 1 or all";
     }
-    return option == "-o" ? "a file name" : nullptr;
+    return option == "-o" || option == "--resume" ? "a file name" : nullptr;
 }
 
 bool readValue(const std::string& option, const std::string& value, OptimiseOptions& options) {
@@ -96,7 +99,9 @@ bool readValue(const std::string& option, const std::string& value, OptimiseOpti
         options.threads = static_cast<unsigned>(threads.value_or(0));
         return threads && *threads >= 1 && *threads <= 1024;
     }
-    (option == "--surface" ? options.surface : options.output) = value;
+    (option == "--surface"  ? options.surface
+     : option == "--resume" ? options.resume
+                            : options.output) = value;
     return !value.empty();
 }
 
@@ -129,6 +134,13 @@ int parseOptimise(const std::vector<std::string>& arguments, OptimiseOptions& op
     if (options.file.empty()) {
         return usageError("optimize needs a file");
     }
+    if (!options.resume.empty() && options.method != SearchMethod::full) {
+        return usageError("--resume needs --method full");
+    }
+    if (replacesProject(options.resume, options.file)
+        || (!options.output.empty() && options.resume == options.output)) {
+        return usageError("--resume would replace a project: " + options.resume);
+    }
     return isSameFile(options.output, options.file)
                ? usageError("-o would replace the project that is read: " + options.output)
                : done;
@@ -142,8 +154,20 @@ std::optional<SurfaceWear> wearOf(const Setup& answers, std::size_t surface,
                                                                                    : std::nullopt;
 }
 
+/// What of the options makes another search of a project: not how many threads it has, nor when it
+/// is stopped.
+std::string optionsAsked(const OptimiseOptions& options) {
+    std::string text = std::string("--method ") + searchMethodName(options.method);
+    text += options.robust ? " --robust" : "";
+    text += options.refine ? " --refine" : "";
+    for (std::size_t i = 0; i < options.stages.size(); ++i) {
+        text += (i == 0 ? " --stages " : ",") + std::to_string(static_cast<int>(options.stages[i]));
+    }
+    return text;
+}
+
 GridSearchReport search(const Project& project, const std::optional<SurfaceWear>& wear,
-                        const OptimiseOptions& options) {
+                        const OptimiseOptions& options, SearchJournal* journal) {
     SearchWatch watch(options.timeLimit_s); // of everything that follows
     return searchGrid(
         project, {.method = options.method,
@@ -152,16 +176,29 @@ GridSearchReport search(const Project& project, const std::optional<SurfaceWear>
                   .refine = options.refine,
                   .wear = wear,
                   .onProgress = [&watch](const SearchProgress& progress) { watch.note(progress); },
+                  .journal = journal,
                   .stop = watch.token()});
 }
 
 /// Searches for the cycle of one surface, and puts it into the set-up.
 int optimise(Project project, std::size_t surface, const std::string& name,
              const OptimiseOptions& options, Setup& answers) {
+    if (!options.resume.empty() && objectiveOf(project) != SearchObjective::time) {
+        return usageError("--resume is for the objective \"time\": the others are many searches");
+    }
+    KeptSearch kept(options.resume);
+    if (!options.resume.empty()) {
+        const SearchQuestion question{buildId(), projectDigest(project), optionsAsked(options)};
+        if (const int failed = kept.open(question)) {
+            return failed;
+        }
+    }
     if (project.optimisation && !options.stages.empty()) {
         project.optimisation->stages = options.stages;
     }
-    const GridSearchReport report = search(project, wearOf(answers, surface, project), options);
+    const GridSearchReport report =
+        search(project, wearOf(answers, surface, project), options, kept.journal());
+    kept.close();
     if (!report.ran()) {
         printIssues(name, report.issues);
         if (const std::string reason = searchRefusal(report); !reason.empty()) {
@@ -197,6 +234,9 @@ int runOptimise(const std::vector<std::string>& arguments) {
     const Surfaces surfaces(options.file, options.surface);
     if (surfaces.status() != done) {
         return surfaces.status();
+    }
+    if (const int failed = options.resume.empty() ? done : surfaces.oneFor("--resume")) {
+        return failed;
     }
     Setup answers = surfaces.setup();
     bool isFound = false;

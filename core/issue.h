@@ -32,6 +32,7 @@ enum class IssueCode {
     outOfRange,
     notOneOf,
     unusual,
+    unusualTogether, ///< beside other inputs
     wrongCount,
     notEven,
     fewRadii,

@@ -421,6 +421,10 @@
             <source>estimates</source>
             <translation>оценки</translation>
         </message>
+        <message>
+            <source>not known</source>
+            <translation>неизвестно</translation>
+        </message>
     </context>
     <context>
         <name>Choice</name>
@@ -1102,6 +1106,14 @@
         <message>
             <source>diameters of parts</source>
             <translation>диаметры деталей</translation>
+        </message>
+        <message>
+            <source>delay of the power trace</source>
+            <translation>запаздывание записи мощности</translation>
+        </message>
+        <message>
+            <source>delay of the force trace</source>
+            <translation>запаздывание записи силы</translation>
         </message>
     </context>
     <context>
@@ -5826,6 +5838,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <source>{value} cannot be the name of a file; needed: {limit}</source>
         <translation>{value} не может быть именем файла; требуется: {limit}</translation>
     </message>
+        <message>
+            <source>{value} is unusual beside the other inputs; usual: {limit}</source>
+            <translation>{value} — необычное значение при остальных исходных данных; обычно: {limit}</translation>
+        </message>
 </context>
     <context>
         <name>KeptRuns</name>
@@ -8442,6 +8458,18 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>sizes of F grits after FEPA 42-D-1986</source>
             <translation>размеры зёрен F по FEPA 42-D-1986</translation>
+        </message>
+        <message>
+            <source>DIN 50150, strength and hardness of steel</source>
+            <translation>DIN 50150, прочность и твёрдость стали</translation>
+        </message>
+        <message>
+            <source>SAE J417, strength and hardness of steel</source>
+            <translation>SAE J417, прочность и твёрдость стали</translation>
+        </message>
+        <message>
+            <source>Tabor, 1951, yield stress and hardness</source>
+            <translation>Тейбор, 1951, предел текучести и твёрдость</translation>
         </message>
     </context>
     <context>
@@ -17089,6 +17117,10 @@ good</source>
                 <numerusform>%n измеренных деталей</numerusform>
             </translation>
         </message>
+        <message>
+            <source>Out of step: %1 seems to be %2 ± %3 s and was not fitted. The values found are wrong by it: fitted too, %4 would be %5 instead of %6.</source>
+            <translation>Записи расходятся по времени: %1, по-видимому, %2 ± %3 с и не определялось. Найденные значения из-за этого неверны: если определить и его, %4 составит %5 вместо %6.</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::DataChoice</name>
@@ -20918,5 +20950,16 @@ s</source>
         <source>The views are covered until you have given your prediction in the panel of the laboratory work. Then the result is shown beside it.</source>
         <translation>Виды закрыты, пока вы не дали прогноз на панели лабораторной работы. Затем результат появится рядом с ним.</translation>
     </message>
+    </context>
+    <context>
+        <name>CycleFitPage</name>
+        <message>
+            <source>Fit &amp;this too</source>
+            <translation>Определить и &amp;это</translation>
+        </message>
+        <message>
+            <source>Checks what the traces are out of step by, and fits again</source>
+            <translation>Отмечает то, на что записи расходятся по времени, и подбирает заново</translation>
+        </message>
     </context>
 </TS>

@@ -88,6 +88,9 @@ IssueWords wordsOf(IssueCode code) {
                 SPARKOUT_NOOP("Issue", "{value} is not one of the choices; allowed: {limit}")};
     case IssueCode::unusual:
         return {"unusual", SPARKOUT_NOOP("Issue", "{value} is unusual; usual: {limit}")};
+    case IssueCode::unusualTogether:
+        return {"unusual_together", SPARKOUT_NOOP("Issue", "{value} is unusual beside the other "
+                                                           "inputs; usual: {limit}")};
     case IssueCode::wrongCount:
         return {"wrong_count",
                 SPARKOUT_NOOP("Issue", "there are {value} values; expected: {limit}")};

@@ -94,6 +94,10 @@ MeasuredWords wordsOf(FittedKind kind) {
         return {"size_offset", SPARKOUT_NOOP("Measured", "offset of the gauge")};
     case FittedKind::time_shift:
         return {"time_shift", SPARKOUT_NOOP("Measured", "beginning of the cycle in the trace")};
+    case FittedKind::power_delay:
+        return {"power_delay", SPARKOUT_NOOP("Measured", "delay of the power trace")};
+    case FittedKind::force_delay:
+        return {"force_delay", SPARKOUT_NOOP("Measured", "delay of the force trace")};
     case FittedKind::blank_runout:
         return {"blank_runout", SPARKOUT_NOOP("Measured", "runout of the blank")};
     case FittedKind::count_: break;
@@ -116,7 +120,9 @@ const char* unitOf(FittedKind kind) {
     case FittedKind::idle_power: return "kW";
     case FittedKind::size_offset:
     case FittedKind::blank_runout: return "mm";
-    case FittedKind::time_shift: return "s";
+    case FittedKind::time_shift:
+    case FittedKind::power_delay:
+    case FittedKind::force_delay: return "s";
     default: return "";
     }
 }

@@ -133,6 +133,16 @@ Command optimizeCommand() {
           "",
           {"of the full search, instead of one a processor; the answer is the same",
            "число потоков полного поиска вместо одного на процессор; ответ тот же"}},
+         {"--resume",
+          "FILE",
+          Kind::file,
+          "",
+          {"of the full search: keeps its progress in this file, every second and at a stop; the "
+           "same command with the same file goes on where it was stopped or killed, and gives the "
+           "same answer",
+           "для полного поиска: сохраняет его ход в этом файле каждую секунду и при остановке; та "
+           "же команда с тем же файлом продолжает с места, где поиск остановили или прервали, и "
+           "даёт тот же ответ"}},
          json,
          {"-o",
           "OUT.sparkout",
@@ -330,12 +340,14 @@ std::vector<Option> measuredOptions() {
          {"finds parameters from the traces and diameters: alpha, beta, compliance (of all, or "
           "compliance:N of one zone or section), flow_stress, dullness, chip_power, "
           "friction_power, "
-          "idle_power, size_offset, time_shift, blank_runout; names what the data cannot tell and "
+          "idle_power, size_offset, time_shift, power_delay, force_delay, blank_runout; names what "
+          "the data cannot tell and "
           "what to measure",
           "находит параметры по записям и диаметрам: alpha, beta, compliance (всех мест или "
           "compliance:N одной зоны или сечения), flow_stress, dullness, chip_power, "
           "friction_power, "
-          "idle_power, size_offset, time_shift, blank_runout; называет то, чего по данным "
+          "idle_power, size_offset, time_shift, power_delay, force_delay, blank_runout; называет "
+          "то, чего по данным "
           "определить "
           "нельзя, и что измерить"}},
         {"--roundness",

@@ -139,10 +139,12 @@ std::string rowText(const Project& project, const AdequacyRow& row) {
 }
 
 ordered_json fitJson(const Identification& found, const std::vector<FittedParameter>& requested) {
-    ordered_json json = {{"status", wordsOf(found.status).key},  {"values", ordered_json::array()},
-                         {"correlation", found.correlation},     {"condition", nullptr},
-                         {"residuals", ordered_json::array()},   {"normality_probability", nullptr},
-                         {"cannot_tell", ordered_json::array()}, {"measured_values", found.count}};
+    ordered_json json = {
+        {"status", wordsOf(found.status).key},  {"values", ordered_json::array()},
+        {"correlation", found.correlation},     {"condition", nullptr},
+        {"residuals", ordered_json::array()},   {"normality_probability", nullptr},
+        {"out_of_step", ordered_json::array()}, {"cannot_tell", ordered_json::array()},
+        {"measured_values", found.count}};
     for (const FittedValue& value : found.values) {
         json["values"].push_back({{"parameter", parameterName(value.parameter)},
                                   {"value", value.value},
@@ -161,6 +163,14 @@ ordered_json fitJson(const Identification& found, const std::vector<FittedParame
     }
     if (found.normality) {
         json["normality_probability"] = found.normality->probability;
+    }
+    for (const OutOfStep& one : found.outOfStep) {
+        json["out_of_step"].push_back({{"parameter", wordsOf(one.kind).key},
+                                       {"value", one.delay_s},
+                                       {"error", one.error_s},
+                                       {"unit", unitOf(one.kind)},
+                                       {"moves", parameterName(requested[one.parameter])},
+                                       {"to", one.value}});
     }
     for (const Unidentified& one : found.unidentified) {
         ordered_json names = ordered_json::array();
@@ -187,6 +197,14 @@ std::string fitText(const Identification& found, const std::vector<FittedParamet
         text += std::string(wordsOf(group.source).text) + ": residuals of "
                 + std::to_string(group.values.size()) + " values, RMS " + fixed(group.rms, 5) + ' '
                 + unitOf(group.source) + '\n';
+    }
+    for (const OutOfStep& one : found.outOfStep) {
+        constexpr double normal95 = 1.96;
+        text += std::string("out of step: ") + wordsOf(one.kind).text + " seems to be "
+                + fixed(one.delay_s, digits) + " ± " + fixed(normal95 * one.error_s, digits)
+                + " s and was not fitted; with " + wordsOf(one.kind).key + " too, "
+                + parameterName(requested[one.parameter]) + " would be " + fixed(one.value, digits)
+                + '\n';
     }
     if (found.status != IdentificationStatus::fitted) {
         text += std::string(wordsOf(found.status).text) + '\n';
@@ -230,7 +248,11 @@ int judge(const Project& project, const std::string& name, const Options& option
 int statusOf(const MeasuredAnswer& answer, const Options& options) {
     if (answer.fit) {
         switch (answer.fit->status) {
-        case IdentificationStatus::fitted: break;
+        case IdentificationStatus::fitted:
+            if (options.check && !answer.fit->outOfStep.empty()) {
+                return requirementFails;
+            }
+            break;
         case IdentificationStatus::cannotTell: return options.check ? requirementFails : done;
         case IdentificationStatus::notRun:
             return answer.fit->issues.empty() ? cannotReachSize : refused;

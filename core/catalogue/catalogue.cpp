@@ -194,8 +194,13 @@ std::vector<Entry> mergedEntries(const std::vector<Entry>& shipped, const std::v
 template <class Entry>
 void applyEntry(const Entry& entry, Project& project) {
     auto& target = *(project.*Kindred<Entry>::member);
-    const ordered_json given = givenPart(writeByTable(valueTable<Entry>(), &entry.value),
-                                         valueTable<Entry>(), entry.sources);
+    ordered_json given = givenPart(writeByTable(valueTable<Entry>(), &entry.value),
+                                   valueTable<Entry>(), entry.sources);
+    for (const ValueSource& source : entry.sources) {
+        if (!given.contains(source.key) && mayBeUnknown(valueTable<Entry>(), source)) {
+            given[source.key] = nullptr;
+        }
+    }
     Issues issues;
     std::vector<MissingKey> missing;
     readByTable(json(given), valueTable<Entry>(), &target, {}, issues, missing);

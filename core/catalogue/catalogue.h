@@ -55,7 +55,8 @@ template <class Entry>
 [[nodiscard]] std::vector<Entry> mergedEntries(const std::vector<Entry>& shipped,
                                                const std::vector<Entry>& own);
 
-/// Puts what an entry gives into the project; everything else stays.
+/// Puts what an entry gives into the project, and takes out of it what the entry says is not known;
+/// everything else stays.
 template <class Entry>
 void applyEntry(const Entry& entry, Project& project);
 

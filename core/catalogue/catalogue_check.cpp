@@ -110,6 +110,11 @@ ordered_json givenPart(const ordered_json& value, const StructInfo& table,
     return given;
 }
 
+bool mayBeUnknown(const StructInfo& table, const ValueSource& source) {
+    const Field* const field = table.find(source.key);
+    return field && field->kind == Kind::optionalNumber && isEstimate(source);
+}
+
 void checkSources(const json& value, const StructInfo& table,
                   const std::vector<ValueSource>& sources, const std::string& path,
                   Issues& issues) {
@@ -127,11 +132,16 @@ void checkSources(const json& value, const StructInfo& table,
     for (std::size_t i = 0; i < sources.size(); ++i) {
         const ValueSource& source = sources[i];
         const std::string at = path + "/sources/" + std::to_string(i);
-        if (std::find(keys.begin(), keys.end(), source.key) == keys.end()) {
+        const bool given = std::find(keys.begin(), keys.end(), source.key) != keys.end();
+        if (!given && !mayBeUnknown(table, source)) {
             refuse(issues, IssueCode::unknownKey, at + "/key", quoted(json(source.key)),
                    Keys{keys});
         } else if (sourceOf(sources, source.key) != &source) {
             refuse(issues, IssueCode::duplicateKey, at + "/key", quoted(json(source.key)), {});
+        }
+        if (!given && source.range) { // of what is not known there is none
+            refuse(issues, IssueCode::missingKey, path + "/value/" + source.key, {},
+                   Phrase::number);
         }
         if (source.range && source.range->size() != 2) {
             refuse(issues, IssueCode::wrongCount, at + "/range", countOf(source.range->size()),

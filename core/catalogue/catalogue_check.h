@@ -24,8 +24,12 @@ void eachValue(const nlohmann::ordered_json& value, const StructInfo& table,
                                                const std::vector<ValueSource>& sources,
                                                const std::string& prefix = {});
 
-/// Every number and choice its source, every source its value, and the number in the range stated
-/// for it.
+/// Whether a value that is not given may stand with this source, to say that it is not known: it is
+/// one that a project need not have, and claims no reference.
+[[nodiscard]] bool mayBeUnknown(const StructInfo& table, const ValueSource& source);
+
+/// Every number and choice its source, every source its value or one that is not known, and the
+/// number in the range stated for it.
 void checkSources(const nlohmann::json& value, const StructInfo& table,
                   const std::vector<ValueSource>& sources, const std::string& path, Issues& issues);
 

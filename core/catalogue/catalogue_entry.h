@@ -13,7 +13,8 @@
 /// An entry of a catalogue: a material, wheel or machine with a source for each of its numbers.
 namespace sparkout {
 
-/// Where one number of an entry comes from.
+/// Where one number of an entry comes from. Of a number that the entry does not give it says that
+/// it is not known: it has been sought, and a project that takes the entry has none.
 struct ValueSource {
     std::string key;    ///< of the value, "stiffness_n_um/headstock" for one inside another
     std::string source; ///< key of core/SOURCES.md; empty: an estimate, to be calibrated

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace sparkout {
@@ -15,10 +16,26 @@ double unitOf(FittedKind kind) {
     constexpr double offset_mm = 1e-3, shift_s = 0.1, idle_kw = 0.1;
     switch (kind) {
     case FittedKind::size_offset: return offset_mm;
-    case FittedKind::time_shift: return shift_s;
+    case FittedKind::time_shift:
+    case FittedKind::power_delay:
+    case FittedKind::force_delay: return shift_s;
     case FittedKind::idle_power: return idle_kw;
     default: return 1;
     }
+}
+
+/// Pearson's coefficient; 0 of what is constant.
+double likeness(const std::vector<double>& a, const std::vector<double>& b) {
+    const double count = static_cast<double>(a.size());
+    const double meanA = std::accumulate(a.begin(), a.end(), 0.0) / count;
+    const double meanB = std::accumulate(b.begin(), b.end(), 0.0) / count;
+    double aa = 0, bb = 0, ab = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        aa += (a[i] - meanA) * (a[i] - meanA);
+        bb += (b[i] - meanB) * (b[i] - meanB);
+        ab += (a[i] - meanA) * (b[i] - meanB);
+    }
+    return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
 }
 
 bool isLogarithm(FittedKind kind) {
@@ -97,6 +114,8 @@ FitProblem::Scalars FitProblem::scalarsAt(const std::vector<double>& q) const {
         case FittedKind::idle_power: scalars.idle_kw = value; break;
         case FittedKind::size_offset: scalars.offset_mm = value; break;
         case FittedKind::time_shift: scalars.shift_s = value; break;
+        case FittedKind::power_delay: scalars.powerDelay_s = value; break;
+        case FittedKind::force_delay: scalars.forceDelay_s = value; break;
         default: break;
         }
     }
@@ -117,7 +136,10 @@ double FitProblem::predicted(const FitGroup& group, std::size_t index,
     if (group.source == FitSource::parts) {
         return m_response.deviation_um[static_cast<std::size_t>(group.places[index])];
     }
-    const double time = group.time_s[index] - scalars.shift_s;
+    const double delay_s = group.source == FitSource::power   ? scalars.powerDelay_s
+                           : group.source == FitSource::force ? scalars.forceDelay_s
+                                                              : 0;
+    const double time = group.time_s[index] - scalars.shift_s - delay_s;
     if (group.source == FitSource::size) {
         const std::vector<double>& sizes =
             group.place ? m_response.placeSizes_mm[static_cast<std::size_t>(*group.place)]
@@ -193,6 +215,16 @@ double FitProblem::startOfOffset(double shift_s) const {
     return 0;
 }
 
+bool FitProblem::has(FittedKind kind) const {
+    return std::ranges::find(m_parameters, kind, &FittedParameter::kind) != m_parameters.end();
+}
+
+/// Whether it has the clock of the cycle, with no delay of its own.
+bool FitProblem::keepsStep(const FitGroup& group) const {
+    return !(group.source == FitSource::power && has(FittedKind::power_delay))
+           && !(group.source == FitSource::force && has(FittedKind::force_delay));
+}
+
 /// The best of shifts all over the traces, each with its own offset: one is fitted near the truth.
 double FitProblem::startOfShift() const {
     constexpr int tries = 200;
@@ -212,6 +244,9 @@ double FitProblem::startOfShift() const {
         double sum = 0;
         for (std::size_t g = 0; g < m_data.groups.size(); ++g) {
             const FitGroup& group = m_data.groups[g];
+            if (!keepsStep(group)) {
+                continue;
+            }
             const Scalars scalars{
                 .idle_kw = startOfIdle(), .offset_mm = offset_mm, .shift_s = shift};
             for (std::size_t k = 0; k < group.values.size(); ++k) {
@@ -227,11 +262,35 @@ double FitProblem::startOfShift() const {
     return best;
 }
 
+/// At which the measured values follow the predicted ones most closely, of whatever size these
+/// are.
+double FitProblem::startOfDelay(FitSource source, double shift_s) const {
+    constexpr int tries = 40;
+    constexpr double farthest_s = 2;
+    double best = 0, closest = 0;
+    for (int i = 0; i <= 2 * tries; ++i) {
+        // 0 is tried first, and stays where nothing is better.
+        const int step = i % 2 == 0 ? i / 2 : -(i + 1) / 2;
+        const double delay_s = farthest_s * step / tries;
+        const Scalars scalars{.shift_s = shift_s, .powerDelay_s = delay_s, .forceDelay_s = delay_s};
+        std::vector<double> measured, expected;
+        for (const FitGroup& group : m_data.groups) {
+            for (std::size_t k = 0; group.source == source && k < group.values.size(); ++k) {
+                measured.push_back(group.values[k]);
+                expected.push_back(predicted(group, k, scalars));
+            }
+        }
+        const double follows = measured.empty() ? 0 : likeness(measured, expected);
+        if (follows > closest) {
+            closest = follows;
+            best = delay_s;
+        }
+    }
+    return best;
+}
+
 std::vector<double> FitProblem::start() {
     std::vector<double> q(m_parameters.size(), 0);
-    const auto has = [this](FittedKind kind) {
-        return std::ranges::find(m_parameters, kind, &FittedParameter::kind) != m_parameters.end();
-    };
     const bool runs = run(factorsOf(m_project));
     const double shift_s = runs && has(FittedKind::time_shift) ? startOfShift() : 0;
     constexpr double leastRunout_mm = 1e-4; // whose logarithm can be taken
@@ -239,6 +298,12 @@ std::vector<double> FitProblem::start() {
         const FittedKind kind = m_parameters[i].kind;
         switch (kind) {
         case FittedKind::time_shift: q[i] = coordinateOf(kind, shift_s); break;
+        case FittedKind::power_delay:
+            q[i] = coordinateOf(kind, runs ? startOfDelay(FitSource::power, shift_s) : 0);
+            break;
+        case FittedKind::force_delay:
+            q[i] = coordinateOf(kind, runs ? startOfDelay(FitSource::force, shift_s) : 0);
+            break;
         case FittedKind::size_offset:
             q[i] = coordinateOf(kind, runs ? startOfOffset(shift_s) : 0);
             break;

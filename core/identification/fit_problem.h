@@ -30,6 +30,7 @@ public:
     [[nodiscard]] const std::vector<double>& noise() const { return m_noise; }
     /// A weight for each value, of a robust loss; empty: 1.
     void setWeights(std::vector<double> weights) { m_weights = std::move(weights); }
+    [[nodiscard]] const std::vector<double>& weights() const { return m_weights; }
 
     /// Coordinates to begin at: factors 1, offsets from the data.
     [[nodiscard]] std::vector<double> start();
@@ -48,7 +49,7 @@ private:
     /// What does not change the cycle.
     struct Scalars {
         double flow = 1, dullness = 1, chip = 1, friction = 1, idle_kw = 0, offset_mm = 0,
-               shift_s = 0;
+               shift_s = 0, powerDelay_s = 0, forceDelay_s = 0;
     };
     [[nodiscard]] Scalars scalarsAt(const std::vector<double>& q) const;
     [[nodiscard]] double predicted(const FitGroup& group, std::size_t index,
@@ -57,6 +58,9 @@ private:
     [[nodiscard]] double startOfIdle() const;
     [[nodiscard]] double startOfOffset(double shift_s) const;
     [[nodiscard]] double startOfShift() const;
+    [[nodiscard]] double startOfDelay(FitSource source, double shift_s) const;
+    [[nodiscard]] bool has(FittedKind kind) const;
+    [[nodiscard]] bool keepsStep(const FitGroup& group) const;
 
     const Project& m_project;
     const FitData& m_data;

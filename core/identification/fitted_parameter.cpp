@@ -8,14 +8,20 @@ bool isFactor(FittedKind kind) {
     case FittedKind::idle_power:
     case FittedKind::size_offset:
     case FittedKind::time_shift:
+    case FittedKind::power_delay:
+    case FittedKind::force_delay:
     case FittedKind::blank_runout:
     case FittedKind::count_: return false;
     default: return true;
     }
 }
 
+bool isDelay(FittedKind kind) {
+    return kind == FittedKind::power_delay || kind == FittedKind::force_delay;
+}
+
 bool isInput(FittedKind kind) {
-    return kind != FittedKind::size_offset && kind != FittedKind::time_shift
+    return kind != FittedKind::size_offset && kind != FittedKind::time_shift && !isDelay(kind)
            && kind != FittedKind::idle_power;
 }
 
@@ -36,7 +42,9 @@ double plausibleRange(FittedKind kind) {
     switch (kind) {
     case FittedKind::idle_power: return idle_kw;
     case FittedKind::size_offset: return offset_mm;
-    case FittedKind::time_shift: return shift_s;
+    case FittedKind::time_shift:
+    case FittedKind::power_delay:
+    case FittedKind::force_delay: return shift_s;
     default: return ratio;
     }
 }
@@ -53,6 +61,8 @@ const char* keyOf(FittedKind kind) {
     case FittedKind::idle_power: return "idle_power";
     case FittedKind::size_offset: return "size_offset";
     case FittedKind::time_shift: return "time_shift";
+    case FittedKind::power_delay: return "power_delay";
+    case FittedKind::force_delay: return "force_delay";
     case FittedKind::blank_runout: return "blank_runout";
     case FittedKind::count_: break;
     }

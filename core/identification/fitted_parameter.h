@@ -19,6 +19,8 @@ enum class FittedKind {
     idle_power,     ///< [kW]
     size_offset,    ///< of the gauge's zero [mm of diameter]
     time_shift,     ///< of the beginning of the cycle in the traces [s]
+    power_delay,    ///< of the power behind what else was recorded [s]
+    force_delay,    ///< of the normal force behind what else was recorded [s]
     blank_runout,   ///< ΔR of the blank [mm]
     count_
 };
@@ -39,6 +41,8 @@ struct FittedParameter {
 /// Whether it multiplies an input: then it is fitted as its logarithm, stays positive and begins
 /// at 1.
 [[nodiscard]] bool isFactor(FittedKind kind);
+/// Whether it is a time of one trace against the others.
+[[nodiscard]] bool isDelay(FittedKind kind);
 /// Whether it is an input of the project; the others belong to the traces.
 [[nodiscard]] bool isInput(FittedKind kind);
 /// Whether the cycle has to be run again for another value of it.

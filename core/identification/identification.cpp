@@ -54,6 +54,11 @@ public:
         } else {
             addValues(found);
             addResiduals();
+            std::vector<double> errors; // of the coordinates
+            for (std::size_t i = 0; i < m_best.q.size(); ++i) {
+                errors.push_back(std::sqrt(found.covariance[i * m_best.q.size() + i]));
+            }
+            m_result.outOfStep = outOfStep(m_project, m_data, m_problem, m_best, errors, m_stop);
         }
         return std::move(m_result);
     }

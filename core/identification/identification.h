@@ -4,6 +4,7 @@
 #include "core/identification/fit_data.h"
 #include "core/identification/fitted_parameter.h"
 #include "core/identification/identifiability.h"
+#include "core/identification/out_of_step.h"
 #include "core/identification/robust_weights.h"
 #include "core/issue.h"
 #include "core/statistics/intervals.h"
@@ -57,6 +58,7 @@ struct Identification {
     std::vector<std::vector<double>> correlation;
     std::vector<FitResiduals> residuals;
     std::optional<Normality> normality; ///< of the residuals, each by the RMS of its group
+    std::vector<OutOfStep> outOfStep;   ///< times left out that are hardly 0: the values are wrong
     double condition = 1;
     std::vector<Unidentified> unidentified;
     std::vector<int> stepsByStage;  ///< of the cycle that fits

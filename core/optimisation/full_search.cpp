@@ -40,7 +40,7 @@ public:
         summary.evaluations = m_best.counts.evaluations;
         summary.visits = m_best.counts.visits;
         summary.cuts = m_best.counts.cuts;
-        summary.checkpoint = {m_last, summary.best, m_options.variant};
+        summary.checkpoint = checkpoint();
         if (!m_exhausted || m_cutShort) {
             summary.status = SearchStatus::stopped;
         } else if (summary.best) {
@@ -61,6 +61,12 @@ private:
         SearchCounts counts;  ///< of these
         [[nodiscard]] bool isWhole() const { return done == cycles.size(); }
     };
+
+    [[nodiscard]] SearchCheckpoint checkpoint() const {
+        const SearchCounts& counts = m_best.counts;
+        return {m_last,        m_best.best(), m_options.variant, counts.evaluations,
+                counts.visits, counts.cuts};
+    }
 
     void work() {
         CycleRunner runner(m_project, m_grid, m_options.stop);
@@ -98,7 +104,7 @@ private:
             ++m_counted;
         }
         if (m_options.onProgress) {
-            m_options.onProgress({m_best.best(), 0, m_best.counts.evaluations, 0});
+            m_options.onProgress({m_best.best(), 0, m_best.counts.evaluations, 0, checkpoint()});
         }
     }
 

@@ -6,6 +6,7 @@
 #include "core/optimisation/full_search.h"
 #include "core/optimisation/grace.h"
 #include "core/optimisation/pruned_search.h"
+#include "core/optimisation/search_journal.h"
 #include "core/optimisation/time_bound.h"
 #include "core/process/profile.h"
 #include "core/project/optimisation.h"
@@ -94,7 +95,19 @@ private:
         if (m_options.method == SearchMethod::full) {
             all.share = static_cast<double>(all.evaluations) / m_size;
         }
+        if (all.checkpoint) {
+            addBefore(*all.checkpoint);
+        }
         m_options.onProgress(all);
+    }
+
+    /// What was counted in the variants before.
+    void addBefore(SearchCheckpoint& checkpoint) const {
+        checkpoint.evaluations += m_sum.evaluations;
+        checkpoint.visits += m_sum.visits;
+        for (std::size_t kind = 0; kind < checkpoint.cuts.size(); ++kind) {
+            checkpoint.cuts[kind] += m_sum.cuts[kind];
+        }
     }
 
     void searchVariant(std::size_t variant) {
@@ -109,6 +122,8 @@ private:
             search(m_variants.project(variant), m_variants.grid(variant), m_own);
         m_own.incumbent = found.best;
         m_sum.best = found.best;
+        m_sum.checkpoint = found.checkpoint;
+        addBefore(m_sum.checkpoint);
         m_sum.evaluations += found.evaluations;
         m_sum.visits += found.visits;
         for (std::size_t kind = 0; kind < found.cuts.size(); ++kind) {
@@ -119,7 +134,6 @@ private:
             m_sum.added.push_back(scenario);
         }
         m_sum.isStale = found.isStale;
-        m_sum.checkpoint = found.checkpoint;
         m_sum.status = found.status;
         const bool none = found.status == SearchStatus::infeasible && !found.best;
         m_sum.bound_s = none ? m_sum.bound_s : std::min(m_sum.bound_s, found.bound_s);
@@ -162,7 +176,8 @@ std::optional<std::int64_t> marginWithinOf(const Project& project) {
 }
 
 SearchSummary optimise(const Project& project, const SearchOptions& options) {
-    return VariantSearch(project, options).run();
+    return options.journal ? options.journal->search(project, options)
+                           : VariantSearch(project, options).run();
 }
 
 Project withBest(Project project, const SearchSummary& summary) {

@@ -70,6 +70,9 @@ struct SearchCheckpoint {
     GridCycle last; ///< the last cycle that was judged, all before it too; empty: none
     std::optional<FeasibleCycle> best;
     std::size_t variant = 0; ///< that was searched
+    /// What was counted up to there, as the summary has it.
+    long long evaluations = 0, visits = 0;
+    std::array<long long, constraintKinds> cuts{};
 };
 
 struct SearchProgress {
@@ -77,14 +80,17 @@ struct SearchProgress {
     double bound_s = 0;                ///< no feasible cycle is quicker than this and the best
     long long evaluations = 0;         ///< cycles decided on one by one
     double share = 0; ///< of the grid done, full search; for the greatest margin of the time given
+    std::optional<SearchCheckpoint> checkpoint = {}; ///< full search: to go on from here
 };
+
+class SearchJournal; // core/optimisation/search_journal.h
 
 struct SearchOptions {
     SearchMethod method = SearchMethod::pruned;
     unsigned threads = 0; ///< of the full search; 0: as many as the machine has
-    /// The pruned search's, about; with less of it the order of its branches, never its answer,
-    /// is another.
-    std::size_t memory_bytes = std::size_t{1} << 30;
+    /// The pruned search's, about; with less of it more is computed twice, and in the end the order
+    /// of its branches, never its answer, is another.
+    std::size_t memory_bytes = std::size_t{1} << 28;
     /// The part's other states in which the cycle must hold: projects whose cycles are replaced.
     std::vector<Project> scenarios;
     std::optional<SearchCheckpoint> resume;                ///< full search
@@ -107,6 +113,8 @@ struct SearchOptions {
     /// Of a cycle that would be the best its margin on further parts, to be no less than the one
     /// given. What it says of a cycle must not depend on the others. Without a challenge.
     std::function<WholeMargin(const FeasibleCycle&, double least)> wholeMargin;
+    /// Full search: keeps what was searched, and knows what was searched before.
+    SearchJournal* journal = nullptr;
 
     [[nodiscard]] SearchAim aim() const {
         return marginWithin_us ? SearchAim::greatestMargin : SearchAim::leastTime;

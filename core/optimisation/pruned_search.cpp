@@ -18,11 +18,14 @@ namespace sparkout {
 
 namespace {
 
-/// A cycle up to the end of a stage, and the settings of the next one.
+/// A cycle up to the end of a stage, and the settings of the next one. Where memory is short the
+/// steps and the settings are left out, and made anew when it is gone on with.
 struct Prefix {
     CyclePrefix done;
-    int merged = 0; ///< further ends of its last stage on the same step
+    int merged = 0;     ///< further ends of its last stage on the same step
+    double least_s = 0; ///< bound of the branch it came from
     std::vector<std::pair<double, std::size_t>> next; ///< bound [s] and setting, by bound
+    [[nodiscard]] bool isWhole() const { return done.steps != nullptr; }
 };
 using PrefixPtr = std::shared_ptr<const Prefix>;
 
@@ -30,7 +33,8 @@ struct Branch {
     double bound_s = 0;
     long long order = 0; ///< among equal bounds the newest first: deeper
     PrefixPtr prefix;
-    std::size_t index = 0; ///< in the prefix's next settings
+    std::size_t index = 0;   ///< in the prefix's next settings
+    std::size_t setting = 0; ///< that one
     friend bool operator<(const Branch& a, const Branch& b) {
         return a.bound_s != b.bound_s ? a.bound_s > b.bound_s : a.order < b.order;
     }
@@ -79,9 +83,9 @@ public:
         , m_mayMerge(options.scenarios.empty() && !options.challenge && !options.wholeMargin
                      && !(project.optimisation && project.optimisation->stage_stock_mm))
         , m_leastSteps(project.least_steps.value_or(0))
-        , m_most(options.memory_bytes
-                 / (prefixBytes(project)
-                    + grid.settings().size() * sizeof(std::pair<double, std::size_t>))) {
+        , m_mostWhole(options.memory_bytes / 3 * 2 / wholeBytes(project, grid))
+        , m_most(std::min(m_mostWhole + options.memory_bytes / 3 / leftOutBytes,
+                          mostPerWhole * m_mostWhole)) {
         for (const StageSetting& setting : grid.settings()) {
             m_tooWide.push_back(
                 {tooWide(project, setting, false), tooWide(project, setting, true)});
@@ -130,6 +134,15 @@ public:
     }
 
 private:
+    /// A branch whose prefix has neither steps nor settings, about.
+    static constexpr std::size_t leftOutBytes = sizeof(Branch) + sizeof(Prefix) + 192;
+    /// With more of them than so many a whole one, most of the time would go into making them anew.
+    static constexpr std::size_t mostPerWhole = 5;
+    static std::size_t wholeBytes(const Project& project, const Grid& grid) {
+        return prefixBytes(project)
+               + grid.settings().size() * sizeof(std::pair<double, std::size_t>);
+    }
+
     [[nodiscard]] bool isSlower(double least_s) const {
         return std::floor(least_s * (1 - 1e-12) * 1e6 - 1)
                > static_cast<double>(m_judge.mostTime_us());
@@ -182,7 +195,7 @@ private:
             Prefix root;
             root.done.stages = stages;
             root.done.keep(steps);
-            add(std::move(root), 0, *steps);
+            add(std::move(root), *steps);
         }
     }
 
@@ -227,7 +240,7 @@ private:
     }
 
     /// Keeps a prefix whose steps are these, or go on from them.
-    void add(Prefix prefix, double least_s, const CycleSteps& steps) {
+    void add(Prefix prefix, const CycleSteps& steps) {
         const CyclePrefix& done = prefix.done;
         const int taken = m_runs.leastTaken(done);
         const std::optional<std::size_t> shorter = toldShorter(done);
@@ -241,7 +254,7 @@ private:
                 m_judge.cut(*broken);
                 continue;
             }
-            const double bound_s = std::max(least_s, m_runs.bound_s(done, steps.run(), s, taken));
+            const double bound_s = boundOf(prefix, steps, s, taken);
             if (!isSlower(bound_s)) {
                 prefix.next.emplace_back(bound_s, s);
             }
@@ -256,11 +269,19 @@ private:
         push(std::make_shared<const Prefix>(std::move(prefix)), 0);
     }
 
-    // Each prefix that is kept has one branch. When there are too many the newest is taken first,
-    // depth first, which keeps few; its bound is not below that of the branch it came from.
+    [[nodiscard]] double boundOf(const Prefix& prefix, const CycleSteps& steps, std::size_t setting,
+                                 int taken) const {
+        return std::max(prefix.least_s, m_runs.bound_s(prefix.done, steps.run(), setting, taken));
+    }
+
+    // Each prefix that is kept has one branch. When there are too many whole ones, those that will
+    // be gone on with last lose what can be made anew. When there are too many of all the newest is
+    // taken first, depth first, which keeps few; its bound is not below that of the branch it came
+    // from.
     void push(const PrefixPtr& prefix, std::size_t index) {
         if (index < prefix->next.size() && !isSlower(prefix->next[index].first)) {
-            Branch branch{prefix->next[index].first, ++m_order, prefix, index};
+            const auto& [bound_s, setting] = prefix->next[index];
+            Branch branch{bound_s, ++m_order, prefix, index, setting};
             if (m_isFirstTaken) {
                 putFirst(std::move(branch));
             } else if (m_branches.size() < m_most) {
@@ -268,8 +289,70 @@ private:
                 std::push_heap(m_branches.begin(), m_branches.end());
             } else {
                 m_newest.push_back(std::move(branch));
+                return;
+            }
+            if (++m_whole > m_mostWhole) {
+                leaveOut();
             }
         }
+    }
+
+    /// Of the branches that come last in their order, until half of those allowed are whole.
+    void leaveOut() {
+        std::size_t from = m_branches.size();
+        while (m_whole > m_mostWhole / 2 && from > 0) {
+            const std::size_t half = from / 2;
+            const auto begin = m_branches.begin();
+            std::nth_element(begin, begin + static_cast<std::ptrdiff_t>(half),
+                             begin + static_cast<std::ptrdiff_t>(from),
+                             [](const Branch& a, const Branch& b) { return b < a; });
+            for (std::size_t i = half; i < from; ++i) {
+                PrefixPtr& prefix = m_branches[i].prefix;
+                if (prefix->isWhole()) {
+                    Prefix left{prefix->done, prefix->merged, prefix->least_s, {}};
+                    left.done.steps.reset();
+                    prefix = std::make_shared<const Prefix>(std::move(left));
+                    --m_whole;
+                }
+            }
+            from = half;
+        }
+        std::make_heap(m_branches.begin(), m_branches.end());
+    }
+
+    /// A branch whose prefix is whole again; what was gone on with before is left out of its
+    /// settings, and what cannot be better any more. Nothing: it was stopped.
+    std::optional<Branch> whole(Branch branch) {
+        if (branch.prefix->isWhole()) {
+            return branch;
+        }
+        Prefix prefix = *branch.prefix;
+        CyclePrefix& done = prefix.done;
+        std::unique_ptr<CycleSteps> steps = m_runner.begin(done.stages)->copy();
+        const bool isThere = m_runs.again(done, *steps);
+        m_judge.counts.visits += steps->run().visits();
+        if (!isThere) {
+            return std::nullopt;
+        }
+        const std::pair now(branch.bound_s, branch.setting);
+        const int taken = m_runs.leastTaken(done);
+        const std::optional<std::size_t> shorter = toldShorter(done);
+        for (std::size_t s = 0; s < m_grid.settings().size(); ++s) {
+            const bool broken =
+                (done.isBeforeLast() ? m_tooWide[s].last : m_tooWide[s].before).has_value();
+            if (s == shorter || broken || !m_grid.mayGoOn(done.cycle, done.stages, s)) {
+                continue;
+            }
+            const std::pair next(boundOf(prefix, *steps, s, taken), s);
+            if (next == now || (next > now && !isTooNear(s) && !isSlower(next.first))) {
+                prefix.next.push_back(next);
+            }
+        }
+        std::sort(prefix.next.begin(), prefix.next.end());
+        done.keep(std::move(steps));
+        branch.prefix = std::make_shared<const Prefix>(std::move(prefix));
+        branch.index = 0;
+        return branch;
     }
 
     /// In the place of the first branch of the heap, which was taken: mostly the one that takes its
@@ -291,6 +374,11 @@ private:
     }
 
     std::optional<Branch> take() {
+        std::optional<Branch> branch = takeAny();
+        return branch ? whole(*std::move(branch)) : std::nullopt;
+    }
+
+    std::optional<Branch> takeAny() {
         if (std::exchange(m_isFirstTaken, false)) {
             std::pop_heap(m_branches.begin(), m_branches.end());
             m_branches.pop_back();
@@ -307,6 +395,7 @@ private:
         }
         m_isFirstTaken = true;
         m_least_s = std::max(m_least_s, m_branches.front().bound_s);
+        m_whole -= m_branches.front().prefix->isWhole() ? 1 : 0;
         return std::move(m_branches.front());
     }
 
@@ -339,7 +428,8 @@ private:
                     Prefix prefix;
                     prefix.done = m_runs.after(done, setting, end, taken);
                     prefix.merged = single ? 0 : end.last - taken;
-                    add(std::move(prefix), least_s, end.steps);
+                    prefix.least_s = least_s;
+                    add(std::move(prefix), end.steps);
                 }
             },
             m_judge.counts);
@@ -384,7 +474,8 @@ private:
     std::vector<Branch> m_branches;     ///< a heap
     bool m_isFirstTaken = false;        ///< the first of the heap is to be replaced
     std::vector<Branch> m_newest;       ///< beyond the most branches in order
-    std::size_t m_most;
+    std::size_t m_mostWhole, m_most;    ///< in order
+    std::size_t m_whole = 0;            ///< branches in order whose prefix is whole
     long long m_order = 0, m_taken = 0;
     bool m_seeded = false;
     double m_least_s = 0; ///< no cycle that is left is quicker

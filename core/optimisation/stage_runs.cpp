@@ -148,6 +148,22 @@ CyclePrefix StageRuns::after(const CyclePrefix& from, std::size_t setting, const
     return prefix;
 }
 
+bool StageRuns::again(const CyclePrefix& prefix, CycleSteps& steps) const {
+    int taken = 0;
+    for (std::size_t stage = 0; stage < prefix.counts.size(); ++stage) {
+        const auto& [setting, stock] = prefix.cycle[stage];
+        taken += stock;
+        for (int count = 0; count < prefix.counts[stage]; ++count) {
+            if (steps.run().mustEnd()
+                || !steps.step({nextInfeed(later(false, taken), setting, steps.run().fed_mm), stage,
+                                m_grid.settings()[setting].axialFeed_mm_min})) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 double StageRuns::later(bool last, int taken) const {
     return last ? 0 : m_grid.remainder(taken);
 }

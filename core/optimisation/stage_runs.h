@@ -76,6 +76,9 @@ public:
     /// Steps of stock that are taken at least and at most behind the next stage of a prefix.
     [[nodiscard]] int leastTaken(const CyclePrefix& prefix) const;
     [[nodiscard]] int mostTaken(const CyclePrefix& prefix) const;
+    /// Makes the steps of a prefix once more, from those before the first; false: it was stopped.
+    [[nodiscard]] bool again(const CyclePrefix& prefix, CycleSteps& steps) const;
+
     /// Least time [s] of all cycles that go on with this setting.
     [[nodiscard]] double bound_s(const CyclePrefix& prefix, const Run& run, std::size_t setting,
                                  int taken) const;

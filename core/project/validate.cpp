@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/validate.h"
 
+#include "core/digits.h"
 #include "core/project/batch_rules.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <numbers>
 #include <numeric>
 #include <string>
 #include <string_view>
@@ -28,6 +30,24 @@ double lengthOf(const Shaft& shaft) {
     return std::accumulate(
         shaft.segments.begin(), shaft.segments.end(), 0.0,
         [](double sum, const ShaftSegment& segment) { return sum + segment.length_mm; });
+}
+
+/// A bound that follows from other inputs, to so many digits as one can enter, within what is
+/// allowed.
+double roundedBound(double bound, double (*round)(double)) {
+    constexpr int digits = 4;
+    constexpr double least = 1e-5; // below, its own digits are as good
+    if (!std::isfinite(bound) || bound < least) {
+        return bound;
+    }
+    const double scale = std::pow(10.0, decimalsOf(bound, digits));
+    return round(bound * scale) / scale;
+}
+double roundedUp(double bound) {
+    return roundedBound(bound, [](double x) { return std::ceil(x); });
+}
+double roundedDown(double bound) {
+    return roundedBound(bound, [](double x) { return std::floor(x); });
 }
 
 /// The rules between fields; each looks at what the ranges allowed.
@@ -374,15 +394,86 @@ private:
         }
     }
 
-    /// Pores are left between grains and bond.
+    /// Pores are left between grains and bond; what follows from the recipe must be possible: cuts
+    /// and flats no larger than the grain that has them, no more flats than surface.
     void checkRecipe() {
         const Wheel& wheel = *project().wheel;
-        if (wheel.force_recipe && wheel.grain_share + wheel.bond_share >= 1
+        if (!wheel.force_recipe) {
+            return;
+        }
+        if (wheel.grain_share + wheel.bond_share >= 1
             && sound({"/wheel/grain_share", "/wheel/bond_share"})) {
             add(IssueCode::outOfRange, "/wheel/bond_share", Amount{wheel.bond_share},
                 Bounds{.range = {.high = 1 - wheel.grain_share},
                        .formula = "1 − W_g",
                        .highOpen = true});
+        }
+        const bool counts = wheel.force_recipe->cut_width_mm || wheel.force_recipe->wear_flat_mm;
+        if (!counts
+            || !sound({"/wheel/grain_share", "/wheel/bond_share", "/wheel/grain_mm",
+                       "/wheel/force_recipe"})) {
+            return;
+        }
+        const RecipeShares shares = recipeShares(wheel, *wheel.force_recipe);
+        checkCuts(wheel, *wheel.force_recipe, shares);
+        if (sound({"/wheel/force_recipe"})) {
+            checkFlats(wheel, *wheel.force_recipe, shares);
+        }
+    }
+
+    /// The cuts of the grains: as wide as a grain at most, of as many as find room side by side,
+    /// together about the metal that the wheel takes off.
+    void checkCuts(const Wheel& wheel, const ForceRecipe& recipe, const RecipeShares& shares) {
+        constexpr double roomForTheory = 5;
+        const char* const factor = "/wheel/force_recipe/contact_factor";
+        const char* const width = "/wheel/force_recipe/cut_width_mm";
+        if (recipe.cut_width_mm && shares.cutWidth_mm > wheel.grain_mm) {
+            add(IssueCode::outOfRange, width, mm(shares.cutWidth_mm),
+                Bounds{{0, wheel.grain_mm}, "mm", "/wheel/grain_mm"});
+        } else if (shares.cutWidth_mm > wheel.grain_mm) {
+            const double least = recipe.contact_factor * shares.cutWidth_mm / wheel.grain_mm;
+            add(IssueCode::outOfRange, factor, Amount{recipe.contact_factor},
+                Bounds{.range = {.low = roundedUp(least)},
+                       .formula = "b_j = m_D·sin β_1/(2·n_c) ≤ d_g"});
+        }
+        const double densest = 2 / (std::numbers::sqrt3 * wheel.grain_mm * wheel.grain_mm);
+        if (shares.cuttingGrains_mm2 > densest) {
+            const double most = recipe.contact_factor * densest / shares.cuttingGrains_mm2;
+            warn(IssueCode::unusualTogether, factor, Amount{recipe.contact_factor},
+                 Bounds{.range = {0, roundedDown(most)}, .formula = "n_c ≤ 2/(√3·d_g²)"});
+        }
+        if (shares.shear > roomForTheory || shares.shear < 1 / roomForTheory) {
+            const double even = shares.cutWidth_mm / shares.shear;
+            warn(IssueCode::unusualTogether, width, mm(shares.cutWidth_mm),
+                 Bounds{
+                     .range = {roundedUp(even / roomForTheory), roundedDown(even * roomForTheory)},
+                     .unit = "mm",
+                     .formula = "κ = 2·b_j·n_c/(m_D·sin β_1)"});
+        }
+    }
+
+    /// The wear flats, of which the dullness follows.
+    void checkFlats(const Wheel& wheel, const ForceRecipe& recipe, const RecipeShares& shares) {
+        constexpr double rounding = 1e-12; // of a length that was set by its η
+        const char* const flat = "/wheel/force_recipe/wear_flat_mm";
+        if (!recipe.wear_flat_mm) {
+            return;
+        }
+        const double perMm = shares.cutWidth_mm * shares.cuttingGrains_mm2;
+        const Range& usual = tableOf<Wheel>().find("dullness")->soft;
+        if (shares.dullness > 1 + rounding) {
+            add(IssueCode::outOfRange, flat, mm(*recipe.wear_flat_mm),
+                Bounds{.range = {0, roundedDown(1 / perMm)},
+                       .unit = "mm",
+                       .formula = "η = l_g·b_j·n_c ≤ 1"});
+        } else if (*recipe.wear_flat_mm > wheel.grain_mm) {
+            add(IssueCode::outOfRange, flat, mm(*recipe.wear_flat_mm),
+                Bounds{{0, wheel.grain_mm}, "mm", "/wheel/grain_mm"});
+        } else if (shares.dullness > usual.high || shares.dullness < usual.low) {
+            warn(IssueCode::unusualTogether, flat, mm(*recipe.wear_flat_mm),
+                 Bounds{.range = {roundedUp(usual.low / perMm), roundedDown(usual.high / perMm)},
+                        .unit = "mm",
+                        .formula = "η = l_g·b_j·n_c"});
         }
     }
 

@@ -127,6 +127,7 @@ GridSearchReport searchGrid(const Project& project, const GridSearchOptions& opt
     search.method = options.method;
     search.threads = options.threads;
     search.onProgress = options.onProgress;
+    search.journal = options.journal;
     search.stop = options.stop;
     search.marginWithin_us = report.marginWithin_us;
     SearchLevels levels(project);

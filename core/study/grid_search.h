@@ -28,6 +28,7 @@ struct GridSearchOptions {
     /// For the objectives between dressings; not given: the wheel does not wear.
     std::optional<SurfaceWear> wear;
     std::function<void(const SearchProgress&)> onProgress;
+    SearchJournal* journal = nullptr; ///< of the full search
     std::stop_token stop;
 };
 

@@ -83,24 +83,32 @@ struct Walk {
                  const std::string& prefix) {
         for (const Field& field : table.fields) {
             const auto found = given.find(field.key);
-            if (found == given.end()) {
+            const std::string key = prefix + field.key;
+            const ValueSource* const source = sourceOf(sourcesOf(entry), key);
+            if (found == given.end() && !source) {
                 continue;
             }
             const ordered_json now = present.is_object() && present.contains(field.key)
                                          ? present.at(field.key)
                                          : ordered_json();
-            const std::string key = prefix + field.key;
-            if (field.nested && found->is_object()) {
+            if (found == given.end()) {
+                changes.push_back(
+                    {&field, key, shown(now, field), notKnown(), !now.is_null(), source});
+            } else if (field.nested && found->is_object()) {
                 through(*field.nested, *found, now, key + "/");
             } else {
-                changes.push_back({&field, key, shown(now, field), shown(*found, field),
-                                   now != *found, sourceOf(sourcesOf(entry), key)});
+                changes.push_back(
+                    {&field, key, shown(now, field), shown(*found, field), now != *found, source});
             }
         }
     }
 };
 
 } // namespace
+
+QString notKnown() {
+    return inWords(QT_TRANSLATE_NOOP("Catalogue", "not known"));
+}
 
 std::vector<CatalogueChange> changesBy(const CatalogueEntry& entry, const Project& project) {
     std::vector<CatalogueChange> changes;

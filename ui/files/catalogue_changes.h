@@ -14,10 +14,13 @@ struct CatalogueChange {
     const Field* field;
     std::string key; ///< within the entry's value: "stiffness_n_um/headstock"
     QString now;     ///< as the project has it, in the present language, without its unit
-    QString then;    ///< as the entry gives it
+    QString then;    ///< as the entry gives it; "not known"
     bool changed;
     const ValueSource* source; ///< null for texts
 };
+
+/// In place of a value that an entry says is not known.
+[[nodiscard]] QString notKnown();
 
 /// What taking over an entry changes in a project, and what it leaves as it is, in the order of
 /// the tables. The sources are the entry's own.

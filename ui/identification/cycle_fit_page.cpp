@@ -57,6 +57,7 @@ CycleFitPage::CycleFitPage(const Project& project, QWidget* parent)
     , m_fit(new QPushButton(tr("&Fit")))
     , m_stop(new QPushButton(tr("&Stop")))
     , m_leaveOut(new QPushButton(tr("&Leave these out")))
+    , m_fitTimes(new QPushButton(tr("Fit &this too")))
     , m_take(new QPushButton(tr("&Take over"))) {
     auto* row = new QHBoxLayout;
     row->setSpacing(metrics::wide);
@@ -75,6 +76,7 @@ CycleFitPage::CycleFitPage(const Project& project, QWidget* parent)
     connect(m_fit, &QPushButton::clicked, this, &CycleFitPage::start);
     connect(m_stop, &QPushButton::clicked, &m_runner, &CountedJob::stop);
     connect(m_leaveOut, &QPushButton::clicked, this, &CycleFitPage::leaveOut);
+    connect(m_fitTimes, &QPushButton::clicked, this, &CycleFitPage::fitTimes);
     connect(m_take, &QPushButton::clicked, this, &CycleFitPage::take);
     connect(&m_runner, &IdentificationRunner::finished, this, &CycleFitPage::showResult);
     propose();
@@ -108,6 +110,8 @@ QWidget* CycleFitPage::buildButtons() {
     m_stop->setObjectName(QStringLiteral("fitStop"));
     m_leaveOut->setObjectName(QStringLiteral("fitLeaveOut"));
     m_leaveOut->setToolTip(tr("Unchecks what the data cannot tell"));
+    m_fitTimes->setObjectName(QStringLiteral("fitTimes"));
+    m_fitTimes->setToolTip(tr("Checks what the traces are out of step by, and fits again"));
     m_take->setObjectName(QStringLiteral("fitTake"));
     m_take->setToolTip(tr("Gives the inputs the values found, as one edit that can be undone, and "
                           "marks them as calibrated"));
@@ -122,6 +126,7 @@ QWidget* CycleFitPage::buildButtons() {
     row->addWidget(m_progress);
     row->addWidget(m_fault, 1);
     row->addWidget(m_leaveOut);
+    row->addWidget(m_fitTimes);
     row->addWidget(m_take);
     return bar;
 }
@@ -162,6 +167,7 @@ void CycleFitPage::follow() {
     m_parameters->setEnabled(!runs);
     m_loss->setEnabled(!runs);
     m_leaveOut->setVisible(m_result && !m_result->unidentified.empty() && !runs);
+    m_fitTimes->setVisible(m_result && !m_result->outOfStep.empty() && !runs);
     m_take->setEnabled(!runs && m_result && m_canTake
                        && m_result->status == IdentificationStatus::fitted
                        && std::ranges::any_of(m_result->values, [](const FittedValue& value) {
@@ -197,6 +203,13 @@ void CycleFitPage::leaveOut() {
         }
         m_parameters->uncheck(m_requested.parameters.at(left));
     }
+}
+
+void CycleFitPage::fitTimes() {
+    for (const OutOfStep& one : m_result->outOfStep) {
+        m_parameters->check(one.kind);
+    }
+    start();
 }
 
 Project CycleFitPage::calibrated() const {

@@ -36,6 +36,7 @@ private:
     void start();
     void showResult(const IdentificationPtr& result);
     void leaveOut();
+    void fitTimes();
     void take();
     [[nodiscard]] Project calibrated() const; ///< with the values found
     void findConsequences();
@@ -51,6 +52,7 @@ private:
     QPushButton* m_fit;
     QPushButton* m_stop;
     QPushButton* m_leaveOut;
+    QPushButton* m_fitTimes;
     QPushButton* m_take;
     IdentificationRequest m_requested;
     IdentificationPtr m_result;

@@ -103,6 +103,9 @@ QString FitResult::words() const {
     } else {
         lines << tr("No values: %1.").arg(FitWords::status(m_result.status));
     }
+    for (const OutOfStep& one : m_result.outOfStep) {
+        lines << FitWords::outOfStep(m_project, m_result, one);
+    }
     for (const Unidentified& one : m_result.unidentified) {
         lines << FitWords::unidentified(m_project, m_request.parameters, one);
     }

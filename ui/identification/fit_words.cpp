@@ -85,6 +85,17 @@ QString FitWords::trial(const MeasuredWords& words) {
     return QCoreApplication::translate("Trial", words.text);
 }
 
+QString FitWords::outOfStep(const Project& project, const Identification& result,
+                            const OutOfStep& one) {
+    constexpr double normal95 = 1.96;
+    const FittedValue& moved = result.values.at(one.parameter);
+    return tr("Out of step: %1 seems to be %2 ± %3 s and was not fitted. The values found are "
+              "wrong by it: fitted too, %4 would be %5 instead of %6.")
+        .arg(worded(wordsOf(one.kind)), number(one.delay_s),
+             Names::significant(normal95 * one.error_s, 2), parameter(project, moved.parameter),
+             number(one.value), number(moved.value));
+}
+
 QString FitWords::unidentified(const Project& project, const std::vector<FittedParameter>& list,
                                const Unidentified& one) {
     QStringList names;

@@ -30,6 +30,9 @@ public:
     /// "factor of α, factor of β: record …", what the data do not tell.
     static QString unidentified(const Project& project, const std::vector<FittedParameter>& list,
                                 const Unidentified& one);
+    /// What a time that was left out does to the values.
+    static QString outOfStep(const Project& project, const Identification& result,
+                             const OutOfStep& one);
     static QString place(const Project& project, int place); ///< "RZ1", "Section 2"
     static QString number(double value);
     static QString interval(const Interval& interval);

@@ -106,10 +106,10 @@ void ParameterChoice::propose(const FitData& measured) {
     }
 }
 
-void ParameterChoice::uncheck(const FittedParameter& parameter) {
+void ParameterChoice::setChecked(const FittedParameter& parameter, bool checked) {
     for (const Row& row : m_rows) {
         if (row.parameter.kind == parameter.kind && row.parameter.place == parameter.place) {
-            row.box->setChecked(false);
+            row.box->setChecked(checked);
         }
     }
 }

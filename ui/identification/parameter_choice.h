@@ -24,7 +24,8 @@ public:
     explicit ParameterChoice(const Project& project, QWidget* parent = nullptr);
 
     void propose(const FitData& measured); ///< checks what such data can tell, unchecks the others
-    void uncheck(const FittedParameter& parameter);
+    void uncheck(const FittedParameter& parameter) { setChecked(parameter, false); }
+    void check(FittedKind kind) { setChecked({kind, {}, {}}, true); }
     [[nodiscard]] std::vector<FittedParameter> parameters() const; ///< the checked ones
     /// Why the values known before cannot be taken; empty: they can.
     [[nodiscard]] QString fault() const;
@@ -33,6 +34,7 @@ signals:
     void changed();
 
 private:
+    void setChecked(const FittedParameter& parameter, bool checked);
     struct Row {
         FittedParameter parameter;
         QCheckBox* box;

@@ -51,6 +51,10 @@ constexpr std::array names{
     SourceName{"GOSTR52781", QT_TRANSLATE_NOOP("Source", "GOST R 52781, grinding wheels")},
     SourceName{"ABRASIVES",
                QT_TRANSLATE_NOOP("Source", "Zaporozhabrasive, marking of abrasive tools")},
+    SourceName{"DIN50150", QT_TRANSLATE_NOOP("Source", "DIN 50150, strength and hardness of "
+                                                       "steel")},
+    SourceName{"SAEJ417", QT_TRANSLATE_NOOP("Source", "SAE J417, strength and hardness of steel")},
+    SourceName{"TABOR1951", QT_TRANSLATE_NOOP("Source", "Tabor, 1951, yield stress and hardness")},
     SourceName{"MARKING", QT_TRANSLATE_NOOP("Source", "the marking on the wheel itself")},
     SourceName{"GILBERT1950", QT_TRANSLATE_NOOP("Source", "Gilbert, 1950, economics of machining")},
     SourceName{"HASHIMOTO2020", QT_TRANSLATE_NOOP("Source", "Hashimoto, 2020, contact stiffness "

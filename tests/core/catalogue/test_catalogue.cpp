@@ -87,6 +87,12 @@ private slots:
             "/entries/0/value/friction", IssueCode::sourceMissing);
         row("source without a number", with("/entries/0/sources/1", {{"key", "friction"}}),
             "/entries/0/sources/1/key", IssueCode::unknownKey);
+        row("reference of what is not known",
+            with("/entries/0/sources/1", {{"key", "burn_rise_k"}, {"source", "ALORO40X"}}),
+            "/entries/0/sources/1/key", IssueCode::unknownKey);
+        row("range of what is not known",
+            with("/entries/0/sources/1", {{"key", "burn_rise_k"}, {"range", {1, 2}}}),
+            "/entries/0/value/burn_rise_k", IssueCode::missingKey);
         row("two sources", with("/entries/0/sources/1", {{"key", "conductivity_w_mk"}}),
             "/entries/0/sources/1/key", IssueCode::duplicateKey);
         row("outside its own range", with("/entries/0/sources/0/range", {40, 50}),
@@ -143,6 +149,23 @@ private slots:
         QCOMPARE(project.material->friction, 0.41);
         project.material = before.material;
         QVERIFY(sameProject(project, before));
+    }
+
+    /// What an entry says is not known the project has no longer; it does not keep that of another.
+    void whatIsNotKnownIsTakenOut() {
+        Project project = fixtures::plunge();
+        project.material->burn_rise_k = 700;
+        project.material->hardness_hrc = 60;
+        json text = smallest();
+        text["entries"][0]["sources"][1] = {{"key", "burn_rise_k"}, {"note", "nowhere found"}};
+        const auto read = readCatalogue<MaterialEntry>(text.dump());
+        QVERIFY2(read.entries, samples::listed(read.issues).c_str());
+        const MaterialEntry& entry = read.entries->front();
+        applyEntry(entry, project);
+        QVERIFY(!project.material->burn_rise_k);
+        QCOMPARE(*project.material->hardness_hrc, 60.0); // of which it says nothing
+        const auto again = readCatalogue<MaterialEntry>(writeCatalogue<MaterialEntry>({entry}));
+        QVERIFY(again.entries && sourceOf(again.entries->front().sources, "burn_rise_k"));
     }
 
     void machineGivesItsUnitsAndRanges() {

@@ -254,7 +254,8 @@ private slots:
         for (unsigned seed = 0; seed < 60; ++seed) {
             const Project p = smallCase(seed);
             const SearchSummary whole = search(p, SearchMethod::pruned);
-            for (const std::size_t bytes : {std::size_t{0}, std::size_t{50'000}}) {
+            for (const std::size_t bytes :
+                 {std::size_t{0}, std::size_t{50'000}, std::size_t{400'000}}) {
                 SearchOptions options;
                 options.memory_bytes = bytes;
                 options.onProgress = [&](const SearchProgress& progress) {

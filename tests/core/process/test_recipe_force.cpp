@@ -18,6 +18,7 @@
 #include "tests/core/support/random_cutting.h"
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"
+#include "words/issue_words.h"
 
 #include <QTest>
 
@@ -25,6 +26,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <variant>
 
 namespace test_recipe_force {
 
@@ -43,8 +45,32 @@ Project anyProject() {
     p.wheel->bond_share = between(0.05, 0.2);
     p.wheel->grain_mm = between(0.1, 0.5);
     p.wheel->force_recipe = ForceRecipe{between(0.1, 2), between(0.2, 5), between(15, 60),
-                                        between(0.005, 0.1), between(0, 0.1)};
+                                        between(0.005, 0.1), between(0, 0.08)};
     return p;
+}
+
+/// Over the whole range of what can be typed, and a little beyond what is possible.
+Project anyRecipe() {
+    Project p = anyProject();
+    ForceRecipe& recipe = *p.wheel->force_recipe;
+    recipe.contact_factor = std::pow(10, between(-1.5, 1.5));
+    recipe.cut_width_mm = p.wheel->grain_mm * between(0.5, 1.2);
+    recipe.wear_flat_mm = p.wheel->grain_mm * std::pow(10, between(-1, 0.2));
+    if (between(0, 1) < 0.4) {
+        recipe.cut_width_mm.reset();
+    }
+    if (between(0, 1) < 0.4) {
+        recipe.wear_flat_mm.reset();
+    }
+    return p;
+}
+
+Issues recipeErrors(const Project& p) {
+    Issues issues = validate(p);
+    std::erase_if(issues, [](const Issue& issue) {
+        return issue.severity != Severity::error || !issue.path.starts_with("/wheel/force_recipe/");
+    });
+    return issues;
 }
 
 /// Eq. 7 as it is printed, with the lengths in mm and the speeds in one unit.
@@ -198,6 +224,96 @@ private slots:
         QVERIFY(!isRefused());
         p.wheel->force_recipe.emplace();
         QVERIFY(isRefused());
+    }
+
+    /// What no wheel can be, decided here once more from the published n_c: a recipe is refused for
+    /// that alone, and its message names an input, what stands there, and a bound at which the
+    /// fault is gone.
+    void whatNoWheelCanBeIsRefused() {
+        int refused = 0, taken = 0;
+        QVERIFY(rc::check("impossible", [&] {
+            Project p = anyRecipe();
+            const ForceRecipe& r = *p.wheel->force_recipe;
+            const double Wg = p.wheel->grain_share, Wb = p.wheel->bond_share,
+                         dg = p.wheel->grain_mm, lg = r.wear_flat_mm.value_or(0);
+            const double nc = Wg * Wb * r.contact_factor / ((1 - Wg - Wb) * dg * dg);
+            const double sine = std::sin(r.shear_angle_deg * std::numbers::pi / 180);
+            const double bj = r.cut_width_mm.value_or(r.grains_per_mm * sine / (2 * nc));
+            const bool counts = r.cut_width_mm || r.wear_flat_mm;
+            const bool impossible = counts && (bj > dg || lg > dg || lg * bj * nc > 1);
+            const Issues issues = recipeErrors(p);
+            RC_ASSERT(issues.empty() != impossible);
+            (impossible ? refused : taken)++;
+            for (const Issue& issue : issues) {
+                const auto& bounds = std::get<Bounds>(issue.limit);
+                const auto input = numberInput(p, issue.path);
+                RC_ASSERT(input && *input->value == std::get<Amount>(issue.value).number);
+                RC_ASSERT(!bounds.range.contains(*input->value));
+                Project mended = p;
+                const bool low = *input->value < bounds.range.low;
+                setNumberInput(mended, issue.path, low ? bounds.range.low : bounds.range.high);
+                for (const Issue& left : recipeErrors(mended)) {
+                    RC_ASSERT(left.path != issue.path || left.limit != issue.limit);
+                }
+            }
+        }));
+        QVERIFY2(refused > 10 && taken > 10, qPrintable(QString("%1/%2").arg(refused).arg(taken)));
+    }
+
+    void theMessageNamesInputValueAndBound() {
+        Project p = fixtures::plunge(); // W_g 0.5, W_b 0.12, d_g 0.25: n_c = 2.526 k_Y
+        p.wheel->force_recipe = ForceRecipe{4, 1, 30, 0.24, 0.2};
+        Issues issues = recipeErrors(p);
+        QCOMPARE(issues.size(), std::size_t{0}); // η = 0.2·0.24·10.1 = 0.485
+        p.wheel->force_recipe->contact_factor = 9;
+        issues = recipeErrors(p); // 22.7 grains a mm² of cuts of 0.24 mm: η = 1.09
+        QCOMPARE(issues.size(), std::size_t{1});
+        QCOMPARE(issues[0].path, std::string("/wheel/force_recipe/wear_flat_mm"));
+        QCOMPARE(issueSentence(issues[0]),
+                 std::string("0.2 mm is out of range; allowed: 0…0.1832 mm (η = l_g·b_j·n_c ≤ 1)"));
+        p.wheel->force_recipe = ForceRecipe{4, 1, 30, 0.26, {}};
+        issues = recipeErrors(p);
+        QCOMPARE(issues.size(), std::size_t{1});
+        QCOMPARE(issues[0].path, std::string("/wheel/force_recipe/cut_width_mm"));
+        QCOMPARE(issueSentence(issues[0]), std::string("0.26 mm is out of range; allowed: "
+                                                       "0…0.25 mm (/wheel/grain_mm)"));
+    }
+
+    /// A wheel may become all flats, as one that dulls does in the end, and no further.
+    void theDullestWheelIsTaken() {
+        QVERIFY(rc::check("η = 1", [] {
+            Project p = anyProject();
+            ForceRecipe& recipe = *p.wheel->force_recipe;
+            recipe.cut_width_mm = p.wheel->grain_mm * between(0.2, 1);
+            const RecipeShares shares = recipeShares(*p.wheel, recipe);
+            recipe.contact_factor /= // so that flats as long as a grain or shorter are enough
+                shares.cuttingGrains_mm2 * shares.cutWidth_mm * p.wheel->grain_mm / between(1.1, 3);
+            setDullness(*p.wheel, 1);
+            RC_ASSERT(recipeErrors(p).empty());
+            *recipe.wear_flat_mm *= 1.001;
+            RC_ASSERT(recipeErrors(p).size() == 1);
+        }));
+    }
+
+    /// Chips that are many times the metal taken off, or more grains than find room, are possible
+    /// as far as the theory goes: a warning.
+    void whatIsHardlyPossibleIsWarnedOf() {
+        const auto warned = [](const ForceRecipe& recipe, const std::string& key) {
+            Project p = fixtures::plunge();
+            p.wheel->force_recipe = recipe;
+            return std::ranges::any_of(validate(p), [&key](const Issue& issue) {
+                return issue.path == "/wheel/force_recipe/" + key
+                       && issue.severity == Severity::warning;
+            });
+        };
+        QVERIFY(!warned({1, 1, 30, 0.1, {}}, "cut_width_mm"));   // κ = 1.01
+        QVERIFY(warned({10, 1, 30, 0.1, {}}, "cut_width_mm"));   // κ = 10.1
+        QVERIFY(warned({1, 10, 30, 0.05, {}}, "cut_width_mm"));  // κ = 0.05
+        QVERIFY(!warned({7, 5, 30, 0.1, {}}, "contact_factor")); // 17.7 a mm² of 18.5
+        QVERIFY(warned({8, 5, 30, 0.1, {}}, "contact_factor"));
+        QVERIFY(!warned({1, 1, 30, 0.1, 0.08}, "wear_flat_mm")); // η = 0.02
+        QVERIFY(!warned({1, 1, 30, 0.1, 0.2}, "wear_flat_mm"));  // η = 0.05
+        QVERIFY(warned({2, 1, 30, 0.2, 0.25}, "wear_flat_mm"));  // η = 0.253
     }
 };
 

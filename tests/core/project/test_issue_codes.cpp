@@ -185,6 +185,11 @@ private:
             {{"/wheel/dullness", 2}});
         row("unusual", IssueCode::unusual, "/wheel/dullness", plunge, {{"/wheel/dullness", 0.5}},
             warning);
+        row("unusual beside others", IssueCode::unusualTogether, "/wheel/force_recipe/wear_flat_mm",
+            plunge,
+            {{"/wheel/force_recipe",
+              {{"contact_factor", 3}, {"cut_width_mm", 0.24}, {"wear_flat_mm", 0.19}}}},
+            warning);
         row("unusual whole number", IssueCode::unusual, "/part/lobes", plunge,
             {{"/part/profile", "lobes"}, {"/part/lobes", 90}}, warning);
         row("odd radii", IssueCode::notEven, "/part/radii_per_section", plunge,

@@ -88,6 +88,36 @@ private slots:
         QVERIFY(!window.document().canUndo());
     }
 
+    /// What is not known is said in words, in the list and beside what the project has; it is not
+    /// left blank, and not kept of the material before.
+    void whatIsNotKnownIsSaid() {
+        Window window(materialPage);
+        {
+            DialogAnswers answers({QStringLiteral("Enter")});
+            answers.seen = [](QDialog& dialog) {
+                QTest::keyClicks(child<QLineEdit>(dialog, "catalogueSearch"),
+                                 QStringLiteral("40Х 28"));
+            };
+            window.press("fromCatalogue");
+            QCOMPARE(answers.fault(), QString());
+        }
+        QCOMPARE(window.document().project().material->hardness_hrc, std::optional(28.0));
+        DialogAnswers answers({QStringLiteral("Enter")});
+        answers.seen = [](QDialog& dialog) {
+            QTest::keyClicks(child<QLineEdit>(dialog, "catalogueSearch"), QStringLiteral("СЧ25"));
+            QCOMPARE(visibleEntries(dialog).size(), 1);
+            const auto* preview = child<QTreeWidget>(dialog, "cataloguePreview");
+            const auto rows = preview->findItems(QStringLiteral("not known"), Qt::MatchExactly, 2);
+            QCOMPARE(rows.size(), 2); // hardness and burn temperature
+            QCOMPARE(rows[0]->text(1), QStringLiteral("28"));
+            QVERIFY(rows[0]->font(2).bold());
+            QVERIFY2(rows[0]->text(3).contains(QStringLiteral("HB")), qPrintable(rows[0]->text(3)));
+        };
+        window.press("fromCatalogue");
+        QCOMPARE(answers.fault(), QString());
+        QVERIFY(!window.document().project().material->hardness_hrc);
+    }
+
     void cancelLeavesEverythingAsItIs() {
         Window window(machinePage);
         const std::string before = window.document().project().machine->name;

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/out_of_step.h"
+
+#include "core/identification/identifiability.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+constexpr double leastDelay_s = 1e-4; ///< below it no clock of a recorder can be told
+
+bool hasTimes(const FitGroup& group) {
+    return !group.time_s.empty();
+}
+
+/// Whether the data have what is delayed, and something that it can be late against.
+bool isOfData(FittedKind kind, const FitData& data) {
+    if (kind == FittedKind::time_shift) {
+        return std::ranges::any_of(data.groups, hasTimes);
+    }
+    const FitSource source = kind == FittedKind::power_delay ? FitSource::power : FitSource::force;
+    return data.has(source) && std::ranges::any_of(data.groups, [source](const FitGroup& group) {
+               return hasTimes(group) && group.source != source;
+           });
+}
+
+/// RMS of each group.
+std::vector<double> noiseByGroup(const FitData& data, const std::vector<double>& differences,
+                                 const std::vector<double>& before) {
+    constexpr double leastShare = 1e-9;
+    std::vector<double> noise;
+    std::size_t at = 0;
+    for (std::size_t g = 0; g < data.groups.size(); ++g) {
+        double squares = 0;
+        const std::size_t count = data.groups[g].values.size();
+        for (std::size_t i = 0; i < count; ++i, ++at) {
+            squares += differences[at] * differences[at];
+        }
+        noise.push_back(
+            std::max(std::sqrt(squares / static_cast<double>(count)), leastShare * before[g]));
+    }
+    return noise;
+}
+
+/// By how much the variance of a mean is greater where each residual follows the one before:
+/// (1 + ρ)/(1 − ρ) of the first autocorrelation ρ, the greatest of the groups.
+double inflation(const FitData& data, const std::vector<double>& differences) {
+    constexpr double mostCorrelation = 0.99;
+    double most = 1;
+    std::size_t first = 0;
+    for (const FitGroup& group : data.groups) {
+        double squares = 0, products = 0;
+        for (std::size_t i = 0; i < group.values.size(); ++i) {
+            const double value = differences[first + i];
+            squares += value * value;
+            products += i > 0 ? value * differences[first + i - 1] : 0;
+        }
+        if (squares > 0 && hasTimes(group)) {
+            const double rho = std::clamp(products / squares, 0.0, mostCorrelation);
+            most = std::max(most, (1 + rho) / (1 - rho));
+        }
+        first += group.values.size();
+    }
+    return most;
+}
+
+/// With one time more.
+class WiderFit {
+public:
+    WiderFit(const Project& project, const FitData& data, const FitProblem& fitted, FittedKind kind)
+        : m_list(withTime(fitted.list(), kind)), m_data(data), m_problem(project, data, m_list) {
+        m_problem.setSteps(fitted.steps());
+        m_problem.setNoise(fitted.noise());
+        m_problem.setWeights(fitted.weights());
+    }
+
+    /// Nothing where the time is 0 for all that the data tell.
+    std::optional<OutOfStep> find(const LeastSquares& best, const std::vector<double>& errors,
+                                  const std::stop_token& stop) {
+        std::vector<double> from = best.q;
+        from.push_back(0);
+        if (!isWorthAFit(from)) {
+            return {};
+        }
+        const std::vector<bool> free(m_list.size(), false);
+        LeastSquares wider = minimise(m_problem, from, free, stop);
+        std::vector<double> differences;
+        if (!m_problem.differences(wider.q, differences)) {
+            return {};
+        }
+        m_problem.setNoise(noiseByGroup(m_data, differences, m_problem.noise()));
+        wider = minimise(m_problem, wider.q, free, stop);
+        if (!wider.converged || stop.stop_requested()
+            || !m_problem.differences(wider.q, differences)) {
+            return {};
+        }
+        const Identifiability told = identifiabilityAt(m_problem, m_data, wider, stop);
+        if (!told.unidentified.empty() || told.covariance.empty()) {
+            return {};
+        }
+        OutOfStep found;
+        found.kind = m_list.back().kind;
+        found.delay_s = FitProblem::valueOf(found.kind, wider.q.back());
+        found.error_s = FitProblem::valueOf(found.kind, std::sqrt(told.covariance.back()))
+                        * std::sqrt(inflation(m_data, differences));
+        if (std::abs(found.delay_s) < std::max(leastDelay_s, certainDelay * found.error_s)) {
+            return {};
+        }
+        double most = 0;
+        for (std::size_t i = 0; i < best.q.size(); ++i) {
+            const double moved = std::abs(wider.q[i] - best.q[i]) / errors[i];
+            if (moved > most) {
+                most = moved;
+                found.parameter = i;
+            }
+        }
+        found.value = FitProblem::valueOf(m_list[found.parameter].kind, wider.q[found.parameter]);
+        return found;
+    }
+
+private:
+    /// Whether the residuals of the fit speak for the time by more than two of its standard errors,
+    /// to first order: in J = Q·R the last column stands on what the others do not reach, and its
+    /// step by its error is the last of Qᵀr.
+    bool isWorthAFit(const std::vector<double>& q) {
+        constexpr double hardly = 2;
+        std::vector<std::size_t> all(q.size());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        std::vector<double> columns, residuals;
+        if (!derivatives(m_problem, q, all, columns) || !m_problem.evaluate(q, residuals)) {
+            return false;
+        }
+        const auto rows = static_cast<Eigen::Index>(residuals.size());
+        const auto count = static_cast<Eigen::Index>(q.size());
+        const Eigen::HouseholderQR<Eigen::MatrixXd> qr(
+            Eigen::Map<const Eigen::MatrixXd>(columns.data(), rows, count));
+        Eigen::VectorXd turned = Eigen::Map<const Eigen::VectorXd>(residuals.data(), rows);
+        turned.applyOnTheLeft(qr.householderQ().adjoint());
+        return std::abs(turned[count - 1]) > hardly;
+    }
+
+    static std::vector<FittedParameter> withTime(std::vector<FittedParameter> list,
+                                                 FittedKind kind) {
+        list.push_back({kind, {}, {}});
+        return list;
+    }
+
+    std::vector<FittedParameter> m_list;
+    const FitData& m_data;
+    FitProblem m_problem;
+};
+
+} // namespace
+
+std::vector<OutOfStep> outOfStep(const Project& project, const FitData& data,
+                                 const FitProblem& fitted, const LeastSquares& best,
+                                 const std::vector<double>& errors, const std::stop_token& stop) {
+    std::vector<OutOfStep> found;
+    for (const FittedKind kind :
+         {FittedKind::time_shift, FittedKind::power_delay, FittedKind::force_delay}) {
+        const bool isFitted =
+            std::ranges::find(fitted.list(), kind, &FittedParameter::kind) != fitted.list().end();
+        if (isFitted || !isOfData(kind, data) || stop.stop_requested()) {
+            continue;
+        }
+        if (auto one = WiderFit(project, data, fitted, kind).find(best, errors, stop)) {
+            found.push_back(*one);
+        }
+    }
+    return found;
+}
+
+} // namespace sparkout

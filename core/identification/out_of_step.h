@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/identification/fit_problem.h"
+#include "core/identification/levenberg_marquardt.h"
+
+#include <cstddef>
+#include <stop_token>
+#include <vector>
+
+namespace sparkout {
+
+/// A time that was not fitted and is hardly 0: of the traces against the cycle (`time_shift`), of
+/// the power or the force against what else was recorded. Left out, it goes into the other
+/// parameters, whose intervals say nothing of it.
+struct OutOfStep {
+    FittedKind kind = FittedKind::power_delay;
+    double delay_s = 0;        ///< with it fitted too
+    double error_s = 0;        ///< its standard error; wider where the residuals follow each other
+    std::size_t parameter = 0; ///< the one of the fit that it moves most, by its error
+    double value = 0;          ///< what that one would be
+};
+
+/// The delay counts as real beyond so many standard errors: of normal noise one fit in 2,000.
+inline constexpr double certainDelay = 3.5;
+
+/// Of a fit at its best: each time that the data could tell and that is not fitted is fitted
+/// beside the rest, with the same steps and weights.
+[[nodiscard]] std::vector<OutOfStep> outOfStep(const Project& project, const FitData& data,
+                                               const FitProblem& fitted, const LeastSquares& best,
+                                               const std::vector<double>& errors,
+                                               const std::stop_token& stop);
+
+} // namespace sparkout

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Power recorded late against the size: with its delay fitted the intervals cover the truth,
+// without it a warning says so; none where the clocks agree.
+#include "core/identification/identification.h"
+#include "core/project/cycle.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
+#include "core/statistics/intervals.h"
+#include "tests/core/identification/measured_cycles.h"
+#include "tests/core/support/project_samples.h"
+#include "tests/registry.h"
+
+#include <QTest>
+
+namespace test_out_of_step {
+
+using namespace sparkout;
+using namespace measured_cycles;
+
+namespace {
+
+constexpr double alpha = 1.25, beta = 0.875;
+
+/// A plunge on a yielding shaft with two feeds, as it is thought to be.
+Project plungeOfTwoFeeds() {
+    Project project = samples::project("smallest-plunge");
+    project.sections = 1;
+    project.machine->compliance_mm_per_n = std::vector<double>{5e-4};
+    project.part->stock_mm = 0.3;
+    project.part->radii_per_section = 12;
+    project.wheel->dullness = 0.01;
+    project.gauge->rule = GaugeRule::mean;
+    Stage rough = project.cycle->stages.front(), fine = rough;
+    rough.radial_feed_mm_min = 2.0;
+    rough.stock_mm = 0.22;
+    fine.radial_feed_mm_min = 0.4;
+    fine.stock_mm = 0.08;
+    project.cycle->stages = {rough, fine};
+    return project;
+}
+
+/// As it is: α and β by these factors.
+const Record& cycleAsItIs() {
+    static const Record cycle = [] {
+        Project truth = plungeOfTwoFeeds();
+        truth.machine->compliance_mm_per_n = std::vector<double>{5e-4 * alpha};
+        truth.wheel->dullness *= beta / alpha;
+        return record(truth);
+    }();
+    return cycle;
+}
+
+/// Size and power of it, the power late by so much.
+Project recorded(double delay_s, std::uint32_t seed, double begin_s = 0.4) {
+    const Record& cycle = cycleAsItIs();
+    Project project = plungeOfTwoFeeds();
+    const double end_s = cycle.end_s.back() + 2;
+    project.measured.emplace().traces = {trace(TraceQuantity::gauge_size, cycle,
+                                               {.hertz = 20,
+                                                .from_s = -1,
+                                                .to_s = end_s,
+                                                .noise = 1e-3,
+                                                .offset = 0.02,
+                                                .shift_s = begin_s,
+                                                .seed = seed}),
+                                         trace(TraceQuantity::wheel_power, cycle,
+                                               {.hertz = 20,
+                                                .from_s = -1,
+                                                .to_s = end_s,
+                                                .noise = 0.02,
+                                                .offset = 0.6,
+                                                .shift_s = begin_s + delay_s,
+                                                .seed = seed})};
+    return project;
+}
+
+Identification fit(const Project& project, bool withDelay) {
+    IdentificationRequest request;
+    for (const FittedKind kind :
+         {FittedKind::alpha, FittedKind::beta, FittedKind::chip_power, FittedKind::friction_power,
+          FittedKind::idle_power, FittedKind::size_offset, FittedKind::time_shift}) {
+        request.parameters.push_back({kind, {}, {}});
+    }
+    if (withDelay) {
+        request.parameters.push_back({FittedKind::power_delay, {}, {}});
+    }
+    return identify(project, request);
+}
+
+bool holds(const FittedValue& value, double truth) {
+    return value.interval95.low <= truth && truth <= value.interval95.high;
+}
+
+} // namespace
+
+class TestOutOfStep : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theDelayIsFittedOrWarnedOf_data() {
+        QTest::addColumn<double>("delay_s");
+        for (const double delay_s : {0.1, 0.2, 0.5, -0.2}) {
+            QTest::newRow(qPrintable(QString::number(delay_s))) << delay_s;
+        }
+    }
+
+    void theDelayIsFittedOrWarnedOf() {
+        QFETCH(double, delay_s);
+        const int seeds = samples::sized(24, 4, 1000);
+        int covered = 0, delayCovered = 0, warned = 0, unnoticed = 0, wrong = 0;
+        for (int seed = 1; seed <= seeds; ++seed) {
+            const Project project = recorded(delay_s, static_cast<std::uint32_t>(seed));
+            const Identification with = fit(project, true);
+            QVERIFY(with.status == IdentificationStatus::fitted);
+            QVERIFY(with.outOfStep.empty());
+            covered += holds(with.values.front(), alpha);
+            delayCovered += holds(with.values.back(), delay_s);
+            const Identification without = fit(project, false);
+            if (without.status != IdentificationStatus::fitted) {
+                continue; // there is no value to be wrong
+            }
+            wrong += !holds(without.values.front(), alpha);
+            if (without.outOfStep.size() != 1) {
+                ++unnoticed;
+                continue;
+            }
+            const OutOfStep& found = without.outOfStep.front();
+            ++warned;
+            QVERIFY(found.kind == FittedKind::power_delay);
+            // With the steps of the stages held a long one is said roughly.
+            const double room = std::abs(delay_s) > 0.3 ? 0.5 : 0.2;
+            QVERIFY2(std::abs(found.delay_s - delay_s) < room * std::abs(delay_s),
+                     qPrintable(QString::number(found.delay_s)));
+        }
+        const Interval share = clopperPearson(covered, seeds, 0.95),
+                       ofDelay = clopperPearson(delayCovered, seeds, 0.95);
+        qInfo("delay %g s: α covered %d, delay covered %d, without it warned %d, unnoticed %d, α "
+              "wrong %d, of %d",
+              delay_s, covered, delayCovered, warned, unnoticed, wrong, seeds);
+        QVERIFY(share.low <= 0.97 && share.high >= 0.93);
+        QVERIFY(ofDelay.low <= 0.97 && ofDelay.high >= 0.93);
+        QCOMPARE(unnoticed, 0);
+        QVERIFY(warned > seeds / 2);
+        // What the warning is for: a narrow interval beside the truth.
+        QVERIFY(wrong > seeds / 2);
+    }
+
+    /// The threshold is that of one fit in 2,000.
+    void clocksThatAgreeAreHardlyEverDoubted() {
+        const int seeds = samples::sized(100, 10, 4000);
+        int warned = 0, covered = 0;
+        for (int seed = 1; seed <= seeds; ++seed) {
+            const Identification found = fit(recorded(0, static_cast<std::uint32_t>(seed)), false);
+            QVERIFY(found.status == IdentificationStatus::fitted);
+            warned += !found.outOfStep.empty();
+            covered += holds(found.values.front(), alpha);
+        }
+        qInfo("clocks that agree: %d of %d warned, α covered %d", warned, seeds, covered);
+        QVERIFY(clopperPearson(warned, seeds, 0.99).low <= 0.0005);
+    }
+
+    /// The beginning of the cycle in the traces is a time like the others.
+    void tracesThatBeginLateAreWarnedOf() {
+        Project project = recorded(0, 1, 0.1);
+        project.measured->traces.pop_back();
+        const Identification found =
+            identify(project, {.parameters = {{FittedKind::alpha, {}, {}},
+                                              {FittedKind::beta, {}, {}},
+                                              {FittedKind::size_offset, {}, {}}}});
+        QVERIFY(found.status == IdentificationStatus::fitted);
+        QCOMPARE(found.outOfStep.size(), std::size_t{1});
+        QVERIFY(found.outOfStep.front().kind == FittedKind::time_shift);
+        QVERIFY(std::abs(found.outOfStep.front().delay_s - 0.1) < 0.02);
+    }
+
+    /// Of the power alone its delay and the beginning of the cycle are one.
+    void aDelayWithNothingToCompareIsRefused() {
+        Project project = recorded(0.2, 1);
+        project.measured->traces.erase(project.measured->traces.begin());
+        const auto ask = [&](bool withDelay) { return fit(project, withDelay); };
+        const Identification found =
+            identify(project, {.parameters = {{FittedKind::chip_power, {}, {}},
+                                              {FittedKind::idle_power, {}, {}},
+                                              {FittedKind::time_shift, {}, {}},
+                                              {FittedKind::power_delay, {}, {}}}});
+        QVERIFY(found.status == IdentificationStatus::cannotTell);
+        QCOMPARE(found.unidentified.front().parameters, (std::vector<std::size_t>{2, 3}));
+        QVERIFY(found.unidentified.front().advice == Advice::size);
+        QVERIFY(ask(false).outOfStep.empty());
+    }
+
+    void exactDataAreInStep() {
+        Project project = plungeOfTwoFeeds();
+        project.measured.emplace().traces = {
+            trace(TraceQuantity::gauge_size, cycleAsItIs(), {.shift_s = 0.3}),
+            trace(TraceQuantity::wheel_power, cycleAsItIs(), {.offset = 0.6, .shift_s = 0.3})};
+        const Identification found = fit(project, false);
+        QVERIFY(found.status == IdentificationStatus::fitted);
+        QVERIFY(found.outOfStep.empty());
+        QVERIFY(std::abs(found.values.front().value - alpha) < 1e-6);
+    }
+};
+
+} // namespace test_out_of_step
+
+SPARKOUT_TEST(test_out_of_step, TestOutOfStep)
+#include "test_out_of_step.moc"

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A full search that is stopped anywhere, its record written and read back, goes on to the answer
+// of one that is not; a record of something else is refused.
+#include "core/optimisation/search_journal.h"
+
+#include "core/project/optimisation.h"
+#include "core/resume/search_state.h"
+#include "core/study/grid_search.h"
+#include "tests/core/optimisation/search_checks.h"
+#include "tests/registry.h"
+
+#include <QTest>
+
+#include <string>
+
+namespace test_search_journal {
+
+using namespace search_checks;
+
+namespace {
+
+const SearchQuestion asked{"engine 1", "project 1", "--method full"};
+
+SearchRecord written(const SearchRecord& record) {
+    const std::string text = writeSearchState(asked, record);
+    ReadSearchState read = readSearchState(text, asked);
+    if (read.fault != SearchStateFault::none || writeSearchState(asked, read.record) != text) {
+        qFatal("a record is not read back as it was written");
+    }
+    return read.record;
+}
+
+GridSearchOptions full(SearchJournal& journal, unsigned threads) {
+    GridSearchOptions options;
+    options.method = SearchMethod::full;
+    options.threads = threads;
+    options.journal = &journal;
+    return options;
+}
+
+/// Stopped after so many further steps of the record, again and again until it comes to its end.
+GridSearchReport inPieces(const Project& p, unsigned threads, int steps, bool robust, int& pieces) {
+    SearchRecord record;
+    for (pieces = 1;; ++pieces) {
+        SearchJournal journal(written(record));
+        std::stop_source stop;
+        int left = steps;
+        journal.onStep = [&](const SearchRecord& now) {
+            record = now;
+            if (--left == 0) {
+                stop.request_stop();
+            }
+        };
+        GridSearchOptions options = full(journal, threads);
+        options.robust = robust;
+        options.stop = stop.get_token();
+        GridSearchReport report = searchGrid(p, options);
+        record = journal.record();
+        if (!stop.stop_requested()) {
+            return report;
+        }
+    }
+}
+
+bool isSame(const GridSearchReport& a, const GridSearchReport& b) {
+    const auto &one = a.search, &other = b.search;
+    return one.status == other.status && one.evaluations == other.evaluations
+           && one.gridSize == other.gridSize && one.bound_s == other.bound_s
+           && one.best.has_value() == other.best.has_value() && a.rounds == b.rounds
+           && a.binding == b.binding && a.robust.has_value() == b.robust.has_value()
+           && (!a.robust || a.robust->evaluations == b.robust->evaluations)
+           && (!one.best
+               || (one.best->cycle == other.best->cycle && one.best->variant == other.best->variant
+                   && one.best->time_s == other.best->time_s
+                   && one.best->leastRelativeMargin == other.best->leastRelativeMargin
+                   && one.machine == other.machine));
+}
+
+} // namespace
+
+class TestSearchJournal : public QObject {
+    Q_OBJECT
+
+private slots:
+    void stoppedAnywhereItGoesOnToTheSameAnswer() {
+        int cut = 0, found = 0;
+        for (unsigned seed = 0; seed < static_cast<unsigned>(samples::sized(20, 6, 240)); ++seed) {
+            Project p = smallCase(seed);
+            p.optimisation->adaptive = seed % 3 == 0; // several searches behind each other
+            SearchJournal none;
+            const GridSearchReport whole = searchGrid(p, full(none, 1));
+            int pieces = 0;
+            const GridSearchReport again = inPieces(p, 1 + seed % 3, 1, false, pieces);
+            QVERIFY2(isSame(whole, again), std::to_string(seed).c_str());
+            cut += pieces > 1 ? 1 : 0;
+            found += whole.search.best ? 1 : 0;
+        }
+        QVERIFY2(cut > 2 && found > 2, qPrintable(QString("%1 %2").arg(cut).arg(found)));
+    }
+
+    void aRobustSearchGoesOnToo() {
+        int cut = 0, rounds = 0;
+        for (unsigned seed = 0; seed < static_cast<unsigned>(samples::sized(16, 6, 80)); ++seed) {
+            const Project p = smallCase(seed);
+            SearchJournal none;
+            GridSearchOptions options = full(none, 1);
+            options.robust = true;
+            const GridSearchReport whole = searchGrid(p, options);
+            int pieces = 0;
+            const GridSearchReport again = inPieces(p, 2, 1, true, pieces);
+            QVERIFY2(isSame(whole, again), std::to_string(seed).c_str());
+            cut += pieces > 1 ? 1 : 0;
+            rounds += whole.robust && whole.robust->rounds > 1 ? 1 : 0;
+        }
+        qInfo("%d were cut, %d have several rounds", cut, rounds);
+        QVERIFY(cut > 1);
+    }
+
+    /// What was finished is not searched a second time.
+    void whatIsFinishedIsKnown() {
+        Project p = smallCase(3);
+        SearchJournal first;
+        const GridSearchReport whole = searchGrid(p, full(first, 1));
+        QVERIFY(!first.record().begun && !first.record().finished.empty());
+        SearchJournal second(written(first.record()));
+        int steps = 0;
+        second.onStep = [&steps](const SearchRecord&) { ++steps; };
+        QVERIFY(isSame(whole, searchGrid(p, full(second, 1))));
+        QCOMPARE(steps, 0);
+    }
+
+    /// A record that fits no cycle of the grid does no harm: it is searched anew.
+    void whatIsOfNoCycleIsSearchedAnew() {
+        const Project p = smallCase(3);
+        SearchJournal none;
+        const GridSearchReport whole = searchGrid(p, full(none, 1));
+        SearchCheckpoint foreign;
+        foreign.last = {{1'000'000, -3}};
+        foreign.variant = 77;
+        foreign.evaluations = 5;
+        FeasibleCycle best;
+        best.cycle = {{123'456, 9}};
+        best.time_us = 1;
+        SearchCheckpoint wrong;
+        wrong.best = best;
+        for (const SearchRecord& record : {SearchRecord{{}, foreign}, SearchRecord{{wrong}, {}},
+                                           SearchRecord{{foreign}, wrong}}) {
+            SearchJournal journal(written(record));
+            QVERIFY(isSame(whole, searchGrid(p, full(journal, 1))));
+        }
+    }
+
+    void aRecordOfSomethingElseIsNamed() {
+        SearchCheckpoint at;
+        at.last = {{1, 2}, {0, 3}};
+        at.evaluations = 17;
+        at.best = FeasibleCycle{{{1, 2}, {0, 3}}, 1'234'567, 0.25, 1, 1.2345671};
+        const std::string text = writeSearchState(asked, {{at}, at});
+        const auto fault = [&](const std::string& of, const SearchQuestion& question) {
+            const ReadSearchState read = readSearchState(of, question);
+            return read.record.finished.empty() ? read.fault : SearchStateFault::none;
+        };
+        QVERIFY(fault(text, asked) == SearchStateFault::none);
+        QVERIFY(fault(text, {"engine 2", asked.project, asked.options})
+                == SearchStateFault::otherEngine);
+        QVERIFY(fault(text, {asked.engine, "project 2", asked.options})
+                == SearchStateFault::otherProject);
+        QVERIFY(fault(text, {asked.engine, asked.project, "--method full --robust"})
+                == SearchStateFault::otherOptions);
+        QVERIFY(fault("{}", asked) == SearchStateFault::otherFormat);
+        QVERIFY(fault("", asked) == SearchStateFault::otherFormat);
+        QVERIFY(fault("# notes", asked) == SearchStateFault::otherFormat);
+        std::string newer = text;
+        newer.replace(newer.find("\"version\":1"), 11, "\"version\":2");
+        QVERIFY(fault(newer, asked) == SearchStateFault::otherVersion);
+        // Whatever byte changes, and wherever it is cut off.
+        for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+            std::string flipped = text;
+            flipped[i] = static_cast<char>(flipped[i] ^ 0x01);
+            QVERIFY2(fault(flipped, asked) != SearchStateFault::none, flipped.c_str());
+            QVERIFY(fault(text.substr(0, i), asked) != SearchStateFault::none);
+        }
+    }
+};
+
+} // namespace test_search_journal
+
+SPARKOUT_TEST(test_search_journal, TestSearchJournal)
+#include "test_search_journal.moc"
