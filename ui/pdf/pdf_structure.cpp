@@ -26,7 +26,7 @@ void PdfStructure::mark(QPainter& painter, Id id) {
     painter.resetTransform();
     painter.setClipping(false);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(Qt::black);
+    painter.setBrush(Qt::SolidPattern);
     painter.drawRect(QRectF(markPlace, markPlace - static_cast<double>(id), 1, 1));
     painter.restore();
 }

@@ -2,6 +2,7 @@
 #include "ui/plot/feed_text.h"
 
 #include "core/simulation/feed_curves.h"
+#include "core/simulation/stroke_step.h"
 #include "core/units.h"
 #include "ui/text/names.h"
 
@@ -112,6 +113,19 @@ QString feedText(const FeedPoints& points, double time_s, const FeedSeries& seri
     return at ? FeedText::where(*at, wholeStrokes ? at->end_s : time_s, series) + u'\n'
                     + FeedText::values(*at, series)
               : QString();
+}
+
+QString strokeStepName(StrokeStep step) {
+    QStringList codes;
+    QString meaning;
+    for (const Zone zone : {Zone::rz1, Zone::nz, Zone::rz2}) {
+        const Step of = stepOf(zone, step);
+        if (of != Step::none) {
+            codes << Names::step(of);
+            meaning = Names::stepMeaning(zone, of);
+        }
+    }
+    return codes.isEmpty() ? QString() : QStringLiteral("%1 %2").arg(codes.join(u'/'), meaning);
 }
 
 } // namespace sparkout

@@ -7,6 +7,12 @@
 
 namespace sparkout {
 
+enum class StrokeStep;
+
+/// "E3/E1/E1 working stroke": a step of a double stroke with its code in each of the zones that are
+/// ground in it; empty where it has none.
+[[nodiscard]] QString strokeStepName(StrokeStep step);
+
 /// What a curve of the view is called in its legend.
 [[nodiscard]] QString quantityName(Quantity quantity);
 

@@ -28,7 +28,7 @@ constexpr LineRow lines[] = {
     {Drawn::measuredValue, {Qt::SolidLine, 1.2}},
     {Drawn::simulatedValue, {Qt::DashLine, 1.8}},
     {Drawn::measuredDifference, {Qt::DotLine, 1.5}},
-    {Drawn::profile, {Qt::SolidLine, 1.6}},
+    {Drawn::profile, {Qt::SolidLine, 1.9}},
     {Drawn::blank, {Qt::DotLine, 1.4}},
     {Drawn::target, {Qt::DashLine, 1.3}},
     {Drawn::referenceCircle, {Qt::DashDotDotLine, 1.3}},

@@ -427,8 +427,10 @@ LegendEntries FeedsPlot::legendEntries() const {
     entries.push_back({grey, Qt::NoPen, tr("spread over the radii"), FeedsChart::spreadKey,
                        shows(FeedsChart::spreadKey)});
     for (const auto& [zone, step] : m_chart.steps()) {
-        entries.push_back(
-            {stepColour(zone, step, palette()), Qt::NoPen, Names::stepMeaning(zone, step)});
+        // With the codes above the bands, by which these are told apart on paper without colours.
+        const QString name = strokeStepName(strokeStep(zone, step));
+        entries.push_back({stepColour(zone, step, palette()), Qt::NoPen,
+                           name.isEmpty() ? Names::stepMeaning(zone, step) : name});
     }
     return entries;
 }

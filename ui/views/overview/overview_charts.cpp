@@ -8,6 +8,7 @@
 #include "core/units.h"
 #include "ui/charts/verdict_model.h"
 #include "ui/measured/measured_boxes.h"
+#include "ui/plot/feed_text.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
@@ -28,7 +29,6 @@ using style::Drawn;
 
 constexpr double noNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double mostUsage = 200; ///< % that is drawn
-constexpr std::array zoneOrder{Zone::rz1, Zone::nz, Zone::rz2};
 
 QString threeDigits(double value) {
     return Names::significant(value);
@@ -99,26 +99,12 @@ QString OverviewCharts::title(OverviewChart chart) {
 
 // --- time and stock -----------------------------------------------------------------------------
 
-/// "E3/E1/E1 working stroke": the codes of the zones that are ground in it.
-QString OverviewCharts::stepName(StrokeStep step) {
-    QStringList codes;
-    QString meaning;
-    for (const Zone zone : zoneOrder) {
-        const Step of = stepOf(zone, step);
-        if (of != Step::none) {
-            codes << Names::step(of);
-            meaning = Names::stepMeaning(zone, of);
-        }
-    }
-    return codes.isEmpty() ? QString() : QStringLiteral("%1 %2").arg(codes.join(u'/'), meaning);
-}
-
 /// A series for each step that takes time, without values.
 std::vector<BarSeries> OverviewCharts::stepSeries(const Outcome& outcome) {
     std::vector<BarSeries> series;
     for (const std::size_t step : stepsTaken(outcome)) {
         const bool isStep = static_cast<StrokeStep>(step) != StrokeStep::none;
-        series.push_back({stepName(static_cast<StrokeStep>(step)),
+        series.push_back({strokeStepName(static_cast<StrokeStep>(step)),
                           isStep ? colourOfStep(step) : barColour(Drawn::actualFeed),
                           hatchAt(series.size()),
                           {}});

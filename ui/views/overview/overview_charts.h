@@ -61,7 +61,6 @@ public:
 
 private:
     static std::vector<BarSeries> stepSeries(const Outcome& outcome);
-    static QString stepName(StrokeStep step);
     static QString sectionsRemark(const Outcome& outcome);
     /// A zone by its name, a section by its number.
     static QString briefPlace(const Outcome& outcome, int section);

@@ -165,7 +165,7 @@ void TestFeedsView::stepsAreNamedWhenOneStrokeIsInSight() {
     QVERIFY(meanings(2).contains(QStringLiteral("E2: exit dwell")));
     const auto legend = view.plot()->legendEntries();
     QVERIFY(std::ranges::any_of(
-        legend, [](const LegendEntry& e) { return e.text == QStringLiteral("exit dwell"); }));
+        legend, [](const LegendEntry& e) { return e.text == QStringLiteral("E2 exit dwell"); }));
 }
 
 void TestFeedsView::stagesAreNamedOverTheWholeCycle() {
