@@ -6647,7 +6647,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>The margin is the least over all that the search must hold for.</source>
-            <translation>Запас — наименьший по всему, для чего цикл должен быть годен.</translation>
+            <translation>Запас — наименьший по всему, что должен выдержать поиск.</translation>
         </message>
     </context>
     <context>

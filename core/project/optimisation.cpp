@@ -110,7 +110,7 @@ Field objective() {
                               "Cost and wheel life are searched over the parts from one dressing "
                               "to the next: the cycle holds for all of them, with the wheel as "
                               "the part's wear makes it. The least cost needs the cost of a part."),
-        .source = "MODEL-12");
+        .source = "GILBERT1950");
 }
 
 Field marginWithin() {
