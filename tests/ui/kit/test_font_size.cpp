@@ -11,6 +11,8 @@
 #include "ui/window/view_tabs.h"
 
 #include <QComboBox>
+#include <QDockWidget>
+#include <QImage>
 #include <QPushButton>
 #include <QTableView>
 #include <QTest>
@@ -47,6 +49,21 @@ Sizes sizesOf(const MainWindow& window) {
         }
     }
     return sizes;
+}
+
+/// From the first to the last dark column of a dock's title.
+int titleWidth(QDockWidget& dock) {
+    const QImage image = dock.grab(QRect(0, 0, dock.width() / 2, dock.widget()->y())).toImage();
+    int first = image.width(), last = 0;
+    for (int x = 0; x < image.width(); ++x) {
+        for (int y = 0; y < image.height(); ++y) {
+            if (qGray(image.pixel(x, y)) < 100) {
+                first = std::min(first, x);
+                last = x;
+            }
+        }
+    }
+    return last - first + 1;
 }
 
 QPushButton* wide(int width) {
@@ -95,6 +112,22 @@ private slots:
         const Sizes again = sizesOf(*bench.window);
         for (auto it = before.begin(); it != before.end(); ++it) {
             QVERIFY(!again.contains(it.key()) || std::abs(again[it.key()] - it.value()) < 0.01);
+        }
+    }
+
+    /// As painted: a dock keeps the type of its title.
+    void titlesOfDocksFollow() {
+        Bench bench(QStringLiteral("en"));
+        auto* dock = bench.window->findChild<QDockWidget*>(QStringLiteral("inputs"));
+        QVERIFY(dock);
+        const int usual = titleWidth(*dock);
+        QVERIFY(usual > 20);
+        for (const int percent : {130, 115, 100}) {
+            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            bench.settle();
+            const double wanted = usual * percent / 100.0;
+            QVERIFY2(std::abs(titleWidth(*dock) - wanted) <= 0.05 * wanted + 2,
+                     qPrintable(QString::number(titleWidth(*dock))));
         }
     }
 
