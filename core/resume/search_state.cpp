@@ -87,14 +87,14 @@ Json checkpointJson(const SearchCheckpoint& at) {
             {"visits", at.visits},       {"cuts", at.cuts}};
 }
 
-SearchCheckpoint checkpointOf(const Json& json) {
+SearchCheckpoint checkpointOf(const Json& kept) {
     SearchCheckpoint at;
-    at.variant = wholeNumber<std::size_t>(json.at("variant"));
-    at.last = cycleOf(json.at("last"));
-    at.best = bestOf(json.at("best"));
-    at.evaluations = wholeNumber<long long>(json.at("evaluations"));
-    at.visits = wholeNumber<long long>(json.at("visits"));
-    const Json& cuts = json.at("cuts");
+    at.variant = wholeNumber<std::size_t>(kept.at("variant"));
+    at.last = cycleOf(kept.at("last"));
+    at.best = bestOf(kept.at("best"));
+    at.evaluations = wholeNumber<long long>(kept.at("evaluations"));
+    at.visits = wholeNumber<long long>(kept.at("visits"));
+    const Json& cuts = kept.at("cuts");
     if (cuts.size() != at.cuts.size()) {
         throw NoRecord();
     }
