@@ -10178,8 +10178,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Детали ме&amp;жду правками…</translation>
         </message>
         <message>
-        <source>Pac&amp;ks</source>
-        <translation>Набор&amp;ы</translation>
+        <source>Packs &amp;for sharing</source>
+        <translation>&amp;Наборы для передачи</translation>
     </message>
     <message>
         <source>&amp;Import a pack…</source>
@@ -17338,6 +17338,14 @@ good</source>
             <source>Unusual: %1. %2</source>
             <translation>Необычно: %1. %2</translation>
         </message>
+        <message>
+            <source>Fit &amp;this too</source>
+            <translation>Определить и &amp;это</translation>
+        </message>
+        <message>
+            <source>Checks what the traces are out of step by, and fits again</source>
+            <translation>Отмечает то, на что записи расходятся по времени, и подбирает заново</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::WheelPage</name>
@@ -20539,7 +20547,15 @@ s</source>
         <source>Theory</source>
         <translation>Теория</translation>
     </message>
-    </context>
+        <message>
+        <source>Task, aim and theory</source>
+        <translation>Задание, цель и теория</translation>
+    </message>
+    <message>
+        <source>Take a hint</source>
+        <translation>Взять подсказку</translation>
+    </message>
+</context>
     <context>
         <name>LessonText</name>
     <message>
@@ -20950,16 +20966,5 @@ s</source>
         <source>The views are covered until you have given your prediction in the panel of the laboratory work. Then the result is shown beside it.</source>
         <translation>Виды закрыты, пока вы не дали прогноз на панели лабораторной работы. Затем результат появится рядом с ним.</translation>
     </message>
-    </context>
-    <context>
-        <name>CycleFitPage</name>
-        <message>
-            <source>Fit &amp;this too</source>
-            <translation>Определить и &amp;это</translation>
-        </message>
-        <message>
-            <source>Checks what the traces are out of step by, and fits again</source>
-            <translation>Отмечает то, на что записи расходятся по времени, и подбирает заново</translation>
-        </message>
     </context>
 </TS>

@@ -19,7 +19,7 @@ namespace {
 json grid() {
     json file = shaft();
     file["optimisation"]["stock_step_mm"] = 0.005;
-    file["optimisation"]["radial_feed_mm"] = {{"from", 0.002}, {"to", 0.008}, {"step", 0.0005}};
+    file["optimisation"]["radial_feed_mm"] = {{"from", 0.002}, {"to", 0.008}, {"step", 0.00025}};
     file["optimisation"]["axial_feed_mm_min"] = {800, 1200, 1600, 2400};
     return file;
 }
@@ -66,7 +66,7 @@ private slots:
         QCOMPARE(whole.status, 0);
         const auto took_ms = static_cast<int>(timer.elapsed());
         const QString file = m_folder.filePath("progress.json");
-        const int kills = sparkout::samples::sized(8, 2, 100);
+        const int kills = sparkout::samples::sized(5, 2, 100);
         int gainedOn = 0, killed = 0;
         QRandomGenerator random(20261126);
         for (int i = 0; i < kills; ++i) {
@@ -99,19 +99,21 @@ private slots:
     }
 
     void stoppedByASignalItKeepsWhatWasDone() {
-        for (const int signal : {SIGINT, SIGTERM}) {
-            const QString file = m_folder.filePath(QString("stopped-%1.json").arg(signal));
+        const QString project = m_folder.filePath("endless.sparkout");
+        write(project, QByteArray::fromStdString(endless().dump()));
+        const QString file = m_folder.filePath("stopped.json");
+        long long before = 0;
+        for (const int signal : {SIGINT, SIGTERM}) { // the second goes on where the first ended
             QProcess process;
             process.setReadChannel(QProcess::StandardError);
-            process.start(SPARKOUT_CLI, command({"--resume", file}));
+            process.start(SPARKOUT_CLI,
+                          {"optimize", project, "--method", "full", "--json", "--resume", file});
             QVERIFY(process.waitForReadyRead(60'000)); // its first progress
             endBySignal(process, signal);
             (void)outcomeOf(process);
-            QVERIFY(evaluationsIn(stateOf(file)) > 0);
-            const Outcome again = run(command({"--resume", file, "--threads", "1"}));
-            QCOMPARE(again.status, 0);
-            const Outcome known = run(command({"--resume", file}));
-            QVERIFY(answerOf(known) == answerOf(again));
+            const long long now = evaluationsIn(stateOf(file));
+            QVERIFY2(now > before, std::to_string(now).c_str());
+            before = now;
         }
     }
 

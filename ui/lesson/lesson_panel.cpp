@@ -36,6 +36,7 @@ QLabel* lessonLabel(QWidget* parent, const char* name, Qt::TextFormat format = Q
     label->setTextFormat(format);
     label->setWordWrap(true);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label->setFocusPolicy(Qt::NoFocus); // read, not used
     return label;
 }
 
@@ -82,6 +83,7 @@ void LessonPanel::build() {
     buildHead(*layout);
     buildTask();
     auto* scroll = new QScrollArea(this);
+    scroll->setFocusPolicy(Qt::NoFocus); // what stands in it has it
     scroll->setWidget(m_taskPage);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
@@ -268,6 +270,7 @@ void LessonPanel::showHints() {
 }
 
 void LessonPanel::retranslate() {
+    m_tabs->setAccessibleName(tr("Task, aim and theory"));
     m_tabs->setTabText(0, tr("Task"));
     m_tabs->setTabText(1, tr("Aim and theory"));
     m_theory->setAccessibleName(tr("Aim and theory"));
@@ -279,6 +282,8 @@ void LessonPanel::retranslate() {
     name(*m_previous, tr("Previous step"));
     name(*m_next, tr("Next step"));
     if (!m_run.isRunning()) {
+        m_handIn->setText(tr("Hand in"));
+        m_takeHint->setText(tr("Take a hint"));
         return;
     }
     const Lesson& lesson = m_run.lesson();

@@ -181,7 +181,7 @@ std::vector<PackPlan::Difference> PackPlan::differences(std::size_t line) const 
     }
     const CatalogueEntry entry = PackParts::entries(m_pack, at.part)[at.index];
     const CatalogueItem* mine = itemOf(store(at.part), at.name);
-    const Project none = newProject(Operation::traverse);
+    const Project none = newProject();
     for (const CatalogueChange& change :
          changesBy(entry, mine ? withEntry(mine->entry, none) : none)) {
         if (!mine || change.changed) {

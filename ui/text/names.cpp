@@ -146,7 +146,9 @@ QString Names::constraintBrief(ConstraintKind kind) {
 }
 
 QString Names::inSentence(QString name) {
-    if (name.size() > 1 && name[1].isLower() && name.section(u' ', 0, 0).size() > 2) {
+    const QString word = name.section(u' ', 0, 0);
+    const bool isIndex = word == u"Ppk" || word == u"Cpk"; // of capability, a symbol
+    if (name.size() > 1 && name[1].isLower() && word.size() > 2 && !isIndex) {
         name[0] = name[0].toLower();
     }
     return name;

@@ -364,7 +364,7 @@ void Actions::retranslate() {
     }
     examples->setIconText(tr("Examples"));
     company->setText(tr("Company and si&gnatures…"));
-    m_packs->setTitle(tr("Pac&ks"));
+    m_packs->setTitle(tr("Packs &for sharing"));
     importPack->setText(tr("&Import a pack…"));
     exportPack->setText(tr("&Export a pack…"));
     titlePage->setText(tr("Title page of la&boratory reports…"));

@@ -95,8 +95,7 @@ private slots:
         {
             DialogAnswers answers({QStringLiteral("Enter")});
             answers.seen = [](QDialog& dialog) {
-                QTest::keyClicks(child<QLineEdit>(dialog, "catalogueSearch"),
-                                 QStringLiteral("40Х 28"));
+                child<QLineEdit>(dialog, "catalogueSearch")->setText(QStringLiteral("40Х 28"));
             };
             window.press("fromCatalogue");
             QCOMPARE(answers.fault(), QString());
@@ -104,7 +103,7 @@ private slots:
         QCOMPARE(window.document().project().material->hardness_hrc, std::optional(28.0));
         DialogAnswers answers({QStringLiteral("Enter")});
         answers.seen = [](QDialog& dialog) {
-            QTest::keyClicks(child<QLineEdit>(dialog, "catalogueSearch"), QStringLiteral("СЧ25"));
+            child<QLineEdit>(dialog, "catalogueSearch")->setText(QStringLiteral("СЧ25"));
             QCOMPARE(visibleEntries(dialog).size(), 1);
             const auto* preview = child<QTreeWidget>(dialog, "cataloguePreview");
             const auto rows = preview->findItems(QStringLiteral("not known"), Qt::MatchExactly, 2);

@@ -122,7 +122,7 @@ double luminance(int grey) {
 }
 
 double contrast(int a, int b) {
-    const auto [dark, light] = std::minmax(luminance(a), luminance(b));
+    const auto [dark, light] = std::minmax({luminance(a), luminance(b)});
     return (light + 0.05) / (dark + 0.05);
 }
 

@@ -15,6 +15,7 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -48,6 +49,11 @@ std::map<QString, Formula> formulasByLabel(const Report& report) {
 /// The number that an equation ends with, without its unit.
 QString resultOf(const Formula& formula) {
     return inOneLine(formula.sides.back()).section(QChar::Nbsp, 0, 0);
+}
+
+/// A text by its letters: without spaces and the marks of indices.
+QString bare(QString text) {
+    return text.remove(u' ').remove(u'\u00a0').remove(u'_');
 }
 
 bool hasNumber(const QString& text, const QString& number) {
@@ -85,23 +91,30 @@ private slots:
                 sections << heading;
             }
         }
-        const QStringList wanted =
-            ru ? QStringList{QStringLiteral("Введение"),
-                             QStringLiteral("1 Исходные данные варианта"),
-                             QStringLiteral("2 Краткая теория"),
-                             QStringLiteral("3 Результаты работы"),
-                             QStringLiteral("4 Предсказания и результаты"),
-                             QStringLiteral("5 Сравнение запомненных расчётов"),
-                             QStringLiteral("Заключение"),
-                             QStringLiteral("Список использованных источников")}
-               : QStringList{QStringLiteral("Introduction"),
-                             QStringLiteral("1 Data of the variant"),
-                             QStringLiteral("2 Theory in brief"),
-                             QStringLiteral("3 Results"),
-                             QStringLiteral("4 Predictions and results"),
-                             QStringLiteral("5 Kept runs compared"),
-                             QStringLiteral("Conclusion"),
-                             QStringLiteral("List of sources used")};
+        QStringList wanted = ru ? QStringList{QStringLiteral("Введение"),
+                                              QStringLiteral("Исходные данные варианта"),
+                                              QStringLiteral("Краткая теория"),
+                                              QStringLiteral("Результаты работы"),
+                                              QStringLiteral("Предсказания и результаты"),
+                                              QStringLiteral("Сравнение запомненных расчётов"),
+                                              QStringLiteral("Заключение"),
+                                              QStringLiteral("Список использованных источников")}
+                                : QStringList{QStringLiteral("Introduction"),
+                                              QStringLiteral("Data of the variant"),
+                                              QStringLiteral("Theory in brief"),
+                                              QStringLiteral("Results"),
+                                              QStringLiteral("Predictions and results"),
+                                              QStringLiteral("Kept runs compared"),
+                                              QStringLiteral("Conclusion"),
+                                              QStringLiteral("List of sources used")};
+        const auto steps = lessonIn(path).steps;
+        if (std::ranges::none_of(steps,
+                                 [](const LessonStep& step) { return isPrediction(step.goal); })) {
+            wanted.removeAt(4);
+        }
+        for (qsizetype i = 1; i + 2 < wanted.size(); ++i) {
+            wanted[i].prepend(QStringLiteral("%1 ").arg(i));
+        }
         QCOMPARE(sections, wanted);
         int tables = 0, figures = 0;
         for (const report::Block& block : made.blocks) {
@@ -132,7 +145,7 @@ private slots:
         int compared = 0;
         for (std::size_t i = 0; i < work.lesson.steps.size(); ++i) {
             const Goal& goal = work.lesson.steps[i].goal;
-            if (!isPrediction(goal)) {
+            if (!isAnsweredByEngine(goal.kind())) {
                 continue;
             }
             const GoalResult engine = checkStep(work.lesson, i, {});
@@ -151,8 +164,14 @@ private slots:
         const KeptRun& kept = *work.entries.back().run;
         const auto project = readSetup(kept.inputs.text).setup->surfaces.front().project;
         const OutcomePtr outcome = evaluate(project, {});
-        QVERIFY(cells.contains(Names::significant(outcome->result.time_s / 60))
-                || cells.contains(Names::fixed(outcome->result.time_s / 60, 3)));
+        const double time_min = outcome->result.time_s / 60;
+        QVERIFY(std::ranges::any_of(cells, [time_min](QString cell) {
+            bool isNumber = false;
+            const double shown = cell.replace(u',', u'.').toDouble(&isNumber);
+            const qsizetype point = cell.indexOf(u'.');
+            const auto digits = static_cast<double>(point < 0 ? 0 : cell.size() - point - 1);
+            return isNumber && std::abs(shown - time_min) <= 0.5001 * std::pow(10, -digits);
+        }));
     }
 
     // A prediction that is still open must not be read off a report.
@@ -169,7 +188,9 @@ private slots:
                 open = i; // the last one
             }
         }
-        QVERIFY(open < work.lesson.steps.size());
+        if (open == work.lesson.steps.size()) {
+            return; // it predicts nothing
+        }
         for (std::size_t i = 0; i < work.lesson.steps.size(); ++i) {
             if (i != open) {
                 handIn(work, i);
@@ -217,13 +238,15 @@ private slots:
             const Goal& goal = lesson.steps[i].goal;
             const QString task = report::LessonText::inOneLine(
                 QString::fromStdString(lesson.steps[i].task.in(language == u"ru")));
-            QVERIFY2(QString(text).remove(u' ').contains(QString(task).remove(u' ').left(40)),
-                     qPrintable(task));
+            QVERIFY2(bare(text).contains(bare(task).left(40)), qPrintable(task));
             if (goal.prediction) {
                 const GoalResult engine = checkStep(lesson, i, {});
                 const QString answer =
                     Names::fixed(*engine.value, rowOf(goal.prediction->figure.name).digits);
-                QVERIFY2(!hasNumber(text, answer), qPrintable(answer));
+                // One of two digits may stand there as an input.
+                QVERIFY2(QString(answer).remove(u'.').remove(u',').size() < 3
+                             || !hasNumber(text, answer),
+                         qPrintable(answer));
                 QVERIFY2(hasNumber(textOf(key), answer), qPrintable(answer));
             }
             if (goal.choice) {
@@ -309,10 +332,10 @@ private slots:
             }
         }
         QCOMPARE(sections, wanted);
-        const QString text = textOf(made).remove(u' ');
+        const QString text = bare(textOf(made));
         const auto has = [&](const Bilingual& of) {
             const QString plain = report::LessonText::inOneLine(QString::fromStdString(of.in(ru)));
-            return text.contains(plain.section(u'.', 0, 0).left(30).remove(u' '));
+            return text.contains(bare(plain.section(u'.', 0, 0).left(30)));
         };
         for (const ControlQuestion& question : lesson.guide->questions) {
             QVERIFY2(has(question.question), question.question.in(ru).c_str());
@@ -402,7 +425,8 @@ private slots:
             QStringLiteral("HRC"),      QStringLiteral("MODEL"),    QStringLiteral("CNC"),
             QStringLiteral("ISO"),      QStringLiteral("exp"),      QStringLiteral("ierfc"),
             QStringLiteral("max"),      QStringLiteral("min"),      QStringLiteral("rad"),
-            QStringLiteral("Sax")};
+            QStringLiteral("Sax"),      QStringLiteral("Cpk"),      QStringLiteral("Ppk"),
+            QStringLiteral("Cp"),       QStringLiteral("Pp")};
         for (const Report& made : allPapers(lesson)) {
             QString text = textOf(made);
             for (const report::Block& block : made.blocks) { // keys of sources

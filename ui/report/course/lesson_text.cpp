@@ -196,7 +196,11 @@ std::vector<Block> LessonText::blocks(const QString& markup, int* formulas) {
 QString LessonText::inOneLine(const QString& markup) {
     static const QRegularExpression within(QStringLiteral("</?(?:i|b|sub|sup|code)>"));
     static const QRegularExpression tag(QStringLiteral("<[^>]*>"));
+    static const QRegularExpression power(QStringLiteral("<sup>([^<]*)</sup>"));
     QString text = markup;
+    for (auto found = power.match(text); found.hasMatch(); found = power.match(text)) {
+        text.replace(found.capturedStart(), found.capturedLength(), raised(found.captured(1)));
+    }
     return withoutEntities(text.remove(within).replace(tag, QStringLiteral(" "))).simplified();
 }
 
