@@ -17,6 +17,16 @@ ReadLesson readLesson(std::string_view text, LessonOf of, const std::stop_token&
     return readLessonJson(*root, of, std::move(issues), stop);
 }
 
+ReadLesson readLessonOfAnybody(std::string_view text) {
+    ReadLesson read = readLesson(text);
+    if (!read.lesson) {
+        if (ReadLesson students = readLesson(text, LessonOf::student); students.lesson) {
+            return students;
+        }
+    }
+    return read;
+}
+
 std::string writeLesson(const Lesson& lesson) {
     return printJson(lessonJson(lesson));
 }

@@ -27,6 +27,10 @@ struct ReadLesson {
 [[nodiscard]] ReadLesson readLesson(std::string_view text, LessonOf of = LessonOf::teacher,
                                     const std::stop_token& stop = {});
 
+/// Reads a lesson whoever it is of: a teacher's, or one that students were given. The faults are
+/// those of a teacher's.
+[[nodiscard]] ReadLesson readLessonOfAnybody(std::string_view text);
+
 /// The text of a lesson: the same lesson, the same bytes.
 [[nodiscard]] std::string writeLesson(const Lesson& lesson);
 

@@ -15,7 +15,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr double wholePercent = 100;
+constexpr double studyPercent = 100;
 
 /// The mean diameter of a place, which has both limits and so both indices.
 const CharacteristicSummary* diameterOf(const BatchSummary& summary, const PlaceName& place) {
@@ -59,7 +59,7 @@ std::optional<double> batchFigure(const Figure& figure, const Project& project) 
     }
     const BatchSummary summary = summarise(batch);
     if (figure.name == FigureName::batchBad) {
-        return summary.bad.value * wholePercent;
+        return summary.bad.value * studyPercent;
     }
     const CharacteristicSummary* const diameter = diameterOf(summary, figure.place);
     if (!diameter) {
@@ -98,7 +98,7 @@ std::optional<double> searchFigure(const Figure& figure, const Project& project)
         return inMinutes(grid->time_s);
     }
     const auto proved_s = best_s();
-    return proved_s ? std::optional((*grid->time_s / *proved_s - 1) * wholePercent) : std::nullopt;
+    return proved_s ? std::optional((*grid->time_s / *proved_s - 1) * studyPercent) : std::nullopt;
 }
 
 } // namespace sparkout

@@ -117,7 +117,7 @@ void LessonDesk::open(const QString& path) {
 }
 
 void LessonDesk::choose() {
-    LessonsDialog dialog(m_window);
+    LessonsDialog dialog(m_settings.folder(), m_window);
     if (dialog.exec() == QDialog::Accepted && !dialog.chosen().isEmpty() && mayLeave()) {
         openLesson(dialog.chosen());
     }
@@ -155,7 +155,7 @@ void LessonDesk::openLesson(const QString& path) {
     if (!text) {
         return;
     }
-    const ReadLesson read = readLesson(*text);
+    const ReadLesson read = readLessonOfAnybody(*text);
     if (!read.lesson) {
         showFaults(path, read.issues);
         return;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lesson/lessons_dialog.h"
 
+#include "core/format/project_file.h"
 #include "core/lesson/lesson_file.h"
+#include "ui/files/own_lessons.h"
 #include "ui/kit/help_topic.h"
 #include "ui/lesson/lesson_text.h"
 
@@ -27,7 +29,7 @@ QStringList LessonsDialog::paths() {
     return list;
 }
 
-LessonsDialog::LessonsDialog(QWidget* parent)
+LessonsDialog::LessonsDialog(const QString& settingsFolder, QWidget* parent)
     : QDialog(parent), m_list(new QListWidget(this)), m_about(new QTextBrowser(this)) {
     setHelpTopic(*this, QStringLiteral("lessons"));
     setWindowTitle(tr("Laboratory works"));
@@ -52,10 +54,12 @@ LessonsDialog::LessonsDialog(QWidget* parent)
     layout->addLayout(body, 1);
     layout->addWidget(buttons);
     resize(860, 480);
-    for (const QString& path : paths()) {
+    for (const QString& path : paths() + ownLessons(settingsFolder)) {
         QFile file(path);
-        const QByteArray text = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-        ReadLesson read = readLesson({text.constData(), std::size_t(text.size())});
+        const QByteArray text = file.open(QIODevice::ReadOnly)
+                                    ? file.read(qint64{limits::fileBytes} + 1)
+                                    : QByteArray();
+        ReadLesson read = readLessonOfAnybody({text.constData(), std::size_t(text.size())});
         if (read.lesson) {
             m_list->addItem(LessonText::of(read.lesson->title));
             m_entries.push_back({path, std::move(*read.lesson)});

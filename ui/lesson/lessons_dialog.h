@@ -12,12 +12,14 @@ class QTextBrowser;
 
 namespace sparkout {
 
-/// The shipped laboratory works, each with its aim, steps and points.
+/// The laboratory works that there are, the shipped ones and the user's own, each with its aim,
+/// steps and points.
 class LessonsDialog : public QDialog {
     Q_OBJECT
 
 public:
-    explicit LessonsDialog(QWidget* parent = nullptr);
+    /// @param settingsFolder beside which his own stand; empty: he has none
+    explicit LessonsDialog(const QString& settingsFolder, QWidget* parent = nullptr);
 
     [[nodiscard]] QString chosen() const; ///< path of the lesson; empty: none
 

@@ -144,10 +144,7 @@ void PackExportDialog::addLessons(const QStringList& paths) {
         runAside([&] {
             bytes = readFile(systemPath(path), limits::fileBytes);
             if (const auto* text = std::get_if<std::string>(&bytes)) {
-                read = readLesson(*text);
-                if (!read.lesson) {
-                    read = readLesson(*text, LessonOf::student);
-                }
+                read = readLessonOfAnybody(*text);
             }
         });
         if (const auto* error = std::get_if<FileError>(&bytes)) {

@@ -173,7 +173,7 @@ std::vector<PackPlan::Difference> PackPlan::differences(std::size_t line) const 
             return QString::number(lesson.steps.size());
         };
         const auto text = textOf(lessonPath(m_pack.lessons[at.index].file));
-        const auto mine = text ? readLesson(*text).lesson : std::nullopt;
+        const auto mine = text ? readLessonOfAnybody(*text).lesson : std::nullopt;
         found.push_back(
             {tr("Title"), mine ? PackParts::title(*mine) : QString(), PackParts::title(packs)});
         found.push_back({tr("Steps"), mine ? steps(*mine) : QString(), steps(packs)});

@@ -478,7 +478,7 @@ private slots:
         const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         applyFontSize(percent);
         Seat student(language);
-        LessonsDialog lessons;
+        LessonsDialog lessons({});
         StudentDialog begin(student.out.lesson, QStringLiteral("Иванов"), {}, nullptr);
         MarksDialog marks(student.bench.settings, nullptr);
         const samples::GivenOut out = samples::giveOut(student.out.lesson, 2, 3);

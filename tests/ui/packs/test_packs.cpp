@@ -10,6 +10,7 @@
 #include "tests/ui/support/window_bench.h"
 #include "ui/dialogs/notice_bar.h"
 #include "ui/files/own_lessons.h"
+#include "ui/lesson/lessons_dialog.h"
 #include "ui/packs/pack_commands.h"
 #include "ui/packs/pack_export_dialog.h"
 #include "ui/packs/pack_import_dialog.h"
@@ -262,6 +263,22 @@ private slots:
             writeLesson(pack.lessons.front().lesson),
             writeLesson(forStudents(*readLesson(bytesOf(shippedLesson()).toStdString()).lesson)));
         QVERIFY(readPack(writePack(pack)).pack);
+    }
+
+    /// Taken in from a pack it stands in the list of laboratory works.
+    void aLessonTakenInIsListed() {
+        Seat teacher, student;
+        teacher.fill();
+        PackExportDialog dialog(teacher.settings, nullptr);
+        dialog.findChild<QCheckBox*>(QStringLiteral("packForStudents"))->setChecked(true);
+        PackPlan plan(dialog.pack(), student.settings);
+        QCOMPARE(plan.carryOut(student.settings), QStringList());
+        const LessonsDialog shipped({});
+        const LessonsDialog all(student.settings.folder());
+        const auto entries = [](const LessonsDialog& lessons) {
+            return lessons.findChild<QListWidget*>(QStringLiteral("lessons"))->count();
+        };
+        QCOMPARE(entries(all), entries(shipped) + 1);
     }
 
     void whatIsNoLessonIsNotAdded() {
