@@ -3,6 +3,7 @@
 
 #include "core/course/work_file.h"
 #include "core/course/work_seal.h"
+#include "core/format/project_file.h"
 #include "core/setup/setup_file.h"
 #include "ui/session/project_io.h"
 
