@@ -34,7 +34,7 @@ public:
     using Clock = std::chrono::steady_clock;
     using Note = std::function<void(const SearchState&)>;
 
-    Search(const Project& project, SearchWish wish, std::stop_token stop, Note note)
+    Search(const Project& project, const SearchWish& wish, std::stop_token stop, Note note)
         : m_outcome(std::make_shared<SearchOutcome>())
         , m_levels(project)
         , m_now(project, stop)
@@ -465,7 +465,8 @@ double SearchOutcome::nominal_s() const {
     return least_s;
 }
 
-SearchOutcomePtr runWholeSearch(const Project& project, SearchWish wish, std::stop_token stop,
+SearchOutcomePtr runWholeSearch(const Project& project, const SearchWish& wish,
+                                std::stop_token stop,
                                 std::function<void(const SearchState&)> note) {
     Issues issues = validate(project);
     std::erase_if(issues, [](const Issue& issue) { return issue.severity != Severity::error; });

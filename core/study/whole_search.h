@@ -132,7 +132,7 @@ struct SearchState {
 };
 
 /// Searches a project's grid in this thread; `note` receives the progress, in any thread.
-[[nodiscard]] SearchOutcomePtr runWholeSearch(const Project& project, SearchWish wish,
+[[nodiscard]] SearchOutcomePtr runWholeSearch(const Project& project, const SearchWish& wish,
                                               std::stop_token stop,
                                               std::function<void(const SearchState&)> note);
 

@@ -299,7 +299,7 @@ private slots:
                 found += quickest.best ? 1 : 0;
             }
         }
-        QVERIFY(found > samples::sized(10, 4, 40));
+        QVERIFY(found > samples::sized(10, 0, 40));
     }
 
     /// As dull as can be from a part on, and nothing fails: no dressing is needed.
@@ -410,7 +410,7 @@ private slots:
                 }
             }
         }
-        QVERIFY(found > samples::sized(6, 2, 24));
+        QVERIFY(found > samples::sized(6, 0, 24));
     }
 };
 
