@@ -5831,18 +5831,18 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>{value} — не исходные данные этого проекта; нужно: {limit}</translation>
         </message>
         <message>
-        <source>{value} is named twice</source>
-        <translation>имя {value} встречается дважды</translation>
-    </message>
-    <message>
-        <source>{value} cannot be the name of a file; needed: {limit}</source>
-        <translation>{value} не может быть именем файла; требуется: {limit}</translation>
-    </message>
+            <source>{value} is named twice</source>
+            <translation>имя {value} встречается дважды</translation>
+        </message>
+        <message>
+            <source>{value} cannot be the name of a file; needed: {limit}</source>
+            <translation>{value} не может быть именем файла; требуется: {limit}</translation>
+        </message>
         <message>
             <source>{value} is unusual beside the other inputs; usual: {limit}</source>
             <translation>{value} — необычное значение при остальных исходных данных; обычно: {limit}</translation>
         </message>
-</context>
+    </context>
     <context>
         <name>KeptRuns</name>
         <message>
@@ -6003,14 +6003,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>«rz1», «nz», «rz2» или номер сечения</translation>
         </message>
         <message>
-        <source>a list of texts that are base64 together</source>
-        <translation>список строк, составляющих вместе текст base64</translation>
-    </message>
-    <message>
-        <source>the name of a file without a folder, ending in .sparkout-lesson</source>
-        <translation>имя файла без папки, оканчивающееся на .sparkout-lesson</translation>
-    </message>
-</context>
+            <source>a list of texts that are base64 together</source>
+            <translation>список строк, составляющих вместе текст base64</translation>
+        </message>
+        <message>
+            <source>the name of a file without a folder, ending in .sparkout-lesson</source>
+            <translation>имя файла без папки, оканчивающееся на .sparkout-lesson</translation>
+        </message>
+    </context>
     <context>
         <name>LimitNames</name>
         <message>
@@ -10178,46 +10178,46 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Детали ме&amp;жду правками…</translation>
         </message>
         <message>
-        <source>Packs &amp;for sharing</source>
-        <translation>&amp;Наборы для передачи</translation>
-    </message>
-    <message>
-        <source>&amp;Import a pack…</source>
-        <translation>&amp;Импорт набора…</translation>
-    </message>
-    <message>
-        <source>&amp;Export a pack…</source>
-        <translation>&amp;Экспорт набора…</translation>
-    </message>
+            <source>Packs &amp;for sharing</source>
+            <translation>&amp;Наборы для передачи</translation>
+        </message>
+        <message>
+            <source>&amp;Import a pack…</source>
+            <translation>&amp;Импорт набора…</translation>
+        </message>
+        <message>
+            <source>&amp;Export a pack…</source>
+            <translation>&amp;Экспорт набора…</translation>
+        </message>
         <message>
             <source>Title page of la&amp;boratory reports…</source>
             <translation>Титульный &amp;лист лабораторных отчётов…</translation>
         </message>
         <message>
-        <source>&amp;Lesson</source>
-        <translation>&amp;Практикум</translation>
-    </message>
-    <message>
-        <source>Laboratory &amp;works…</source>
-        <translation>&amp;Лабораторные работы…</translation>
-    </message>
-    <message>
-        <source>&amp;Previous step</source>
-        <translation>&amp;Предыдущий шаг</translation>
-    </message>
-    <message>
-        <source>&amp;Next step</source>
-        <translation>&amp;Следующий шаг</translation>
-    </message>
-    <message>
-        <source>&amp;Leave the lesson</source>
-        <translation>&amp;Выйти из работы</translation>
-    </message>
-    <message>
-        <source>&amp;Mark works…</source>
-        <translation>П&amp;роверить работы…</translation>
-    </message>
-</context>
+            <source>&amp;Lesson</source>
+            <translation>&amp;Практикум</translation>
+        </message>
+        <message>
+            <source>Laboratory &amp;works…</source>
+            <translation>&amp;Лабораторные работы…</translation>
+        </message>
+        <message>
+            <source>&amp;Previous step</source>
+            <translation>&amp;Предыдущий шаг</translation>
+        </message>
+        <message>
+            <source>&amp;Next step</source>
+            <translation>&amp;Следующий шаг</translation>
+        </message>
+        <message>
+            <source>&amp;Leave the lesson</source>
+            <translation>&amp;Выйти из работы</translation>
+        </message>
+        <message>
+            <source>&amp;Mark works…</source>
+            <translation>П&amp;роверить работы…</translation>
+        </message>
+    </context>
     <context>
         <name>sparkout::BatchFigures</name>
         <message>
@@ -11893,13 +11893,13 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Открыт: %1</translation>
         </message>
         <message>
-        <source>Open a project or a lesson</source>
-        <translation>Открыть проект или лабораторную работу</translation>
-    </message>
-    <message>
-        <source>Projects, lessons and works (*.sparkout *.sparkout-lesson *.sparkout-work);;All files (*)</source>
-        <translation>Проекты и лабораторные работы (*.sparkout *.sparkout-lesson *.sparkout-work);;Все файлы (*)</translation>
-    </message>
+            <source>Open a project or a lesson</source>
+            <translation>Открыть проект или лабораторную работу</translation>
+        </message>
+        <message>
+            <source>Projects, lessons and works (*.sparkout *.sparkout-lesson *.sparkout-work);;All files (*)</source>
+            <translation>Проекты и лабораторные работы (*.sparkout *.sparkout-lesson *.sparkout-work);;Все файлы (*)</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::ProjectSaver</name>
@@ -12836,9 +12836,9 @@ target, µm</source>
             <translation>Формулы этапа</translation>
         </message>
         <message>
-        <source>Laboratory work</source>
-        <translation>Лабораторная работа</translation>
-    </message>
+            <source>Laboratory work</source>
+            <translation>Лабораторная работа</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::StatusLine</name>
@@ -19352,283 +19352,283 @@ s</source>
             <translation>величина вне границ, заданных в работе</translation>
         </message>
     </context>
-<context>
-    <name>PackParts</name>
-    <message>
-        <source>Machine</source>
-        <translation>Станок</translation>
-    </message>
-    <message>
-        <source>Wheel</source>
-        <translation>Круг</translation>
-    </message>
-    <message>
-        <source>Material</source>
-        <translation>Материал</translation>
-    </message>
-    <message>
-        <source>Company and signatures</source>
-        <translation>Предприятие и подписи</translation>
-    </message>
-    <message>
-        <source>Laboratory work</source>
-        <translation>Лабораторная работа</translation>
-    </message>
-</context>
-<context>
-    <name>PackPlan</name>
-    <message>
-        <source>none</source>
-        <translation>нет</translation>
-    </message>
-    <message>
-        <source>a picture</source>
-        <translation>рисунок</translation>
-    </message>
-    <message>
-        <source>Logo</source>
-        <translation>Логотип</translation>
-    </message>
-    <message>
-        <source>Title</source>
-        <translation>Название</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>Шаги</translation>
-    </message>
-    <message>
-        <source>There is no folder for lessons of your own.</source>
-        <translation>Папки для собственных лабораторных работ нет.</translation>
-    </message>
-</context>
-<context>
-    <name>sparkout::PackImportDialog</name>
-    <message>
-        <source>What is in the pack</source>
-        <translation>Что есть в наборе</translation>
-    </message>
-    <message>
-        <source>What</source>
-        <translation>Что</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Название</translation>
-    </message>
-    <message>
-        <source>You have</source>
-        <translation>У вас есть</translation>
-    </message>
-    <message>
-        <source>What becomes of it</source>
-        <translation>Что с этим сделать</translation>
-    </message>
-    <message>
-        <source>The chosen line in detail</source>
-        <translation>Выбранная строка подробно</translation>
-    </message>
-    <message>
-        <source>Input</source>
-        <translation>Параметр</translation>
-    </message>
-    <message>
-        <source>Yours</source>
-        <translation>У вас</translation>
-    </message>
-    <message>
-        <source>In the pack</source>
-        <translation>В наборе</translation>
-    </message>
-    <message>
-        <source>Import a pack</source>
-        <translation>Импорт набора</translation>
-    </message>
-    <message>
-        <source>&amp;Import</source>
-        <translation>&amp;Импортировать</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Отмена</translation>
-    </message>
-    <message>
-        <source>Nothing of yours is replaced unless you choose it here. A pack holds data alone: nothing in it is run.</source>
-        <translation>Ваше заменяется, только если вы выберете это здесь. В наборе только данные: ничего из него не запускается.</translation>
-    </message>
-    <message>
-        <source>What becomes of “%1”</source>
-        <translation>Что сделать с «%1»</translation>
-    </message>
-    <message>
-        <source>The pack is empty.</source>
-        <translation>Набор пуст.</translation>
-    </message>
-    <message>
-        <source>Nothing is chosen.</source>
-        <translation>Ничего не выбрано.</translation>
-    </message>
-    <message>
-        <source>Not everything could be kept: %1</source>
-        <translation>Сохранить удалось не всё: %1</translation>
-    </message>
-    <message>
-        <source>nothing of that name</source>
-        <translation>с таким именем ничего</translation>
-    </message>
-    <message>
-        <source>the one that comes with the program</source>
-        <translation>поставляемый с программой</translation>
-    </message>
-    <message>
-        <source>the same</source>
-        <translation>то же самое</translation>
-    </message>
-    <message>
-        <source>another of that name</source>
-        <translation>другое с таким именем</translation>
-    </message>
-    <message>
-        <source>stays as it is</source>
-        <translation>остаётся как есть</translation>
-    </message>
-    <message>
-        <source>Keep yours</source>
-        <translation>Оставить ваше</translation>
-    </message>
-    <message>
-        <source>Do not take</source>
-        <translation>Не брать</translation>
-    </message>
-    <message>
-        <source>Replace yours</source>
-        <translation>Заменить ваше</translation>
-    </message>
-    <message>
-        <source>Take</source>
-        <translation>Взять</translation>
-    </message>
-    <message>
-        <source>Keep both</source>
-        <translation>Оставить оба</translation>
-    </message>
-    <message>
-        <source>To be imported: %1.</source>
-        <translation>Будет импортировано: %1.</translation>
-    </message>
-    <message>
-        <source>No difference.</source>
-        <translation>Различий нет.</translation>
-    </message>
-</context>
-<context>
-    <name>sparkout::PackExportDialog</name>
-    <message>
-        <source>Works &amp;for students: without right answers and rules of variants</source>
-        <translation>Работы &amp;для студентов: без верных ответов и правил вариантов</translation>
-    </message>
-    <message>
-        <source>Export a pack</source>
-        <translation>Экспорт набора</translation>
-    </message>
-    <message>
-        <source>&amp;Title:</source>
-        <translation>&amp;Название:</translation>
-    </message>
-    <message>
-        <source>&amp;Note:</source>
-        <translation>&amp;Примечание:</translation>
-    </message>
-    <message>
-        <source>&amp;Add laboratory works…</source>
-        <translation>&amp;Добавить лабораторные работы…</translation>
-    </message>
-    <message>
-        <source>&amp;Save…</source>
-        <translation>&amp;Сохранить…</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Отмена</translation>
-    </message>
-    <message>
-        <source>What goes into the pack</source>
-        <translation>Что войдёт в набор</translation>
-    </message>
-    <message>
-        <source>Heads of documents</source>
-        <translation>Данные для документов</translation>
-    </message>
-    <message>
-        <source>“%1” is no laboratory work: %2</source>
-        <translation>«%1» — не лабораторная работа: %2</translation>
-    </message>
-    <message>
-        <source>“%1” is too long a name for a file, or has letters that not every system takes.</source>
-        <translation>«%1»: имя файла слишком длинное, или в нём есть знаки, которые допускает не каждая система.</translation>
-    </message>
-    <message>
-        <source>There is a “%1” in the list already.</source>
-        <translation>«%1» уже есть в списке.</translation>
-    </message>
-    <message>
-        <source>Add a laboratory work</source>
-        <translation>Добавление лабораторной работы</translation>
-    </message>
-    <message>
-        <source>Laboratory works (*.sparkout-lesson)</source>
-        <translation>Лабораторные работы (*.sparkout-lesson)</translation>
-    </message>
-    <message>
-        <source>There is nothing of your own yet: no entry in the catalogues, no company and no laboratory work.</source>
-        <translation>Собственных данных пока нет: ни записей в каталогах, ни предприятия, ни лабораторных работ.</translation>
-    </message>
-    <message>
-        <source>Nothing is chosen.</source>
-        <translation>Ничего не выбрано.</translation>
-    </message>
-    <message>
-        <source>To go into the pack: %1.</source>
-        <translation>Войдёт в набор: %1.</translation>
-    </message>
-</context>
-<context>
-    <name>sparkout::PackCommands</name>
-    <message>
-        <source>Export a pack</source>
-        <translation>Экспорт набора</translation>
-    </message>
-    <message>
-        <source>Pack</source>
-        <translation>Набор</translation>
-    </message>
-    <message>
-        <source>Packs (*.sparkout-pack)</source>
-        <translation>Наборы (*.sparkout-pack)</translation>
-    </message>
-    <message>
-        <source>Import a pack</source>
-        <translation>Импорт набора</translation>
-    </message>
-    <message>
-        <source>Packs (*.sparkout-pack);;All files (*)</source>
-        <translation>Наборы (*.sparkout-pack);;Все файлы (*)</translation>
-    </message>
-    <message>
-        <source>Imported from “%1”.</source>
-        <translation>Импортировано из «%1».</translation>
-    </message>
-</context>
+    <context>
+        <name>PackParts</name>
+        <message>
+            <source>Machine</source>
+            <translation>Станок</translation>
+        </message>
+        <message>
+            <source>Wheel</source>
+            <translation>Круг</translation>
+        </message>
+        <message>
+            <source>Material</source>
+            <translation>Материал</translation>
+        </message>
+        <message>
+            <source>Company and signatures</source>
+            <translation>Предприятие и подписи</translation>
+        </message>
+        <message>
+            <source>Laboratory work</source>
+            <translation>Лабораторная работа</translation>
+        </message>
+    </context>
+    <context>
+        <name>PackPlan</name>
+        <message>
+            <source>none</source>
+            <translation>нет</translation>
+        </message>
+        <message>
+            <source>a picture</source>
+            <translation>рисунок</translation>
+        </message>
+        <message>
+            <source>Logo</source>
+            <translation>Логотип</translation>
+        </message>
+        <message>
+            <source>Title</source>
+            <translation>Название</translation>
+        </message>
+        <message>
+            <source>Steps</source>
+            <translation>Шаги</translation>
+        </message>
+        <message>
+            <source>There is no folder for lessons of your own.</source>
+            <translation>Папки для собственных лабораторных работ нет.</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::PackImportDialog</name>
+        <message>
+            <source>What is in the pack</source>
+            <translation>Что есть в наборе</translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>Что</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Название</translation>
+        </message>
+        <message>
+            <source>You have</source>
+            <translation>У вас есть</translation>
+        </message>
+        <message>
+            <source>What becomes of it</source>
+            <translation>Что с этим сделать</translation>
+        </message>
+        <message>
+            <source>The chosen line in detail</source>
+            <translation>Выбранная строка подробно</translation>
+        </message>
+        <message>
+            <source>Input</source>
+            <translation>Параметр</translation>
+        </message>
+        <message>
+            <source>Yours</source>
+            <translation>У вас</translation>
+        </message>
+        <message>
+            <source>In the pack</source>
+            <translation>В наборе</translation>
+        </message>
+        <message>
+            <source>Import a pack</source>
+            <translation>Импорт набора</translation>
+        </message>
+        <message>
+            <source>&amp;Import</source>
+            <translation>&amp;Импортировать</translation>
+        </message>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>&amp;Отмена</translation>
+        </message>
+        <message>
+            <source>Nothing of yours is replaced unless you choose it here. A pack holds data alone: nothing in it is run.</source>
+            <translation>Ваше заменяется, только если вы выберете это здесь. В наборе только данные: ничего из него не запускается.</translation>
+        </message>
+        <message>
+            <source>What becomes of “%1”</source>
+            <translation>Что сделать с «%1»</translation>
+        </message>
+        <message>
+            <source>The pack is empty.</source>
+            <translation>Набор пуст.</translation>
+        </message>
+        <message>
+            <source>Nothing is chosen.</source>
+            <translation>Ничего не выбрано.</translation>
+        </message>
+        <message>
+            <source>Not everything could be kept: %1</source>
+            <translation>Сохранить удалось не всё: %1</translation>
+        </message>
+        <message>
+            <source>nothing of that name</source>
+            <translation>с таким именем ничего</translation>
+        </message>
+        <message>
+            <source>the one that comes with the program</source>
+            <translation>поставляемый с программой</translation>
+        </message>
+        <message>
+            <source>the same</source>
+            <translation>то же самое</translation>
+        </message>
+        <message>
+            <source>another of that name</source>
+            <translation>другое с таким именем</translation>
+        </message>
+        <message>
+            <source>stays as it is</source>
+            <translation>остаётся как есть</translation>
+        </message>
+        <message>
+            <source>Keep yours</source>
+            <translation>Оставить ваше</translation>
+        </message>
+        <message>
+            <source>Do not take</source>
+            <translation>Не брать</translation>
+        </message>
+        <message>
+            <source>Replace yours</source>
+            <translation>Заменить ваше</translation>
+        </message>
+        <message>
+            <source>Take</source>
+            <translation>Взять</translation>
+        </message>
+        <message>
+            <source>Keep both</source>
+            <translation>Оставить оба</translation>
+        </message>
+        <message>
+            <source>To be imported: %1.</source>
+            <translation>Будет импортировано: %1.</translation>
+        </message>
+        <message>
+            <source>No difference.</source>
+            <translation>Различий нет.</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::PackExportDialog</name>
+        <message>
+            <source>Works &amp;for students: without right answers and rules of variants</source>
+            <translation>Работы &amp;для студентов: без верных ответов и правил вариантов</translation>
+        </message>
+        <message>
+            <source>Export a pack</source>
+            <translation>Экспорт набора</translation>
+        </message>
+        <message>
+            <source>&amp;Title:</source>
+            <translation>&amp;Название:</translation>
+        </message>
+        <message>
+            <source>&amp;Note:</source>
+            <translation>&amp;Примечание:</translation>
+        </message>
+        <message>
+            <source>&amp;Add laboratory works…</source>
+            <translation>&amp;Добавить лабораторные работы…</translation>
+        </message>
+        <message>
+            <source>&amp;Save…</source>
+            <translation>&amp;Сохранить…</translation>
+        </message>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>&amp;Отмена</translation>
+        </message>
+        <message>
+            <source>What goes into the pack</source>
+            <translation>Что войдёт в набор</translation>
+        </message>
+        <message>
+            <source>Heads of documents</source>
+            <translation>Данные для документов</translation>
+        </message>
+        <message>
+            <source>“%1” is no laboratory work: %2</source>
+            <translation>«%1» — не лабораторная работа: %2</translation>
+        </message>
+        <message>
+            <source>“%1” is too long a name for a file, or has letters that not every system takes.</source>
+            <translation>«%1»: имя файла слишком длинное, или в нём есть знаки, которые допускает не каждая система.</translation>
+        </message>
+        <message>
+            <source>There is a “%1” in the list already.</source>
+            <translation>«%1» уже есть в списке.</translation>
+        </message>
+        <message>
+            <source>Add a laboratory work</source>
+            <translation>Добавление лабораторной работы</translation>
+        </message>
+        <message>
+            <source>Laboratory works (*.sparkout-lesson)</source>
+            <translation>Лабораторные работы (*.sparkout-lesson)</translation>
+        </message>
+        <message>
+            <source>There is nothing of your own yet: no entry in the catalogues, no company and no laboratory work.</source>
+            <translation>Собственных данных пока нет: ни записей в каталогах, ни предприятия, ни лабораторных работ.</translation>
+        </message>
+        <message>
+            <source>Nothing is chosen.</source>
+            <translation>Ничего не выбрано.</translation>
+        </message>
+        <message>
+            <source>To go into the pack: %1.</source>
+            <translation>Войдёт в набор: %1.</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::PackCommands</name>
+        <message>
+            <source>Export a pack</source>
+            <translation>Экспорт набора</translation>
+        </message>
+        <message>
+            <source>Pack</source>
+            <translation>Набор</translation>
+        </message>
+        <message>
+            <source>Packs (*.sparkout-pack)</source>
+            <translation>Наборы (*.sparkout-pack)</translation>
+        </message>
+        <message>
+            <source>Import a pack</source>
+            <translation>Импорт набора</translation>
+        </message>
+        <message>
+            <source>Packs (*.sparkout-pack);;All files (*)</source>
+            <translation>Наборы (*.sparkout-pack);;Все файлы (*)</translation>
+        </message>
+        <message>
+            <source>Imported from “%1”.</source>
+            <translation>Импортировано из «%1».</translation>
+        </message>
+    </context>
     <context>
         <name>PlotWords</name>
-    <message>
-        <source>axes: %1</source>
-        <translation>оси: %1</translation>
-    </message>
-    <message>
-        <source>shown: %1</source>
-        <translation>показано: %1</translation>
-    </message>
+        <message>
+            <source>axes: %1</source>
+            <translation>оси: %1</translation>
+        </message>
+        <message>
+            <source>shown: %1</source>
+            <translation>показано: %1</translation>
+        </message>
     </context>
     <context>
         <name>TableText</name>
@@ -19931,14 +19931,14 @@ s</source>
             <translation>Как дано</translation>
         </message>
         <message>
-        <source>Answer</source>
-        <translation>Ответ</translation>
-    </message>
-    <message>
-        <source>Answer and result</source>
-        <translation>Ответ и результат</translation>
-    </message>
-</context>
+            <source>Answer</source>
+            <translation>Ответ</translation>
+        </message>
+        <message>
+            <source>Answer and result</source>
+            <translation>Ответ и результат</translation>
+        </message>
+    </context>
     <context>
         <name>LabReport</name>
         <message>
@@ -20343,628 +20343,628 @@ s</source>
     </context>
     <context>
         <name>FormAccess</name>
-    <message>
-        <source>Locked until the prediction is given.</source>
-        <translation>Закрыто, пока не дан прогноз.</translation>
-    </message>
-    <message>
-        <source>Locked in this step of the laboratory work.</source>
-        <translation>Закрыто на этом шаге лабораторной работы.</translation>
-    </message>
+        <message>
+            <source>Locked until the prediction is given.</source>
+            <translation>Закрыто, пока не дан прогноз.</translation>
+        </message>
+        <message>
+            <source>Locked in this step of the laboratory work.</source>
+            <translation>Закрыто на этом шаге лабораторной работы.</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::ChoiceAnswer</name>
-    <message>
-        <source>Mark what is right; it may be more than one.</source>
-        <translation>Отметьте верные ответы; их может быть несколько.</translation>
-    </message>
+        <message>
+            <source>Mark what is right; it may be more than one.</source>
+            <translation>Отметьте верные ответы; их может быть несколько.</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::CurveAnswer</name>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>Click into the plot for each point, or type the values below it.</source>
-        <translation>Поставьте точки щелчками на графике или введите значения под ним.</translation>
-    </message>
-    <message>
-        <source>The axis goes up to</source>
-        <translation>Ось до</translation>
-    </message>
-    <message>
-        <source>The axis goes up to, %1</source>
-        <translation>Ось до, %1</translation>
-    </message>
-    <message>
-        <source>%1 and value</source>
-        <translation>%1 и значение</translation>
-    </message>
-    <message>
-        <source>%1 %2: %3</source>
-        <translation>%1 %2: %3</translation>
-    </message>
-    <message>
-        <source>prediction</source>
-        <translation>прогноз</translation>
-    </message>
-    <message>
-        <source>result</source>
-        <translation>результат</translation>
-    </message>
-    <message>
-        <source>Your curve: %1</source>
-        <translation>Ваша кривая: %1</translation>
-    </message>
-    <message>
-        <source>Left and Right choose a place, Up and Down move its point, Del takes it away.</source>
-        <translation>Стрелки влево и вправо выбирают место, вверх и вниз двигают точку, Del убирает её.</translation>
-    </message>
+        <message>
+            <source>%1, %2</source>
+            <translation>%1, %2</translation>
+        </message>
+        <message>
+            <source>Click into the plot for each point, or type the values below it.</source>
+            <translation>Поставьте точки щелчками на графике или введите значения под ним.</translation>
+        </message>
+        <message>
+            <source>The axis goes up to</source>
+            <translation>Ось до</translation>
+        </message>
+        <message>
+            <source>The axis goes up to, %1</source>
+            <translation>Ось до, %1</translation>
+        </message>
+        <message>
+            <source>%1 and value</source>
+            <translation>%1 и значение</translation>
+        </message>
+        <message>
+            <source>%1 %2: %3</source>
+            <translation>%1 %2: %3</translation>
+        </message>
+        <message>
+            <source>prediction</source>
+            <translation>прогноз</translation>
+        </message>
+        <message>
+            <source>result</source>
+            <translation>результат</translation>
+        </message>
+        <message>
+            <source>Your curve: %1</source>
+            <translation>Ваша кривая: %1</translation>
+        </message>
+        <message>
+            <source>Left and Right choose a place, Up and Down move its point, Del takes it away.</source>
+            <translation>Стрелки влево и вправо выбирают место, вверх и вниз двигают точку, Del убирает её.</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::LessonDesk</name>
-    <message>
-        <source>The work is not saved. %1</source>
-        <translation>Работа не сохранена. %1</translation>
-    </message>
-    <message>
-        <source>Try again</source>
-        <translation>Повторить</translation>
-    </message>
-    <message>
-        <source>Save elsewhere…</source>
-        <translation>Сохранить в другое место…</translation>
-    </message>
-    <message>
-        <source>The file was not opened</source>
-        <translation>Файл не открыт</translation>
-    </message>
-    <message>
-        <source>Keep the work in</source>
-        <translation>Файл работы</translation>
-    </message>
-    <message>
-        <source>Works (*%1)</source>
-        <translation>Работы студентов (*%1)</translation>
-    </message>
-    <message>
-        <source>Making the variant</source>
-        <translation>Составление варианта</translation>
-    </message>
-    <message>
-        <source>The lesson cannot be begun</source>
-        <translation>Работу нельзя начать</translation>
-    </message>
-    <message>
-        <source>There is no such variant</source>
-        <translation>Такого варианта нет</translation>
-    </message>
-    <message>
-        <source>The lesson has %1 variants.</source>
-        <translation>Вариантов в работе: %1.</translation>
-    </message>
-    <message>
-        <source>This work was changed outside of the program. Whoever marks it will be told.</source>
-        <translation>Файл работы изменён вне программы. Проверяющий об этом узнает.</translation>
-    </message>
-    <message>
-        <source>Opened: %1</source>
-        <translation>Открыто: %1</translation>
-    </message>
-    <message>
-        <source>Saved.</source>
-        <translation>Сохранено.</translation>
-    </message>
-    <message>
-        <source>The work is not saved</source>
-        <translation>Работа не сохранена</translation>
-    </message>
-    <message>
-        <source>“%1” is open in another window or on another computer.</source>
-        <translation>«%1» открыт в другом окне или на другом компьютере.</translation>
-    </message>
+        <message>
+            <source>The work is not saved. %1</source>
+            <translation>Работа не сохранена. %1</translation>
+        </message>
+        <message>
+            <source>Try again</source>
+            <translation>Повторить</translation>
+        </message>
+        <message>
+            <source>Save elsewhere…</source>
+            <translation>Сохранить в другое место…</translation>
+        </message>
+        <message>
+            <source>The file was not opened</source>
+            <translation>Файл не открыт</translation>
+        </message>
+        <message>
+            <source>Keep the work in</source>
+            <translation>Файл работы</translation>
+        </message>
+        <message>
+            <source>Works (*%1)</source>
+            <translation>Работы студентов (*%1)</translation>
+        </message>
+        <message>
+            <source>Making the variant</source>
+            <translation>Составление варианта</translation>
+        </message>
+        <message>
+            <source>The lesson cannot be begun</source>
+            <translation>Работу нельзя начать</translation>
+        </message>
+        <message>
+            <source>There is no such variant</source>
+            <translation>Такого варианта нет</translation>
+        </message>
+        <message>
+            <source>The lesson has %1 variants.</source>
+            <translation>Вариантов в работе: %1.</translation>
+        </message>
+        <message>
+            <source>This work was changed outside of the program. Whoever marks it will be told.</source>
+            <translation>Файл работы изменён вне программы. Проверяющий об этом узнает.</translation>
+        </message>
+        <message>
+            <source>Opened: %1</source>
+            <translation>Открыто: %1</translation>
+        </message>
+        <message>
+            <source>Saved.</source>
+            <translation>Сохранено.</translation>
+        </message>
+        <message>
+            <source>The work is not saved</source>
+            <translation>Работа не сохранена</translation>
+        </message>
+        <message>
+            <source>“%1” is open in another window or on another computer.</source>
+            <translation>«%1» открыт в другом окне или на другом компьютере.</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::LessonPanel</name>
-    <message>
-        <source>Step %1: %2, points: %3 of %4</source>
-        <translation>Шаг %1: %2, баллы: %3 из %4</translation>
-    </message>
-    <message>
-        <source>Step %1: %2, points: %3</source>
-        <translation>Шаг %1: %2, баллы: %3</translation>
-    </message>
-    <message>
-        <source>Points: %1 of %2</source>
-        <translation>Баллы: %1 из %2</translation>
-    </message>
-    <message>
-        <source>The first prediction counts. The result is shown once it is given.</source>
-        <translation>Засчитывается первый прогноз. Результат появится, когда он дан.</translation>
-    </message>
-    <message>
-        <source>Give the prediction</source>
-        <translation>Дать прогноз</translation>
-    </message>
-    <message>
-        <source>Hand in</source>
-        <translation>Ответить</translation>
-    </message>
-    <message>
-        <source>Check</source>
-        <translation>Проверить</translation>
-    </message>
-    <message>
-        <source>Being checked…</source>
-        <translation>Проверяется…</translation>
-    </message>
-    <message>
-        <source>Attempts: %1</source>
-        <translation>Попытки: %1</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Hint %1&lt;/b&gt; (−%2): %3</source>
-        <translation>&lt;b&gt;Подсказка %1&lt;/b&gt; (−%2): %3</translation>
-    </message>
-    <message>
-        <source>Hint %1 of %2, price in points: %3</source>
-        <translation>Подсказка %1 из %2, цена в баллах: %3</translation>
-    </message>
-    <message>
-        <source>Task</source>
-        <translation>Задание</translation>
-    </message>
-    <message>
-        <source>Aim and theory</source>
-        <translation>Цель и теория</translation>
-    </message>
-    <message>
-        <source>Steps of the laboratory work</source>
-        <translation>Шаги лабораторной работы</translation>
-    </message>
-    <message>
-        <source>Previous step</source>
-        <translation>Предыдущий шаг</translation>
-    </message>
-    <message>
-        <source>Next step</source>
-        <translation>Следующий шаг</translation>
-    </message>
-    <message>
-        <source>%1, variant %2</source>
-        <translation>%1, вариант %2</translation>
-    </message>
-    <message>
-        <source>%1, group %2, variant %3</source>
-        <translation>%1, группа %2, вариант %3</translation>
-    </message>
-    <message>
-        <source>Aim</source>
-        <translation>Цель</translation>
-    </message>
-    <message>
-        <source>Theory</source>
-        <translation>Теория</translation>
-    </message>
         <message>
-        <source>Task, aim and theory</source>
-        <translation>Задание, цель и теория</translation>
-    </message>
-    <message>
-        <source>Take a hint</source>
-        <translation>Взять подсказку</translation>
-    </message>
-</context>
+            <source>Step %1: %2, points: %3 of %4</source>
+            <translation>Шаг %1: %2, баллы: %3 из %4</translation>
+        </message>
+        <message>
+            <source>Step %1: %2, points: %3</source>
+            <translation>Шаг %1: %2, баллы: %3</translation>
+        </message>
+        <message>
+            <source>Points: %1 of %2</source>
+            <translation>Баллы: %1 из %2</translation>
+        </message>
+        <message>
+            <source>The first prediction counts. The result is shown once it is given.</source>
+            <translation>Засчитывается первый прогноз. Результат появится, когда он дан.</translation>
+        </message>
+        <message>
+            <source>Give the prediction</source>
+            <translation>Дать прогноз</translation>
+        </message>
+        <message>
+            <source>Hand in</source>
+            <translation>Ответить</translation>
+        </message>
+        <message>
+            <source>Check</source>
+            <translation>Проверить</translation>
+        </message>
+        <message>
+            <source>Being checked…</source>
+            <translation>Проверяется…</translation>
+        </message>
+        <message>
+            <source>Attempts: %1</source>
+            <translation>Попытки: %1</translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;Hint %1&lt;/b&gt; (−%2): %3</source>
+            <translation>&lt;b&gt;Подсказка %1&lt;/b&gt; (−%2): %3</translation>
+        </message>
+        <message>
+            <source>Hint %1 of %2, price in points: %3</source>
+            <translation>Подсказка %1 из %2, цена в баллах: %3</translation>
+        </message>
+        <message>
+            <source>Task</source>
+            <translation>Задание</translation>
+        </message>
+        <message>
+            <source>Aim and theory</source>
+            <translation>Цель и теория</translation>
+        </message>
+        <message>
+            <source>Steps of the laboratory work</source>
+            <translation>Шаги лабораторной работы</translation>
+        </message>
+        <message>
+            <source>Previous step</source>
+            <translation>Предыдущий шаг</translation>
+        </message>
+        <message>
+            <source>Next step</source>
+            <translation>Следующий шаг</translation>
+        </message>
+        <message>
+            <source>%1, variant %2</source>
+            <translation>%1, вариант %2</translation>
+        </message>
+        <message>
+            <source>%1, group %2, variant %3</source>
+            <translation>%1, группа %2, вариант %3</translation>
+        </message>
+        <message>
+            <source>Aim</source>
+            <translation>Цель</translation>
+        </message>
+        <message>
+            <source>Theory</source>
+            <translation>Теория</translation>
+        </message>
+        <message>
+            <source>Task, aim and theory</source>
+            <translation>Задание, цель и теория</translation>
+        </message>
+        <message>
+            <source>Take a hint</source>
+            <translation>Взять подсказку</translation>
+        </message>
+    </context>
     <context>
         <name>LessonText</name>
-    <message>
-        <source>stage %1</source>
-        <translation>ступень %1</translation>
-    </message>
-    <message>
-        <source>double stroke %1</source>
-        <translation>двойной ход %1</translation>
-    </message>
-    <message>
-        <source>revolution %1</source>
-        <translation>оборот %1</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Double stroke</source>
-        <translation>Двойной ход</translation>
-    </message>
-    <message>
-        <source>Revolution</source>
-        <translation>Оборот</translation>
-    </message>
-    <message>
-        <source>Stage</source>
-        <translation>Ступень</translation>
-    </message>
-    <message>
-        <source>Zone</source>
-        <translation>Зона</translation>
-    </message>
-    <message>
-        <source>Section</source>
-        <translation>Сечение</translation>
-    </message>
-    <message>
-        <source>Checked: every requirement holds, with a margin of at least %1 %.</source>
-        <translation>Проверяется: выполнены все требования, запас не менее %1 %.</translation>
-    </message>
-    <message>
-        <source>Checked: every requirement holds.</source>
-        <translation>Проверяется: выполнены все требования.</translation>
-    </message>
-    <message>
-        <source>Checked: cycle time at most %1 min, every requirement holds.</source>
-        <translation>Проверяется: время цикла не более %1 мин, выполнены все требования.</translation>
-    </message>
-    <message>
-        <source>Checked: cycle time at most %1 min.</source>
-        <translation>Проверяется: время цикла не более %1 мин.</translation>
-    </message>
-    <message>
-        <source>Checked: %1 is %2 ± %3.</source>
-        <translation>Проверяется: %1 — %2 ± %3.</translation>
-    </message>
-    <message>
-        <source>least margin %1 %</source>
-        <translation>наименьший запас %1 %</translation>
-    </message>
-    <message>
-        <source>cycle time %1 min</source>
-        <translation>время цикла %1 мин</translation>
-    </message>
-    <message>
-        <source>it is %1</source>
-        <translation>получено %1</translation>
-    </message>
-    <message>
-        <source>tolerance ± %1</source>
-        <translation>допуск ± %1</translation>
-    </message>
-    <message>
-        <source>within the tolerance at %1 % of the places, asked %2 %</source>
-        <translation>в допуске %1 % точек, требуется %2 %</translation>
-    </message>
-    <message>
-        <source>fails: %1</source>
-        <translation>не выполнено: %1</translation>
-    </message>
-    <message>
-        <source>%1.</source>
-        <translation>%1.</translation>
-    </message>
-    <message>
-        <source>%1: %2.</source>
-        <translation>%1: %2.</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>не выполнен</translation>
-    </message>
-    <message>
-        <source>being checked</source>
-        <translation>проверяется</translation>
-    </message>
-    <message>
-        <source>done</source>
-        <translation>выполнен</translation>
-    </message>
-    <message>
-        <source>not passed</source>
-        <translation>не зачтён</translation>
-    </message>
-    <message>
-        <source>handed in</source>
-        <translation>сдан</translation>
-    </message>
-    <message>
-        <source>prediction %1, result %2</source>
-        <translation>прогноз %1, результат %2</translation>
-    </message>
+        <message>
+            <source>stage %1</source>
+            <translation>ступень %1</translation>
+        </message>
+        <message>
+            <source>double stroke %1</source>
+            <translation>двойной ход %1</translation>
+        </message>
+        <message>
+            <source>revolution %1</source>
+            <translation>оборот %1</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Double stroke</source>
+            <translation>Двойной ход</translation>
+        </message>
+        <message>
+            <source>Revolution</source>
+            <translation>Оборот</translation>
+        </message>
+        <message>
+            <source>Stage</source>
+            <translation>Ступень</translation>
+        </message>
+        <message>
+            <source>Zone</source>
+            <translation>Зона</translation>
+        </message>
+        <message>
+            <source>Section</source>
+            <translation>Сечение</translation>
+        </message>
+        <message>
+            <source>Checked: every requirement holds, with a margin of at least %1 %.</source>
+            <translation>Проверяется: выполнены все требования, запас не менее %1 %.</translation>
+        </message>
+        <message>
+            <source>Checked: every requirement holds.</source>
+            <translation>Проверяется: выполнены все требования.</translation>
+        </message>
+        <message>
+            <source>Checked: cycle time at most %1 min, every requirement holds.</source>
+            <translation>Проверяется: время цикла не более %1 мин, выполнены все требования.</translation>
+        </message>
+        <message>
+            <source>Checked: cycle time at most %1 min.</source>
+            <translation>Проверяется: время цикла не более %1 мин.</translation>
+        </message>
+        <message>
+            <source>Checked: %1 is %2 ± %3.</source>
+            <translation>Проверяется: %1 — %2 ± %3.</translation>
+        </message>
+        <message>
+            <source>least margin %1 %</source>
+            <translation>наименьший запас %1 %</translation>
+        </message>
+        <message>
+            <source>cycle time %1 min</source>
+            <translation>время цикла %1 мин</translation>
+        </message>
+        <message>
+            <source>it is %1</source>
+            <translation>получено %1</translation>
+        </message>
+        <message>
+            <source>tolerance ± %1</source>
+            <translation>допуск ± %1</translation>
+        </message>
+        <message>
+            <source>within the tolerance at %1 % of the places, asked %2 %</source>
+            <translation>в допуске %1 % точек, требуется %2 %</translation>
+        </message>
+        <message>
+            <source>fails: %1</source>
+            <translation>не выполнено: %1</translation>
+        </message>
+        <message>
+            <source>%1.</source>
+            <translation>%1.</translation>
+        </message>
+        <message>
+            <source>%1: %2.</source>
+            <translation>%1: %2.</translation>
+        </message>
+        <message>
+            <source>open</source>
+            <translation>не выполнен</translation>
+        </message>
+        <message>
+            <source>being checked</source>
+            <translation>проверяется</translation>
+        </message>
+        <message>
+            <source>done</source>
+            <translation>выполнен</translation>
+        </message>
+        <message>
+            <source>not passed</source>
+            <translation>не зачтён</translation>
+        </message>
+        <message>
+            <source>handed in</source>
+            <translation>сдан</translation>
+        </message>
+        <message>
+            <source>prediction %1, result %2</source>
+            <translation>прогноз %1, результат %2</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::LessonsDialog</name>
-    <message>
-        <source>Laboratory works</source>
-        <translation>Лабораторные работы</translation>
-    </message>
-    <message>
-        <source>About the laboratory work</source>
-        <translation>О лабораторной работе</translation>
-    </message>
-    <message>
-        <source>&amp;Begin…</source>
-        <translation>&amp;Начать…</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>О&amp;тмена</translation>
-    </message>
-    <message>
-        <source>Steps: %1. Points: %2.</source>
-        <translation>Шагов: %1. Баллов: %2.</translation>
-    </message>
+        <message>
+            <source>Laboratory works</source>
+            <translation>Лабораторные работы</translation>
+        </message>
+        <message>
+            <source>About the laboratory work</source>
+            <translation>О лабораторной работе</translation>
+        </message>
+        <message>
+            <source>&amp;Begin…</source>
+            <translation>&amp;Начать…</translation>
+        </message>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>О&amp;тмена</translation>
+        </message>
+        <message>
+            <source>Steps: %1. Points: %2.</source>
+            <translation>Шагов: %1. Баллов: %2.</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::MarksDialog</name>
-    <message>
-        <source>Mark works</source>
-        <translation>Проверка работ</translation>
-    </message>
-    <message>
-        <source>Marks</source>
-        <translation>Баллы</translation>
-    </message>
-    <message>
-        <source>The work by its steps</source>
-        <translation>Работа по шагам</translation>
-    </message>
-    <message>
-        <source>&amp;Lesson…</source>
-        <translation>&amp;Лабораторная работа…</translation>
-    </message>
-    <message>
-        <source>&amp;Work…</source>
-        <translation>&amp;Работа студента…</translation>
-    </message>
-    <message>
-        <source>Works of a &amp;folder…</source>
-        <translation>Работы из &amp;папки…</translation>
-    </message>
-    <message>
-        <source>List or &amp;table…</source>
-        <translation>&amp;Список или таблица…</translation>
-    </message>
-    <message>
-        <source>&amp;Mark</source>
-        <translation>Проверит&amp;ь</translation>
-    </message>
-    <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Остановить</translation>
-    </message>
-    <message>
-        <source>&amp;Export CSV…</source>
-        <translation>&amp;Экспорт CSV…</translation>
-    </message>
-    <message>
-        <source>Lesson: %1</source>
-        <translation>Лабораторная работа: %1</translation>
-    </message>
-    <message>
-        <source>Lesson: none yet. Drop it here, or choose it.</source>
-        <translation>Лабораторная работа не выбрана. Перетащите её файл сюда или выберите его.</translation>
-    </message>
-    <message>
-        <source>Works: none yet. Drop files or a folder here, or choose them.</source>
-        <translation>Работ студентов нет. Перетащите сюда файлы или папку либо выберите их.</translation>
-    </message>
-    <message>
-        <source>Works: %1</source>
-        <translation>Работ студентов: %1</translation>
-    </message>
-    <message>
-        <source>List of students: %1</source>
-        <translation>В списке студентов: %1</translation>
-    </message>
-    <message>
-        <source>Table of best answers: %1 variants</source>
-        <translation>Таблица лучших ответов, вариантов: %1</translation>
-    </message>
-    <message>
-        <source>%1, line %2: %3.</source>
-        <translation>%1, строка %2: %3.</translation>
-    </message>
-    <message>
-        <source>There are more than %1 works; the first ones are taken.</source>
-        <translation>Работ больше %1; взяты первые.</translation>
-    </message>
-    <message>
-        <source>Not taken</source>
-        <translation>Не принято</translation>
-    </message>
-    <message>
-        <source>The lesson</source>
-        <translation>Лабораторная работа</translation>
-    </message>
-    <message>
-        <source>Lessons (*.%1)</source>
-        <translation>Лабораторные работы (*.%1)</translation>
-    </message>
-    <message>
-        <source>One of the works of the folder</source>
-        <translation>Одна из работ папки</translation>
-    </message>
-    <message>
-        <source>A work</source>
-        <translation>Работа студента</translation>
-    </message>
-    <message>
-        <source>Works (*.%1)</source>
-        <translation>Работы студентов (*.%1)</translation>
-    </message>
-    <message>
-        <source>List of students or table of best answers</source>
-        <translation>Список студентов или таблица лучших ответов</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv);;All files (*)</source>
-        <translation>Таблицы (*.csv);;Все файлы (*)</translation>
-    </message>
-    <message>
-        <source>%1 of %2 points</source>
-        <translation>баллы: %1 из %2</translation>
-    </message>
-    <message>
-        <source>Step %1, points: %2 of %3. %4</source>
-        <translation>Шаг %1, баллы: %2 из %3. %4</translation>
-    </message>
-    <message>
-        <source>Hints: −%1.</source>
-        <translation>Подсказки: −%1.</translation>
-    </message>
-    <message>
-        <source>Export the marks</source>
-        <translation>Экспорт баллов</translation>
-    </message>
-    <message>
-        <source>marks</source>
-        <translation>баллы</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv)</source>
-        <translation>Таблицы (*.csv)</translation>
-    </message>
+        <message>
+            <source>Mark works</source>
+            <translation>Проверка работ</translation>
+        </message>
+        <message>
+            <source>Marks</source>
+            <translation>Баллы</translation>
+        </message>
+        <message>
+            <source>The work by its steps</source>
+            <translation>Работа по шагам</translation>
+        </message>
+        <message>
+            <source>&amp;Lesson…</source>
+            <translation>&amp;Лабораторная работа…</translation>
+        </message>
+        <message>
+            <source>&amp;Work…</source>
+            <translation>&amp;Работа студента…</translation>
+        </message>
+        <message>
+            <source>Works of a &amp;folder…</source>
+            <translation>Работы из &amp;папки…</translation>
+        </message>
+        <message>
+            <source>List or &amp;table…</source>
+            <translation>&amp;Список или таблица…</translation>
+        </message>
+        <message>
+            <source>&amp;Mark</source>
+            <translation>Проверит&amp;ь</translation>
+        </message>
+        <message>
+            <source>&amp;Stop</source>
+            <translation>&amp;Остановить</translation>
+        </message>
+        <message>
+            <source>&amp;Export CSV…</source>
+            <translation>&amp;Экспорт CSV…</translation>
+        </message>
+        <message>
+            <source>Lesson: %1</source>
+            <translation>Лабораторная работа: %1</translation>
+        </message>
+        <message>
+            <source>Lesson: none yet. Drop it here, or choose it.</source>
+            <translation>Лабораторная работа не выбрана. Перетащите её файл сюда или выберите его.</translation>
+        </message>
+        <message>
+            <source>Works: none yet. Drop files or a folder here, or choose them.</source>
+            <translation>Работ студентов нет. Перетащите сюда файлы или папку либо выберите их.</translation>
+        </message>
+        <message>
+            <source>Works: %1</source>
+            <translation>Работ студентов: %1</translation>
+        </message>
+        <message>
+            <source>List of students: %1</source>
+            <translation>В списке студентов: %1</translation>
+        </message>
+        <message>
+            <source>Table of best answers: %1 variants</source>
+            <translation>Таблица лучших ответов, вариантов: %1</translation>
+        </message>
+        <message>
+            <source>%1, line %2: %3.</source>
+            <translation>%1, строка %2: %3.</translation>
+        </message>
+        <message>
+            <source>There are more than %1 works; the first ones are taken.</source>
+            <translation>Работ больше %1; взяты первые.</translation>
+        </message>
+        <message>
+            <source>Not taken</source>
+            <translation>Не принято</translation>
+        </message>
+        <message>
+            <source>The lesson</source>
+            <translation>Лабораторная работа</translation>
+        </message>
+        <message>
+            <source>Lessons (*.%1)</source>
+            <translation>Лабораторные работы (*.%1)</translation>
+        </message>
+        <message>
+            <source>One of the works of the folder</source>
+            <translation>Одна из работ папки</translation>
+        </message>
+        <message>
+            <source>A work</source>
+            <translation>Работа студента</translation>
+        </message>
+        <message>
+            <source>Works (*.%1)</source>
+            <translation>Работы студентов (*.%1)</translation>
+        </message>
+        <message>
+            <source>List of students or table of best answers</source>
+            <translation>Список студентов или таблица лучших ответов</translation>
+        </message>
+        <message>
+            <source>Tables (*.csv);;All files (*)</source>
+            <translation>Таблицы (*.csv);;Все файлы (*)</translation>
+        </message>
+        <message>
+            <source>%1 of %2 points</source>
+            <translation>баллы: %1 из %2</translation>
+        </message>
+        <message>
+            <source>Step %1, points: %2 of %3. %4</source>
+            <translation>Шаг %1, баллы: %2 из %3. %4</translation>
+        </message>
+        <message>
+            <source>Hints: −%1.</source>
+            <translation>Подсказки: −%1.</translation>
+        </message>
+        <message>
+            <source>Export the marks</source>
+            <translation>Экспорт баллов</translation>
+        </message>
+        <message>
+            <source>marks</source>
+            <translation>баллы</translation>
+        </message>
+        <message>
+            <source>Tables (*.csv)</source>
+            <translation>Таблицы (*.csv)</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::MarksModel</name>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Student</source>
-        <translation>Студент</translation>
-    </message>
-    <message>
-        <source>Group</source>
-        <translation>Группа</translation>
-    </message>
-    <message>
-        <source>Variant</source>
-        <translation>Вариант</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>Баллы</translation>
-    </message>
-    <message>
-        <source>of</source>
-        <translation>из</translation>
-    </message>
-    <message>
-        <source>To be marked</source>
-        <translation>Оценить</translation>
-    </message>
-    <message>
-        <source>Time, min</source>
-        <translation>Время, мин</translation>
-    </message>
-    <message>
-        <source>Remarks</source>
-        <translation>Замечания</translation>
-    </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Student</source>
+            <translation>Студент</translation>
+        </message>
+        <message>
+            <source>Group</source>
+            <translation>Группа</translation>
+        </message>
+        <message>
+            <source>Variant</source>
+            <translation>Вариант</translation>
+        </message>
+        <message>
+            <source>Points</source>
+            <translation>Баллы</translation>
+        </message>
+        <message>
+            <source>of</source>
+            <translation>из</translation>
+        </message>
+        <message>
+            <source>To be marked</source>
+            <translation>Оценить</translation>
+        </message>
+        <message>
+            <source>Time, min</source>
+            <translation>Время, мин</translation>
+        </message>
+        <message>
+            <source>Remarks</source>
+            <translation>Замечания</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::NumberAnswer</name>
-    <message>
-        <source>Your prediction</source>
-        <translation>Ваш прогноз</translation>
-    </message>
-    <message>
-        <source>Your prediction: %1</source>
-        <translation>Ваш прогноз: %1</translation>
-    </message>
-    <message>
-        <source>Result of the run</source>
-        <translation>Результат расчёта</translation>
-    </message>
         <message>
-        <source>Your answer</source>
-        <translation>Ваш ответ</translation>
-    </message>
-    <message>
-        <source>Your answer: %1</source>
-        <translation>Ваш ответ: %1</translation>
-    </message>
-</context>
+            <source>Your prediction</source>
+            <translation>Ваш прогноз</translation>
+        </message>
+        <message>
+            <source>Your prediction: %1</source>
+            <translation>Ваш прогноз: %1</translation>
+        </message>
+        <message>
+            <source>Result of the run</source>
+            <translation>Результат расчёта</translation>
+        </message>
+        <message>
+            <source>Your answer</source>
+            <translation>Ваш ответ</translation>
+        </message>
+        <message>
+            <source>Your answer: %1</source>
+            <translation>Ваш ответ: %1</translation>
+        </message>
+    </context>
     <context>
         <name>sparkout::OrderAnswer</name>
-    <message>
-        <source>Your prediction, the largest first</source>
-        <translation>Ваш прогноз, от наибольшего</translation>
-    </message>
-    <message>
-        <source>The largest first: drag them, or move them by the buttons.</source>
-        <translation>От наибольшего к наименьшему: перетащите или переставьте кнопками.</translation>
-    </message>
-    <message>
-        <source>Result of the run, the largest first</source>
-        <translation>Результат расчёта, от наибольшего</translation>
-    </message>
-    <message>
-        <source>Move up</source>
-        <translation>Выше</translation>
-    </message>
-    <message>
-        <source>Ctrl+Up</source>
-        <translation>Ctrl+↑</translation>
-    </message>
-    <message>
-        <source>Move down</source>
-        <translation>Ниже</translation>
-    </message>
-    <message>
-        <source>Ctrl+Down</source>
-        <translation>Ctrl+↓</translation>
-    </message>
+        <message>
+            <source>Your prediction, the largest first</source>
+            <translation>Ваш прогноз, от наибольшего</translation>
+        </message>
+        <message>
+            <source>The largest first: drag them, or move them by the buttons.</source>
+            <translation>От наибольшего к наименьшему: перетащите или переставьте кнопками.</translation>
+        </message>
+        <message>
+            <source>Result of the run, the largest first</source>
+            <translation>Результат расчёта, от наибольшего</translation>
+        </message>
+        <message>
+            <source>Move up</source>
+            <translation>Выше</translation>
+        </message>
+        <message>
+            <source>Ctrl+Up</source>
+            <translation>Ctrl+↑</translation>
+        </message>
+        <message>
+            <source>Move down</source>
+            <translation>Ниже</translation>
+        </message>
+        <message>
+            <source>Ctrl+Down</source>
+            <translation>Ctrl+↓</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::StudentDialog</name>
-    <message>
-        <source>Begin the laboratory work</source>
-        <translation>Начать лабораторную работу</translation>
-    </message>
-    <message>
-        <source>In the next step you choose the file your work is kept in: you hand that file in. Every answer is saved in it at once.</source>
-        <translation>Далее выберите файл, в котором хранится работа: его вы и сдаёте. Каждый ответ сразу сохраняется в нём.</translation>
-    </message>
-    <message>
-        <source>&amp;Surname and first name</source>
-        <translation>&amp;Фамилия и имя</translation>
-    </message>
-    <message>
-        <source>&amp;Group</source>
-        <translation>&amp;Группа</translation>
-    </message>
-    <message>
-        <source>&amp;Variant</source>
-        <translation>&amp;Вариант</translation>
-    </message>
-    <message>
-        <source>&amp;Begin…</source>
-        <translation>&amp;Начать…</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>О&amp;тмена</translation>
-    </message>
+        <message>
+            <source>Begin the laboratory work</source>
+            <translation>Начать лабораторную работу</translation>
+        </message>
+        <message>
+            <source>In the next step you choose the file your work is kept in: you hand that file in. Every answer is saved in it at once.</source>
+            <translation>Далее выберите файл, в котором хранится работа: его вы и сдаёте. Каждый ответ сразу сохраняется в нём.</translation>
+        </message>
+        <message>
+            <source>&amp;Surname and first name</source>
+            <translation>&amp;Фамилия и имя</translation>
+        </message>
+        <message>
+            <source>&amp;Group</source>
+            <translation>&amp;Группа</translation>
+        </message>
+        <message>
+            <source>&amp;Variant</source>
+            <translation>&amp;Вариант</translation>
+        </message>
+        <message>
+            <source>&amp;Begin…</source>
+            <translation>&amp;Начать…</translation>
+        </message>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>О&amp;тмена</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::TextAnswer</name>
-    <message>
-        <source>%1 of at least %2 characters. Your teacher reads the answer.</source>
-        <translation>Знаков: %1, нужно не менее %2. Ответ читает преподаватель.</translation>
-    </message>
-    <message>
-        <source>Your answer</source>
-        <translation>Ваш ответ</translation>
-    </message>
+        <message>
+            <source>%1 of at least %2 characters. Your teacher reads the answer.</source>
+            <translation>Знаков: %1, нужно не менее %2. Ответ читает преподаватель.</translation>
+        </message>
+        <message>
+            <source>Your answer</source>
+            <translation>Ваш ответ</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::LessonWiring</name>
-    <message>
-        <source>The views are covered until you have given your prediction in the panel of the laboratory work. Then the result is shown beside it.</source>
-        <translation>Виды закрыты, пока вы не дали прогноз на панели лабораторной работы. Затем результат появится рядом с ним.</translation>
-    </message>
+        <message>
+            <source>The views are covered until you have given your prediction in the panel of the laboratory work. Then the result is shown beside it.</source>
+            <translation>Виды закрыты, пока вы не дали прогноз на панели лабораторной работы. Затем результат появится рядом с ним.</translation>
+        </message>
     </context>
 </TS>
