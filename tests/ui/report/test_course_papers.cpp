@@ -7,7 +7,7 @@
 #include "tests/registry.h"
 #include "tests/ui/report/course_bench.h"
 #include "tests/ui/report/handout_bench.h"
-#include "ui/report/course/lesson_text.h"
+#include "ui/report/course/lesson_markup.h"
 #include "ui/report/format/formula_markup.h"
 #include "ui/report/format/formula_writer.h"
 #include "ui/text/names.h"
@@ -236,7 +236,7 @@ private slots:
         const QString text = textOf(sheet);
         for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
             const Goal& goal = lesson.steps[i].goal;
-            const QString task = report::LessonText::inOneLine(
+            const QString task = report::LessonMarkup::inOneLine(
                 QString::fromStdString(lesson.steps[i].task.in(language == u"ru")));
             QVERIFY2(bare(text).contains(bare(task).left(40)), qPrintable(task));
             if (goal.prediction) {
@@ -251,7 +251,7 @@ private slots:
             }
             if (goal.choice) {
                 for (const ChoiceOption& option : goal.choice->options) {
-                    const QString name = report::LessonText::inOneLine(
+                    const QString name = report::LessonMarkup::inOneLine(
                         QString::fromStdString(option.text.in(language == u"ru")));
                     QVERIFY(text.contains(QStringLiteral("☐ ") + name)); // all alike
                     QCOMPARE(textOf(key).contains(name + u'.'), option.right);
@@ -334,7 +334,8 @@ private slots:
         QCOMPARE(sections, wanted);
         const QString text = bare(textOf(made));
         const auto has = [&](const Bilingual& of) {
-            const QString plain = report::LessonText::inOneLine(QString::fromStdString(of.in(ru)));
+            const QString plain =
+                report::LessonMarkup::inOneLine(QString::fromStdString(of.in(ru)));
             return text.contains(bare(plain.section(u'.', 0, 0).left(30)));
         };
         for (const ControlQuestion& question : lesson.guide->questions) {
@@ -447,7 +448,7 @@ private slots:
 
     void markupBecomesBlocks() {
         int formulas = 3;
-        const auto blocks = report::LessonText::blocks(
+        const auto blocks = report::LessonMarkup::blocks(
             QStringLiteral(
                 "<p>a <i>S<sub>t</sub></i>, 10<sup>-3</sup> &lt; b</p>\n"
                 "<p class=\"formula\"><i>a<sub>E1</sub> = h</i></p>"

@@ -4,7 +4,7 @@
 #include "ui/charts/run_table.h"
 #include "ui/report/course/curve_figure.h"
 #include "ui/report/course/goal_words.h"
-#include "ui/report/course/lesson_text.h"
+#include "ui/report/course/lesson_markup.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/text/names.h"
 
@@ -57,7 +57,8 @@ void AnswerFields::write(PaperWriter& paper, const StudentView& view, std::size_
     switch (goal.kind()) {
     case GoalKind::choice:
         for (const ChoiceOption& option : goal.choice->options) {
-            paper.say(QStringLiteral("☐ ") + LessonText::inOneLine(PaperWriter::text(option.text)));
+            paper.say(QStringLiteral("☐ ")
+                      + LessonMarkup::inOneLine(PaperWriter::text(option.text)));
         }
         return;
     case GoalKind::text: paper.add(Blank{textLines}); return;

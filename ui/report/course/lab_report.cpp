@@ -3,7 +3,7 @@
 
 #include "core/study/evaluate.h"
 #include "ui/report/course/goal_words.h"
-#include "ui/report/course/lesson_text.h"
+#include "ui/report/course/lesson_markup.h"
 #include "ui/report/course/paper_writer.h"
 #include "ui/report/course/step_results.h"
 #include "ui/report/course/student_view.h"

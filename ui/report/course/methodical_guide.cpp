@@ -3,7 +3,7 @@
 
 #include "ui/charts/run_table.h"
 #include "ui/report/course/goal_words.h"
-#include "ui/report/course/lesson_text.h"
+#include "ui/report/course/lesson_markup.h"
 #include "ui/report/course/paper_writer.h"
 #include "ui/report/course/step_key.h"
 #include "ui/report/course/student_view.h"
@@ -129,9 +129,10 @@ private:
             m_paper.add(Paragraph{tr("Answer"), true});
             StepKey::write(m_paper, m_lesson, i);
             for (std::size_t h = 0; h < step.hints.size(); ++h) {
-                m_paper.say(tr("Hint %1: %2")
-                                .arg(QString::number(h + 1),
-                                     LessonText::inOneLine(PaperWriter::text(step.hints[h].text))));
+                m_paper.say(
+                    tr("Hint %1: %2")
+                        .arg(QString::number(h + 1),
+                             LessonMarkup::inOneLine(PaperWriter::text(step.hints[h].text))));
             }
         }
     }
@@ -161,7 +162,7 @@ private:
 
     /// A text of the lesson with a number before its first paragraph.
     void numbered(int number, const Bilingual& text, bool strong) {
-        std::vector<Block> blocks = LessonText::blocks(PaperWriter::text(text));
+        std::vector<Block> blocks = LessonMarkup::blocks(PaperWriter::text(text));
         if (auto* first = blocks.empty() ? nullptr : std::get_if<Paragraph>(&blocks.front())) {
             first->text = QStringLiteral("%1. %2").arg(QString::number(number), first->text);
             first->strong = strong;

@@ -2,7 +2,7 @@
 #include "ui/report/course/paper_writer.h"
 
 #include "core/version.h"
-#include "ui/report/course/lesson_text.h"
+#include "ui/report/course/lesson_markup.h"
 #include "ui/report/parts/cell_text.h"
 
 #include <QFileInfo>
@@ -67,7 +67,7 @@ int PaperWriter::figure(Figure figure) {
 }
 
 void PaperWriter::lesson(const Bilingual& text) {
-    add(LessonText::blocks(PaperWriter::text(text), &m_formulas));
+    add(LessonMarkup::blocks(PaperWriter::text(text), &m_formulas));
 }
 
 void PaperWriter::lines(const std::string& text) {

@@ -3,7 +3,7 @@
 
 #include "core/lesson/goal_check.h"
 #include "ui/report/course/goal_words.h"
-#include "ui/report/course/lesson_text.h"
+#include "ui/report/course/lesson_markup.h"
 #include "ui/text/names.h"
 
 namespace sparkout::report {
@@ -17,7 +17,7 @@ void StepKey::write(PaperWriter& paper, const Lesson& lesson, std::size_t step) 
         for (const ChoiceOption& option : goal.choice->options) {
             if (option.right) {
                 paper.say(
-                    tr("Right: %1.").arg(LessonText::inOneLine(PaperWriter::text(option.text))));
+                    tr("Right: %1.").arg(LessonMarkup::inOneLine(PaperWriter::text(option.text))));
             }
         }
         return;

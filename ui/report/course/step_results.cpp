@@ -12,7 +12,7 @@
 #include "ui/charts/run_table.h"
 #include "ui/report/course/curve_figure.h"
 #include "ui/report/course/goal_words.h"
-#include "ui/report/course/lesson_text.h"
+#include "ui/report/course/lesson_markup.h"
 #include "ui/report/documents/cycle_card.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/report/parts/course_figures.h"
@@ -237,7 +237,7 @@ void StepResults::writeChoice(PaperWriter& paper, std::size_t step) const {
             && number == std::floor(number)) {
             const auto index = static_cast<std::size_t>(number) - 1;
             paper.say(tr("Chosen: %1.")
-                          .arg(LessonText::inOneLine(PaperWriter::text(options[index].text))));
+                          .arg(LessonMarkup::inOneLine(PaperWriter::text(options[index].text))));
         }
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/course/work_title.h"
 
-#include "ui/report/course/lesson_text.h"
+#include "ui/report/course/lesson_markup.h"
 #include "ui/report/course/paper_writer.h"
 
 #include <QRegularExpression>
@@ -9,7 +9,7 @@
 namespace sparkout::report {
 
 WorkTitle::WorkTitle(const Bilingual& title)
-    : m_full(LessonText::inOneLine(PaperWriter::text(title))) {
+    : m_full(LessonMarkup::inOneLine(PaperWriter::text(title))) {
     static const QRegularExpression numbered(
         QStringLiteral(
             "^(?:(?:Лабораторная )?работа|(?:Laboratory )?work)\\s+(?:№|No\\.)?\\s*(\\d+)"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/report/course/lesson_text.h"
+#include "ui/report/course/lesson_markup.h"
 
 #include <QRegularExpression>
 #include <QStringList>
@@ -189,11 +189,11 @@ private:
 
 } // namespace
 
-std::vector<Block> LessonText::blocks(const QString& markup, int* formulas) {
+std::vector<Block> LessonMarkup::blocks(const QString& markup, int* formulas) {
     return MarkupReader(formulas).read(markup);
 }
 
-QString LessonText::inOneLine(const QString& markup) {
+QString LessonMarkup::inOneLine(const QString& markup) {
     static const QRegularExpression within(QStringLiteral("</?(?:i|b|sub|sup|code)>"));
     static const QRegularExpression tag(QStringLiteral("<[^>]*>"));
     static const QRegularExpression power(QStringLiteral("<sup>([^<]*)</sup>"));

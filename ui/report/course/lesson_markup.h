@@ -11,7 +11,7 @@ namespace sparkout::report {
 
 /// A text of a lesson, in its markup, as blocks: paragraphs whose indices stand below the line,
 /// formulas, items of lists, tables.
-class LessonText {
+class LessonMarkup {
 public:
     /// Formulas are numbered on from `formulas`, where one is given.
     [[nodiscard]] static std::vector<Block> blocks(const QString& markup, int* formulas = nullptr);
