@@ -1048,32 +1048,32 @@
             <translation>измерьте больше деталей</translation>
         </message>
         <message>
-            <source>factor of α = γ·b·k_s</source>
-            <translation>множитель α = γ·b·k_s</translation>
+            <source>factor of α = γ·b·kₛ</source>
+            <translation>множитель α = γ·b·kₛ</translation>
         </message>
         <message>
-            <source>factor of β = γ·b·k_r</source>
-            <translation>множитель β = γ·b·k_r</translation>
+            <source>factor of β = γ·b·kᵣ</source>
+            <translation>множитель β = γ·b·kᵣ</translation>
         </message>
         <message>
             <source>factor of the compliance γ</source>
             <translation>множитель податливости γ</translation>
         </message>
         <message>
-            <source>factor of the flow stress σ_i</source>
-            <translation>множитель интенсивности напряжений σ_i</translation>
+            <source>factor of the flow stress σᵢ</source>
+            <translation>множитель интенсивности напряжений σᵢ</translation>
         </message>
         <message>
             <source>factor of the dullness η</source>
             <translation>множитель затупления η</translation>
         </message>
         <message>
-            <source>factor of b·k_t·V_k</source>
-            <translation>множитель b·k_t·V_k</translation>
+            <source>factor of b·kₜ·Vₖ</source>
+            <translation>множитель b·kₜ·Vₖ</translation>
         </message>
         <message>
-            <source>factor of b·μ·k_r·V_k</source>
-            <translation>множитель b·μ·k_r·V_k</translation>
+            <source>factor of b·μ·kᵣ·Vₖ</source>
+            <translation>множитель b·μ·kᵣ·Vₖ</translation>
         </message>
         <message>
             <source>idle power</source>
@@ -17457,12 +17457,12 @@ good</source>
             <translation>&amp;Закрыть</translation>
         </message>
         <message>
-            <source>This project has no measurements yet that the cycle could be compared with.
+            <source>There is nothing yet that the cycle could be fitted to: no recorded trace, no diameters of single parts. Statistics of a batch do not serve.
 
 Import measurements… reads them from tables: the size at the gauge, the power of the wheel, the current of its spindle or the normal force over the time of one cycle, or the diameters of finished parts by zone or section.
 
 The size alone gives α and β, that is the compliance with the force together; the power adds its two shares; with the normal force compliance, flow stress and dullness are told apart.</source>
-            <translation>В проекте пока нет измерений, с которыми можно сравнить цикл.
+            <translation>Пока не к чему подбирать цикл: нет ни записей, ни диаметров отдельных деталей. Статистика партии для этого не годится.
 
 Команда «Импорт измерений…» читает их из таблиц: размер на приборе активного контроля, мощность круга, ток его шпинделя или нормальную силу за время одного цикла либо диаметры готовых деталей по зонам или сечениям.
 
@@ -17637,7 +17637,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>Size at the gauge</source>
-            <translation>Размер у прибора</translation>
+            <translation>Размер на приборе</translation>
         </message>
         <message>
             <source>Wheel power</source>

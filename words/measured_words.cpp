@@ -77,18 +77,18 @@ MeasuredWords wordsOf(Advice advice) {
 
 MeasuredWords wordsOf(FittedKind kind) {
     switch (kind) {
-    case FittedKind::alpha: return {"alpha", SPARKOUT_NOOP("Measured", "factor of α = γ·b·k_s")};
-    case FittedKind::beta: return {"beta", SPARKOUT_NOOP("Measured", "factor of β = γ·b·k_r")};
+    case FittedKind::alpha: return {"alpha", SPARKOUT_NOOP("Measured", "factor of α = γ·b·kₛ")};
+    case FittedKind::beta: return {"beta", SPARKOUT_NOOP("Measured", "factor of β = γ·b·kᵣ")};
     case FittedKind::compliance:
         return {"compliance", SPARKOUT_NOOP("Measured", "factor of the compliance γ")};
     case FittedKind::flow_stress:
-        return {"flow_stress", SPARKOUT_NOOP("Measured", "factor of the flow stress σ_i")};
+        return {"flow_stress", SPARKOUT_NOOP("Measured", "factor of the flow stress σᵢ")};
     case FittedKind::dullness:
         return {"dullness", SPARKOUT_NOOP("Measured", "factor of the dullness η")};
     case FittedKind::chip_power:
-        return {"chip_power", SPARKOUT_NOOP("Measured", "factor of b·k_t·V_k")};
+        return {"chip_power", SPARKOUT_NOOP("Measured", "factor of b·kₜ·Vₖ")};
     case FittedKind::friction_power:
-        return {"friction_power", SPARKOUT_NOOP("Measured", "factor of b·μ·k_r·V_k")};
+        return {"friction_power", SPARKOUT_NOOP("Measured", "factor of b·μ·kᵣ·Vₖ")};
     case FittedKind::idle_power: return {"idle_power", SPARKOUT_NOOP("Measured", "idle power")};
     case FittedKind::size_offset:
         return {"size_offset", SPARKOUT_NOOP("Measured", "offset of the gauge")};

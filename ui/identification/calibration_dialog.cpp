@@ -92,7 +92,8 @@ bool CalibrationDialog::isEmpty() const {
 QWidget* CalibrationDialog::emptyPage() {
     auto* page = new QWidget(this);
     auto* words = new QLabel(
-        tr("This project has no measurements yet that the cycle could be compared with.\n\n"
+        tr("There is nothing yet that the cycle could be fitted to: no recorded trace, no "
+           "diameters of single parts. Statistics of a batch do not serve.\n\n"
            "Import measurements… reads them from tables: the size at the gauge, the power of the "
            "wheel, the current of its spindle or the normal force over the time of one cycle, or "
            "the diameters of finished parts by zone or section.\n\n"

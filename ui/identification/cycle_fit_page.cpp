@@ -10,7 +10,6 @@
 #include "ui/identification/parameter_choice.h"
 #include "ui/kit/metrics.h"
 #include "ui/text/names.h"
-#include "ui/text/texts.h"
 
 #include <QComboBox>
 #include <QDate>
@@ -232,9 +231,7 @@ void CycleFitPage::findConsequences() {
         if (std::ranges::find(before, issue) != before.end()) {
             continue;
         }
-        const QString text =
-            QStringLiteral("%1 – %2").arg(inputLocation(issue.path), Names::issue(issue));
-        (issue.severity == Severity::error ? refused : unusual) << text;
+        (issue.severity == Severity::error ? refused : unusual) << Names::issue(issue);
     }
     m_canTake = refused.isEmpty();
     const QString advice =
