@@ -246,17 +246,18 @@ private slots:
         for (std::size_t i = 0; i < classSize; ++i) {
             texts.push_back(writeWork(samples::solved(m_out, i)));
         }
-        for (std::size_t i = 0; i < 100; ++i) {
+        const auto works = static_cast<std::size_t>(samples::sized(100, 25, 100));
+        for (std::size_t i = 0; i < works; ++i) {
             files.push_back({std::to_string(i), texts[i % classSize]});
         }
         for (const bool hasTable : {true, false}) {
             const std::clock_t start = std::clock(); // processor time: the machine may be busy
             const auto graded = gradeClass(m_out.lesson, files, hasTable ? m_wish : GradeWish());
             const double took_s = double(std::clock() - start) / CLOCKS_PER_SEC;
-            qInfo("100 works marked in %.2f s %s the teacher's table (target: 10)", took_s,
-                  hasTable ? "with" : "without");
-            QCOMPARE(graded.size(), std::size_t{100});
-            QVERIFY(samples::sized(1, 0, 1) == 0 || took_s < 40); // four times the target
+            qInfo("%zu works marked in %.2f s %s the teacher's table (100 in 10 s are the target)",
+                  works, took_s, hasTable ? "with" : "without");
+            QCOMPARE(graded.size(), works);
+            QVERIFY(works < 100 || took_s < 40); // four times the target
         }
     }
 
