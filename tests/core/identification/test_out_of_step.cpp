@@ -107,7 +107,7 @@ private slots:
 
     void theDelayIsFittedOrWarnedOf() {
         QFETCH(double, delay_s);
-        const int seeds = samples::sized(14, 3, 1000);
+        const int seeds = samples::sized(14, 3, 250);
         int covered = 0, delayCovered = 0, warned = 0, unnoticed = 0, wrong = 0;
         for (int seed = 1; seed <= seeds; ++seed) {
             const Project project = recorded(delay_s, static_cast<std::uint32_t>(seed));
@@ -148,7 +148,7 @@ private slots:
 
     /// The threshold is that of one fit in 2,000.
     void clocksThatAgreeAreHardlyEverDoubted() {
-        const int seeds = samples::sized(60, 6, 4000);
+        const int seeds = samples::sized(60, 6, 1000);
         int warned = 0, covered = 0;
         for (int seed = 1; seed <= seeds; ++seed) {
             const Identification found = fit(recorded(0, static_cast<std::uint32_t>(seed)), false);
