@@ -1012,6 +1012,10 @@
             <translation>наилучшие значения не найдены</translation>
         </message>
         <message>
+            <source>with the values that would fit the parts the gauge ends the cycle elsewhere: under gauge control finished parts hardly tell these parameters; record the size at the gauge over a cycle, or correct the command of the gauge</source>
+            <translation>при значениях, которые подошли бы к деталям, прибор закончит цикл в другом месте: при активном контроле готовые детали почти ничего не говорят об этих параметрах; запишите размер на приборе за цикл или исправьте команду прибора</translation>
+        </message>
+        <message>
             <source>stopped</source>
             <translation>остановлено</translation>
         </message>

@@ -44,6 +44,13 @@ MeasuredWords wordsOf(IdentificationStatus status) {
                                                      "size")};
     case IdentificationStatus::notConverged:
         return {"not_converged", SPARKOUT_NOOP("Measured", "no best values were found")};
+    case IdentificationStatus::againstGauge:
+        return {"against_gauge",
+                SPARKOUT_NOOP("Measured",
+                              "with the values that would fit the parts the gauge ends the cycle "
+                              "elsewhere: under gauge control finished parts hardly tell these "
+                              "parameters; record the size at the gauge over a cycle, or correct "
+                              "the command of the gauge")};
     case IdentificationStatus::stopped: break;
     }
     return {"stopped", SPARKOUT_NOOP("Measured", "stopped")};

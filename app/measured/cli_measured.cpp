@@ -253,7 +253,8 @@ int statusOf(const MeasuredAnswer& answer, const Options& options) {
                 return requirementFails;
             }
             break;
-        case IdentificationStatus::cannotTell: return options.check ? requirementFails : done;
+        case IdentificationStatus::cannotTell:
+        case IdentificationStatus::againstGauge: return options.check ? requirementFails : done;
         case IdentificationStatus::notRun:
             return answer.fit->issues.empty() ? cannotReachSize : refused;
         default: return refused;

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace sparkout {
@@ -40,6 +41,7 @@ public:
         }
         if (!fit()) {
             m_result.status = m_stop.stop_requested() ? IdentificationStatus::stopped
+                              : m_best.converged      ? IdentificationStatus::againstGauge
                                                       : IdentificationStatus::notConverged;
             return std::move(m_result);
         }
@@ -87,7 +89,9 @@ private:
     }
 
     /// The steps of the stages are whole numbers: the rest is fitted for given ones, then they are
-    /// what the gauge would ask for there, then each of them may be one more or less.
+    /// what the gauge would ask for there, then each of them may be one more or less. Traces show
+    /// how many there were; where finished parts alone were measured, only the gauge tells it, and
+    /// what it would not bring about is no answer.
     bool fit() {
         const std::vector<bool> free(m_request.parameters.size(), false);
         m_best = minimise(m_problem, m_problem.start(), free, m_stop);
@@ -95,25 +99,46 @@ private:
             return false;
         }
         if (m_project.gauge->control == Control::gauge) {
+            m_onlyGaugeTells = std::ranges::none_of(
+                m_data.groups, [](const FitGroup& group) { return !group.time_s.empty(); });
+            m_isConsistent = m_onlyGaugeTells && isOfGauge();
+            if (m_onlyGaugeTells) {
+                tryStepsOfGauge();
+            }
             followGauge();
             trySteps();
         }
         settleNoise();
-        return m_best.converged && !m_stop.stop_requested();
+        return m_best.converged && !m_stop.stop_requested() && (!m_onlyGaugeTells || isOfGauge());
+    }
+
+    /// Whether the gauge would ask for these steps with these values.
+    [[nodiscard]] bool isOfGauge() const {
+        return stepsByGauge(m_project, m_problem.factorsAt(m_best.q)) == m_problem.steps();
     }
 
     /// Fits with other steps; keeps them where they fit better.
     bool betterWith(const std::vector<int>& steps) {
+        return betterWith(steps, isAstray() ? m_problem.start() : m_best.q);
+    }
+    bool betterWith(const std::vector<int>& steps, const std::vector<double>& from) {
         const std::vector<int> before = m_problem.steps();
         m_problem.setSteps(steps);
         const std::vector<bool> free(m_request.parameters.size(), false);
-        LeastSquares other =
-            minimise(m_problem, isAstray() ? m_problem.start() : m_best.q, free, m_stop);
+        LeastSquares other = minimise(m_problem, from, free, m_stop);
         constexpr double better = 1e-9; // by no more than rounding is not better
-        if (other.criterion < m_best.criterion * (1 - better)) {
-            m_best = std::move(other);
+        const bool fitsBetter = other.criterion < m_best.criterion * (1 - better);
+        std::swap(m_best, other);
+        if (!m_onlyGaugeTells) {
+            if (fitsBetter) {
+                return true;
+            }
+        } else if (const bool isConsistent = isOfGauge();
+                   isConsistent != m_isConsistent ? isConsistent : fitsBetter) {
+            m_isConsistent = isConsistent;
             return true;
         }
+        std::swap(m_best, other);
         m_problem.setSteps(before);
         return false;
     }
@@ -127,6 +152,24 @@ private:
             }
         }
         return false;
+    }
+
+    /// The steps that the gauge asks for anywhere in a range of each factor, each of them once.
+    void tryStepsOfGauge() {
+        constexpr double most = 3; // times as much, and as little
+        constexpr int points = 24;
+        const std::vector<double> start = m_problem.start();
+        std::set<std::vector<int>> tried{m_problem.steps()};
+        for (std::size_t i = 0; i < start.size(); ++i) {
+            for (int k = 0; isFactor(m_request.parameters[i].kind) && k <= points; ++k) {
+                std::vector<double> q = start;
+                q[i] += std::log(most) * (2.0 * k / points - 1);
+                const std::vector<int> steps = stepsByGauge(m_project, m_problem.factorsAt(q));
+                if (!steps.empty() && !m_stop.stop_requested() && tried.insert(steps).second) {
+                    betterWith(steps, q);
+                }
+            }
+        }
     }
 
     void followGauge() {
@@ -333,14 +376,82 @@ private:
     FitData m_data;
     FitProblem m_problem;
     LeastSquares m_best;
+    bool m_onlyGaugeTells = false; ///< no trace shows how many steps there were
+    bool m_isConsistent = false;   ///< then: whether the gauge asks for those of the best
     Identification m_result;
 };
+
+/// Whether the residuals of a trace follow each other, as those of the right cycle do not: beyond
+/// three standard errors of white noise, 1/√n.
+bool hasStructure(const std::vector<FitResiduals>& residuals) {
+    constexpr double clearly = 3;
+    return std::ranges::any_of(residuals, [](const FitResiduals& group) {
+        return group.trace >= 0
+               && firstAutocorrelation(group.values)
+                      > clearly / std::sqrt(static_cast<double>(group.values.size()));
+    });
+}
+
+/// −ln of the likelihood, less what is the same for any fit of the same data.
+double misfit(const std::vector<FitResiduals>& residuals) {
+    double sum = 0;
+    for (const FitResiduals& group : residuals) {
+        sum += static_cast<double>(group.values.size()) * std::log(group.rms);
+    }
+    return sum;
+}
+
+/// For want of a time the steps of the stages may have gone astray, where no fit with the same
+/// steps finds it: all is fitted anew, from the beginning, with each time left out.
+std::vector<OutOfStep> outOfStepAnew(const Project& project, const IdentificationRequest& request,
+                                     const std::stop_token& stop, const Identification& without) {
+    std::vector<OutOfStep> found;
+    const FitData data = fitDataOf(project, request.traces, request.withParts);
+    for (const FittedKind kind : timesLeftOut(data, request.parameters)) {
+        IdentificationRequest wider = request;
+        wider.parameters.push_back({kind, {}, {}});
+        const Identification with = Identifier(project, wider, stop).identify();
+        if (with.status != IdentificationStatus::fitted
+            || !(misfit(with.residuals) < misfit(without.residuals))) {
+            continue;
+        }
+        OutOfStep one{kind, with.values.back().value, with.values.back().error, 0, 0};
+        double rho = 0;
+        for (const FitResiduals& group : with.residuals) {
+            rho = group.trace >= 0 ? std::max(rho, firstAutocorrelation(group.values)) : rho;
+        }
+        one.error_s *= std::sqrt(inflation(rho));
+        if (!isCertain(one)) {
+            continue;
+        }
+        double most = -1;
+        for (std::size_t i = 0; i < without.values.size(); ++i) {
+            const double from = without.values[i].value, to = with.values[i].value;
+            const bool isRelative = isFactor(without.values[i].parameter.kind)
+                                    || without.values[i].parameter.kind == FittedKind::blank_runout;
+            const double moved =
+                std::abs(isRelative ? std::log(to / from) : to - from) / without.values[i].error;
+            if (moved > most) {
+                most = moved;
+                one.parameter = i;
+                one.value = to;
+            }
+        }
+        found.push_back(one);
+    }
+    return found;
+}
 
 } // namespace
 
 Identification identify(const Project& project, const IdentificationRequest& request,
                         const std::stop_token& stop) {
-    return Identifier(project, request, stop).identify();
+    Identification found = Identifier(project, request, stop).identify();
+    if (found.status == IdentificationStatus::fitted && found.outOfStep.empty()
+        && hasStructure(found.residuals)) {
+        found.outOfStep = outOfStepAnew(project, request, stop, found);
+    }
+    return found;
 }
 
 } // namespace sparkout

@@ -33,6 +33,7 @@ enum class IdentificationStatus {
     notApplicable, ///< compliances of places that the project cannot have, a parameter twice
     notRun,        ///< the cycle of the project cannot be run
     notConverged,
+    againstGauge, ///< of finished parts alone: where they fit, the gauge ends the cycle elsewhere
     stopped
 };
 

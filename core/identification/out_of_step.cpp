@@ -50,24 +50,15 @@ std::vector<double> noiseByGroup(const FitData& data, const std::vector<double>&
     return noise;
 }
 
-/// By how much the variance of a mean is greater where each residual follows the one before:
-/// (1 + ρ)/(1 − ρ) of the first autocorrelation ρ, the greatest of the groups.
-double inflation(const FitData& data, const std::vector<double>& differences) {
-    constexpr double mostCorrelation = 0.99;
+/// The greatest inflation of the groups recorded over time.
+double inflationOf(const FitData& data, const std::vector<double>& differences) {
     double most = 1;
-    std::size_t first = 0;
+    std::span<const double> left(differences);
     for (const FitGroup& group : data.groups) {
-        double squares = 0, products = 0;
-        for (std::size_t i = 0; i < group.values.size(); ++i) {
-            const double value = differences[first + i];
-            squares += value * value;
-            products += i > 0 ? value * differences[first + i - 1] : 0;
+        if (hasTimes(group)) {
+            most = std::max(most, inflation(firstAutocorrelation(left.first(group.values.size()))));
         }
-        if (squares > 0 && hasTimes(group)) {
-            const double rho = std::clamp(products / squares, 0.0, mostCorrelation);
-            most = std::max(most, (1 + rho) / (1 - rho));
-        }
-        first += group.values.size();
+        left = left.subspan(group.values.size());
     }
     return most;
 }
@@ -110,8 +101,8 @@ public:
         found.kind = m_list.back().kind;
         found.delay_s = FitProblem::valueOf(found.kind, wider.q.back());
         found.error_s = FitProblem::valueOf(found.kind, std::sqrt(told.covariance.back()))
-                        * std::sqrt(inflation(m_data, differences));
-        if (std::abs(found.delay_s) < std::max(leastDelay_s, certainDelay * found.error_s)) {
+                        * std::sqrt(inflationOf(m_data, differences));
+        if (!isCertain(found)) {
             return {};
         }
         double most = 0;
@@ -160,16 +151,44 @@ private:
 
 } // namespace
 
+double firstAutocorrelation(std::span<const double> residuals) {
+    double squares = 0, products = 0;
+    for (std::size_t i = 0; i < residuals.size(); ++i) {
+        squares += residuals[i] * residuals[i];
+        products += i > 0 ? residuals[i] * residuals[i - 1] : 0;
+    }
+    return squares > 0 ? products / squares : 0;
+}
+
+double inflation(double autocorrelation) {
+    const double rho = std::clamp(autocorrelation, 0.0, 0.99);
+    return (1 + rho) / (1 - rho);
+}
+
+bool isCertain(const OutOfStep& found) {
+    return std::abs(found.delay_s) >= std::max(leastDelay_s, certainDelay * found.error_s);
+}
+
+std::vector<FittedKind> timesLeftOut(const FitData& data,
+                                     const std::vector<FittedParameter>& fitted) {
+    std::vector<FittedKind> left;
+    for (const FittedKind kind :
+         {FittedKind::time_shift, FittedKind::power_delay, FittedKind::force_delay}) {
+        if (std::ranges::find(fitted, kind, &FittedParameter::kind) == fitted.end()
+            && isOfData(kind, data)) {
+            left.push_back(kind);
+        }
+    }
+    return left;
+}
+
 std::vector<OutOfStep> outOfStep(const Project& project, const FitData& data,
                                  const FitProblem& fitted, const LeastSquares& best,
                                  const std::vector<double>& errors, const std::stop_token& stop) {
     std::vector<OutOfStep> found;
-    for (const FittedKind kind :
-         {FittedKind::time_shift, FittedKind::power_delay, FittedKind::force_delay}) {
-        const bool isFitted =
-            std::ranges::find(fitted.list(), kind, &FittedParameter::kind) != fitted.list().end();
-        if (isFitted || !isOfData(kind, data) || stop.stop_requested()) {
-            continue;
+    for (const FittedKind kind : timesLeftOut(data, fitted.list())) {
+        if (stop.stop_requested()) {
+            break;
         }
         if (auto one = WiderFit(project, data, fitted, kind).find(best, errors, stop)) {
             found.push_back(*one);

@@ -5,6 +5,7 @@
 #include "core/identification/levenberg_marquardt.h"
 
 #include <cstddef>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -24,7 +25,21 @@ struct OutOfStep {
 /// The delay counts as real beyond so many standard errors: of normal noise one fit in 2,000.
 inline constexpr double certainDelay = 3.5;
 
-/// Of a fit at its best: each time that the data could tell and that is not fitted is fitted
+/// Whether it is beyond `certainDelay` of its errors, and long enough for the clock of a recorder.
+[[nodiscard]] bool isCertain(const OutOfStep& found);
+
+/// The times that the data could tell and that are not fitted.
+[[nodiscard]] std::vector<FittedKind> timesLeftOut(const FitData& data,
+                                                   const std::vector<FittedParameter>& fitted);
+
+/// Of residuals in the order of time: near 0 where they are noise alone.
+[[nodiscard]] double firstAutocorrelation(std::span<const double> residuals);
+
+/// By how much the variance of a mean is greater where each residual follows the one before:
+/// (1 + ρ)/(1 − ρ) of the first autocorrelation ρ.
+[[nodiscard]] double inflation(double autocorrelation);
+
+/// Of a fit at its best: each time left out is fitted
 /// beside the rest, with the same steps and weights.
 [[nodiscard]] std::vector<OutOfStep> outOfStep(const Project& project, const FitData& data,
                                                const FitProblem& fitted, const LeastSquares& best,

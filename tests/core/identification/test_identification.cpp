@@ -4,6 +4,8 @@
 #include "core/identification/identification.h"
 
 #include "core/identification/calibration.h"
+#include "core/identification/cycle_response.h"
+#include "core/identification/scaled_project.h"
 #include "core/project/cycle.h"
 #include "core/project/material.h"
 #include "core/project/validate.h"
@@ -87,6 +89,17 @@ bool near(const Identification& result, FittedKind kind, double truth, double to
     return value && std::abs(value->value - truth) <= tolerance;
 }
 
+/// Whose mean this is.
+std::vector<MeasuredPart> partsAbout(double diameter_mm) {
+    std::vector<MeasuredPart> parts;
+    for (const double scatter_mm : {-2e-4, -1e-4, 1e-4, 2e-4}) {
+        MeasuredPart& part = parts.emplace_back();
+        part.part = std::to_string(parts.size());
+        part.diameters_mm = {diameter_mm + scatter_mm};
+    }
+    return parts;
+}
+
 } // namespace
 
 class TestIdentification : public QObject {
@@ -96,6 +109,45 @@ private slots:
     void thePlungeIsOne() {
         QVERIFY2(!hasErrors(validate(plunge())), samples::listed(validate(plunge())).c_str());
         QVERIFY(record(plunge()).end_s.size() > 20);
+    }
+
+    /// The steps follow the gauge: with what was found the same cycle leaves the measured size.
+    void finishedPartsGiveWhatTheGaugeBringsAbout() {
+        int found = 0;
+        for (const double factor : {0.7, 0.8, 0.9, 1.1, 1.2, 1.3}) {
+            Project project = plunge();
+            Project truth = project;
+            multiplyCompliance(truth, factor);
+            const CycleResponse part =
+                respond(truth, factorsOf(truth), stepsByGauge(truth, factorsOf(truth)), true);
+            QVERIFY(part.ran);
+            const double measured = part.deviation_um.front();
+            project.measured.emplace().parts =
+                partsAbout(project.part->diameter_mm + measured / 1000);
+            const Identification result =
+                identify(project, {.parameters = {of(FittedKind::compliance)}, .withParts = true});
+            if (result.status == IdentificationStatus::againstGauge) {
+                continue;
+            }
+            QVERIFY2(result.status == IdentificationStatus::fitted, said(result));
+            const Project calibrated = withCalibration(project, result, "parts", "2026-11-27");
+            const std::vector<int> steps = stepsByGauge(calibrated, factorsOf(calibrated));
+            QVERIFY2(steps == result.stepsByStage, said(result));
+            const double after =
+                respond(calibrated, factorsOf(calibrated), steps, true).deviation_um.front();
+            QVERIFY2(std::abs(after - measured) < 0.01, qPrintable(QString::number(after)));
+            ++found;
+        }
+        QVERIFY(found >= 3);
+    }
+
+    void sizesThatTheGaugeNeverLeavesAreRefused() {
+        Project project = plunge();
+        project.measured.emplace().parts = partsAbout(project.part->diameter_mm + 0.05);
+        const Identification result =
+            identify(project, {.parameters = {of(FittedKind::compliance)}, .withParts = true});
+        QVERIFY2(result.status == IdentificationStatus::againstGauge, said(result));
+        QVERIFY(result.values.empty());
     }
 
     void sizeWithoutNoiseGivesTheTruth() {

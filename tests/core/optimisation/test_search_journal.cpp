@@ -84,7 +84,7 @@ class TestSearchJournal : public QObject {
 private slots:
     void stoppedAnywhereItGoesOnToTheSameAnswer() {
         int cut = 0, found = 0;
-        for (unsigned seed = 0; seed < static_cast<unsigned>(samples::sized(20, 6, 240)); ++seed) {
+        for (unsigned seed = 0; seed < static_cast<unsigned>(samples::sized(20, 6, 80)); ++seed) {
             Project p = smallCase(seed);
             p.optimisation->adaptive = seed % 3 == 0; // several searches behind each other
             SearchJournal none;
@@ -95,13 +95,13 @@ private slots:
             cut += pieces > 1 ? 1 : 0;
             found += whole.search.best ? 1 : 0;
         }
-        QVERIFY2(cut > 2 && found > samples::sized(2, 0, 24),
+        QVERIFY2(cut > 2 && found > samples::sized(2, 0, 8),
                  qPrintable(QString("%1 %2").arg(cut).arg(found)));
     }
 
     void aRobustSearchGoesOnToo() {
         int cut = 0, rounds = 0;
-        for (unsigned seed = 0; seed < static_cast<unsigned>(samples::sized(16, 6, 80)); ++seed) {
+        for (unsigned seed = 0; seed < static_cast<unsigned>(samples::sized(16, 6, 24)); ++seed) {
             const Project p = smallCase(seed);
             SearchJournal none;
             GridSearchOptions options = full(none, 1);
