@@ -258,8 +258,8 @@
         <message numerus="yes">
             <source>%n double strokes</source>
             <translation>
-                <numerusform>%n double stroke</numerusform>
-                <numerusform>%n double strokes</numerusform>
+                <numerusform>%n dbl stroke</numerusform>
+                <numerusform>%n dbl strokes</numerusform>
             </translation>
         </message>
         <message numerus="yes">

@@ -1407,7 +1407,7 @@
         </message>
         <message>
             <source>lines of double width: surfaces ground</source>
-            <translation>двойные линии — шлифуемые поверхности</translation>
+            <translation>линии двойной толщины — шлифуемые поверхности</translation>
         </message>
         <message>
             <source>arrows at them: feed of the wheel</source>
@@ -5719,8 +5719,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>нижнее отклонение {value} не меньше верхнего; допускается меньше {limit}</translation>
         </message>
         <message>
-            <source>{value} leaves no zone between the reversal zones; allowed: {limit}</source>
-            <translation>{value} не оставляет нереверсной зоны между реверсными; допускается: {limit}</translation>
+            <source>{value} leaves no zone between the reversal zones; allowed: {limit}. A narrower wheel, longer overruns or plunge grinding would help</source>
+            <translation>{value} не оставляет нереверсной зоны между реверсными; допускается: {limit}. Помогут более узкий круг, большие перебеги или врезное шлифование</translation>
         </message>
         <message>
             <source>{value} does not cover the ground length of a plunge cycle; allowed: {limit}</source>
@@ -6446,8 +6446,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Ни один цикл сетки, отличающийся одной настройкой, не быстрее.</translation>
         </message>
         <message>
-            <source>The nominal part alone would take %1 min: robustness costs %2 % of time.</source>
-            <translation>Для одной номинальной детали хватило бы %1 мин: надёжность стоит %2 % времени.</translation>
+            <source>The nominal part alone, of the same levels, would take %1 min: robustness costs %2 % of time.</source>
+            <translation>Для одной номинальной детали из тех же уровней хватило бы %1 мин: надёжность стоит %2 % времени.</translation>
         </message>
         <message numerus="yes">
             <source>It holds in the last sample of scenarios; %n of them had to be added.</source>
@@ -6515,7 +6515,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Levels were added around the answer; rounds: %1.</source>
-            <translation>Вокруг ответа добавлены уровни; кругов поиска: %1.</translation>
+            <translation>Вокруг ответа добавлены уровни; проходов поиска: %1.</translation>
         </message>
         <message>
             <source>Stopped while further levels were searched: the answer is that of the grid before.</source>
@@ -9361,8 +9361,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Выполнен ли чертёж?</translation>
         </message>
         <message>
-            <source>Time of the cycle and every requirement with its margin. A double click on a row leads to the place where the value comes about.</source>
-            <translation>Время цикла и каждое требование с запасом. Двойной щелчок по строке ведёт туда, где значение возникает.</translation>
+            <source>Time of the cycle and every requirement with its margin. A click on a row leads to the place where the value comes about.</source>
+            <translation>Время цикла и каждое требование с запасом. Щелчок по строке ведёт туда, где значение возникает.</translation>
         </message>
         <message>
             <source>Play with the feeds</source>
@@ -10789,7 +10789,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>With it the inputs would be refused: %1</source>
-            <translation>С ней исходные данные были бы отклонены: %1</translation>
+            <translation>С этой записью исходные данные были бы отклонены: %1</translation>
         </message>
         <message>
             <source>Your own entries cannot be read and are left as they are in %1: %2</source>
@@ -16543,7 +16543,7 @@ good</source>
         </message>
         <message>
             <source>With it the cycle cannot be run: %1</source>
-            <translation>С ней цикл нельзя рассчитать: %1</translation>
+            <translation>С этой записью цикл нельзя рассчитать: %1</translation>
         </message>
         <message>
             <source>Computing its effect …</source>
@@ -16729,6 +16729,10 @@ good</source>
     </context>
     <context>
         <name>sparkout::SurfaceComparison</name>
+        <message>
+            <source>Ra, estimate</source>
+            <translation>Ra, оценка</translation>
+        </message>
         <message>
             <source>Cycle time, min</source>
             <translation>Время цикла, мин</translation>

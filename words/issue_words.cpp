@@ -108,7 +108,8 @@ IssueWords wordsOf(IssueCode code) {
     case IssueCode::zoneTooShort:
         return {"zone_too_short",
                 SPARKOUT_NOOP("Issue", "{value} leaves no zone between the reversal zones; "
-                                       "allowed: {limit}")};
+                                       "allowed: {limit}. A narrower wheel, longer overruns or "
+                                       "plunge grinding would help")};
     case IssueCode::wheelTooNarrow:
         return {"wheel_too_narrow",
                 SPARKOUT_NOOP("Issue", "{value} does not cover the ground length of a plunge "

@@ -59,8 +59,11 @@ QString SurfaceComparison::text(int row, int column) const {
     if (column == 0) {
         const ConstraintKind kind = m_kinds[static_cast<std::size_t>(row) - 1];
         const char* const unit = requirementOf(kind).unit;
-        return *unit ? tr("%1, %2").arg(Names::constraint(kind), unitText(unit))
-                     : Names::constraint(kind);
+        const bool isEstimate =
+            kind == ConstraintKind::roughness
+            && std::ranges::any_of(m_statuses, &SurfaceStatus::isRoughnessEstimate);
+        const QString name = isEstimate ? tr("Ra, estimate") : Names::constraint(kind);
+        return *unit ? tr("%1, %2").arg(name, unitText(unit)) : name;
     }
     const SurfaceStatus& status = m_statuses[static_cast<std::size_t>(column) - 1];
     if (row == 0) {
@@ -81,8 +84,13 @@ QVariant SurfaceComparison::cell(int row, int column, int role) const {
     case Qt::TextAlignmentRole: return aligned(false); // beside its light
     case Qt::DecorationRole:
         if (const ConstraintResult* requirement = at(row, column)) {
-            return lightPixmap(lightOf(*requirement), metrics::iconSmall,
-                               qGuiApp->devicePixelRatio(), false);
+            const SurfaceStatus& status = m_statuses[static_cast<std::size_t>(column) - 1];
+            const bool isEstimate =
+                requirement->kind == ConstraintKind::roughness && status.isRoughnessEstimate;
+            // An estimate that holds is not shown as a value that is known to.
+            const Light light = lightOf(*requirement);
+            return lightPixmap(isEstimate ? std::max(light, Light::close) : light,
+                               metrics::iconSmall, qGuiApp->devicePixelRatio(), false);
         }
         return {};
     default: return {};

@@ -11,6 +11,8 @@
 #include <qpdf/QPDFWriter.hh>
 
 #include <algorithm>
+#include <exception>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -110,9 +112,17 @@ void putSpaces(QPDF& document) {
     }
 }
 
+class Stopped : public std::exception {};
+
 } // namespace
 
-QByteArray withDetails(const QByteArray& pdf, const PdfDetails& details) {
+QByteArray withDetails(const QByteArray& pdf, const PdfDetails& details,
+                       const std::function<bool()>& goesOn) {
+    const auto stopIfAsked = [&goesOn] {
+        if (goesOn && !goesOn()) {
+            throw Stopped();
+        }
+    };
     try {
         QPDF document;
         document.setSuppressWarnings(true);
@@ -123,17 +133,19 @@ QByteArray withDetails(const QByteArray& pdf, const PdfDetails& details) {
         putOutline(document, details.outline);
         putSpaces(document);
         if (!details.structure.isEmpty()) {
-            putTags(document, details.structure);
+            putTags(document, details.structure, stopIfAsked);
         }
         QPDFWriter writer(document);
         writer.setOutputMemory();
         writer.setDeterministicID(true);
         writer.setObjectStreamMode(qpdf_o_generate); // an element is a small object: packed
+        writer.registerProgressReporter(std::make_shared<QPDFWriter::FunctionProgressReporter>(
+            [&stopIfAsked](int) { stopIfAsked(); }));
         writer.write();
         const auto bytes = writer.getBufferSharedPointer();
         return {reinterpret_cast<const char*>(bytes->getBuffer()),
                 static_cast<qsizetype>(bytes->getSize())};
-    } catch (const std::exception&) { // of libqpdf: what it cannot read it throws
+    } catch (const std::exception&) { // of libqpdf: what it cannot read it throws; Stopped
         return {};
     }
 }

@@ -7,6 +7,7 @@
 #include <QDate>
 #include <QString>
 
+#include <functional>
 #include <vector>
 
 /// What a PDF by Qt lacks: an outline, tags, and the author and the subject among its properties.
@@ -28,7 +29,8 @@ struct PdfDetails {
 };
 
 /// The same document with its details; the same bytes for the same details. Empty when `pdf` is no
-/// whole document.
-[[nodiscard]] QByteArray withDetails(const QByteArray& pdf, const PdfDetails& details);
+/// whole document, and where `goesOn`, asked page by page, says no.
+[[nodiscard]] QByteArray withDetails(const QByteArray& pdf, const PdfDetails& details,
+                                     const std::function<bool()>& goesOn = {});
 
 } // namespace sparkout

@@ -216,7 +216,8 @@ private:
 
 } // namespace
 
-void putTags(QPDF& document, const PdfStructure& structure) {
+void putTags(QPDF& document, const PdfStructure& structure,
+             const std::function<void()>& afterPage) {
     Tree tree(document, structure);
     QPDFObjectHandle numbers = QPDFObjectHandle::newArray();
     long long number = 0;
@@ -236,6 +237,7 @@ void putTags(QPDF& document, const PdfStructure& structure) {
         numbers.appendItem(QPDFObjectHandle::newInteger(number));
         numbers.appendItem(document.makeIndirectObject(parents));
         ++number;
+        afterPage();
     }
     QPDFObjectHandle root = tree.finished(document);
     QPDFObjectHandle parentTree = QPDFObjectHandle::newDictionary();

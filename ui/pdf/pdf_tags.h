@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+
 class QPDF;
 
 namespace sparkout {
@@ -9,7 +11,7 @@ class PdfStructure;
 
 /// Tags a document whose pages were painted with the structure's marks: the marks become marked
 /// content, the elements a structure tree. Throws where a mark does not stand as Qt paints it, and
-/// what libqpdf throws.
-void putTags(QPDF& document, const PdfStructure& structure);
+/// what libqpdf throws. `afterPage` may throw as well.
+void putTags(QPDF& document, const PdfStructure& structure, const std::function<void()>& afterPage);
 
 } // namespace sparkout

@@ -3,6 +3,7 @@
 
 #include "core/project/validate.h"
 #include "core/quality/requirement.h"
+#include "core/quality/roughness.h"
 #include "core/setup/surface_run.h"
 #include "core/setup/worn_project.h"
 #include "core/units.h"
@@ -29,6 +30,7 @@ SurfaceStatus statusFrom(const SimulationResult& result,
         status.worst = *worst;
     }
     status.requirements = worstByKind(constraints);
+    status.isRoughnessEstimate = !isRoughnessCalibrated(result.project);
     status.removed_mm3 = removed_mm3;
     return status;
 }

@@ -22,6 +22,7 @@ struct SurfaceStatus {
     double time_s = 0;
     std::optional<ConstraintResult> worst;        ///< the requirement to speak of first
     std::vector<ConstraintResult> requirements{}; ///< the worst of each kind
+    bool isRoughnessEstimate = false;             ///< Ra rests on no calibration
     double removed_mm3 = 0;
 
     [[nodiscard]] bool ran() const { return state == State::ran; }

@@ -107,7 +107,7 @@ std::vector<TourStep> tourSteps(QMainWindow& window, InputsPanel& inputs, ViewTa
          },
          tourText(QT_TRANSLATE_NOOP("Tour", "Does it hold the drawing?")),
          tourText(QT_TRANSLATE_NOOP(
-             "Tour", "Time of the cycle and every requirement with its margin. A double click on a "
+             "Tour", "Time of the cycle and every requirement with its margin. A click on a "
                      "row leads to the place where the value comes about."))},
         {[&] { return placeOf(shownStages(window, inputs)->findChild<RowSliders*>()); },
          tourText(QT_TRANSLATE_NOOP("Tour", "Play with the feeds")),

@@ -150,7 +150,8 @@ QByteArray pdf(const Report& report, const KeepGoing& keepGoing) {
         details.structure.placeBoxes(pointsPerUnit, corner_pt);
         painted = paintRange(pages, writer, 0, pages.count() - 1, true, keepGoing);
     }
-    return painted ? withDetails(bytes, details) : QByteArray();
+    return painted ? withDetails(bytes, details, [&] { return !keepGoing || keepGoing(1); })
+                   : QByteArray();
 }
 
 } // namespace sparkout::report

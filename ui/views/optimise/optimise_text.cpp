@@ -351,8 +351,10 @@ QString OptimiseText::robustness(const SearchOutcome& outcome, const FoundCycle&
     const FoundCycle& answer = outcome.refined() ? *outcome.refined() : best;
     lines << (answer.decided ? decided(*answer.decided) : sampled(answer.candidate));
     if (const double nominal_s = outcome.nominal_s(); nominal_s > 0) {
-        lines << tr("The nominal part alone would take %1 min: robustness costs %2 % of time.")
-                     .arg(minutes(nominal_s), percent(best.time_s / nominal_s - 1));
+        lines
+            << tr("The nominal part alone, of the same levels, would take %1 min: robustness costs "
+                  "%2 % of time.")
+                   .arg(minutes(nominal_s), percent(best.time_s / nominal_s - 1));
     }
     return lines.join(u' ');
 }
