@@ -5844,13 +5844,6 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
     </context>
     <context>
-        <name>KeptRuns</name>
-        <message>
-            <source>Run %1</source>
-            <translation>Расчёт %1</translation>
-        </message>
-    </context>
-    <context>
         <name>LayersLook</name>
         <message>
             <source>stage %1</source>
@@ -10570,10 +10563,6 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Keep the part with the least margin as a run beside this project and compare the two; the project stays as it is</source>
             <translation>Запомнить деталь с наименьшим запасом как расчёт рядом с проектом и сравнить их; сам проект не изменится</translation>
-        </message>
-        <message>
-            <source>Worst part, no. %1</source>
-            <translation>Худшая деталь, № %1</translation>
         </message>
         <message>
             <source>All parts as CSV</source>
@@ -20965,6 +20954,17 @@ s</source>
         <message>
             <source>The views are covered until you have given your prediction in the panel of the laboratory work. Then the result is shown beside it.</source>
             <translation>Виды закрыты, пока вы не дали прогноз на панели лабораторной работы. Затем результат появится рядом с ним.</translation>
+        </message>
+    </context>
+    <context>
+        <name>RunName</name>
+        <message>
+            <source>Run %1</source>
+            <translation>Расчёт %1</translation>
+        </message>
+        <message>
+            <source>Worst part, no. %1</source>
+            <translation>Худшая деталь, № %1</translation>
         </message>
     </context>
 </TS>

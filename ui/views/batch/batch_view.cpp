@@ -8,6 +8,7 @@
 #include "ui/kit/tool_row.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/run_bar.h"
+#include "ui/text/example_texts.h"
 #include "ui/text/names.h"
 #include "ui/views/batch/batch_figures.h"
 #include "ui/views/batch/batch_text.h"
@@ -279,7 +280,8 @@ void BatchView::takeWorst() {
             }
             return withPart(std::move(project), batch->result, batch->summary.worstPart);
         };
-        emit runWanted(take, tr("Worst part, no. %1").arg(Names::part(m_batch->summary.worstPart)));
+        emit runWanted(take, QString::fromStdString(givenRunName(
+                                 GivenName::worstPart, Names::part(m_batch->summary.worstPart))));
     }
 }
 
