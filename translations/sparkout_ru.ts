@@ -4405,7 +4405,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Thermal conductivity</source>
-            <translation>Теплопроводность</translation>
+            <translation>Тепло­проводность</translation>
         </message>
         <message>
             <source>Of the part near the surface.</source>
@@ -16558,8 +16558,8 @@ good</source>
     <context>
         <name>sparkout::FormPage</name>
         <message>
-            <source>%1 (%2)</source>
-            <translation>%1 (%2)</translation>
+            <source>%1 (shared)</source>
+            <translation>%1 — общее</translation>
         </message>
     </context>
     <context>
