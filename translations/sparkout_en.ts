@@ -182,6 +182,13 @@
                 <numerusform>Not computed: %n faults in the inputs. The curves show the last good run.</numerusform>
             </translation>
         </message>
+        <message numerus="yes">
+            <source>Not computed: %n faults in the inputs.</source>
+            <translation>
+                <numerusform>Not computed: %n fault in the inputs.</numerusform>
+                <numerusform>Not computed: %n faults in the inputs.</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>sparkout::NumbersEditor</name>

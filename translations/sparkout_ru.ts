@@ -25,7 +25,7 @@
         </message>
         <message>
             <source>%1, not normal</source>
-            <translation>%1, не нормально</translation>
+            <translation>%1, не норм.</translation>
         </message>
         <message>
             <source>The nominal part alone: nothing scatters.</source>
@@ -4409,7 +4409,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Thermal conductivity</source>
-            <translation>Теплопроводность</translation>
+            <translation>Тепло­проводность</translation>
         </message>
         <message>
             <source>Of the part near the surface.</source>
@@ -5845,13 +5845,6 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>{value} is unusual beside the other inputs; usual: {limit}</source>
             <translation>{value} — необычное значение при остальных исходных данных; обычно: {limit}</translation>
-        </message>
-    </context>
-    <context>
-        <name>KeptRuns</name>
-        <message>
-            <source>Run %1</source>
-            <translation>Расчёт %1</translation>
         </message>
     </context>
     <context>
@@ -10553,7 +10546,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>This project describes no batch. A batch is a number of parts whose stock, runout, dullness and other factors scatter: it says which share of them keeps the drawing. Choose the factors on the page Batch of the inputs, or start with usual ones.</source>
-            <translation>В проекте не описана партия. Партия — это детали, у которых припуск, биение, затупление и другие факторы рассеиваются: она показывает, какая их доля выдерживает чертёж. Выберите факторы на странице «Партия» исходных данных или начните с обычных.</translation>
+            <translation>В проекте не описана партия. Партия — это детали, у которых припуск, биение, затупление и другие факторы рассеиваются: она показывает, какая их доля выдерживает чертёж. Выберите факторы на странице «Партия» исходных данных или начните с типовых.</translation>
         </message>
         <message>
             <source>50 parts whose stock, runout and dullness scatter about the present inputs; can be undone and changed on the page Batch</source>
@@ -10574,10 +10567,6 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Keep the part with the least margin as a run beside this project and compare the two; the project stays as it is</source>
             <translation>Запомнить деталь с наименьшим запасом как расчёт рядом с проектом и сравнить их; сам проект не изменится</translation>
-        </message>
-        <message>
-            <source>Worst part, no. %1</source>
-            <translation>Худшая деталь, № %1</translation>
         </message>
         <message>
             <source>All parts as CSV</source>
@@ -12854,6 +12843,14 @@ target, µm</source>
                 <numerusform>Не рассчитано: %n ошибок в исходных данных. Показаны кривые последнего удачного расчёта.</numerusform>
             </translation>
         </message>
+        <message numerus="yes">
+            <source>Not computed: %n faults in the inputs.</source>
+            <translation>
+                <numerusform>Не рассчитано: %n ошибка в исходных данных.</numerusform>
+                <numerusform>Не рассчитано: %n ошибки в исходных данных.</numerusform>
+                <numerusform>Не рассчитано: %n ошибок в исходных данных.</numerusform>
+            </translation>
+        </message>
         <message>
             <source>The cycle is complete.</source>
             <translation>Цикл завершён.</translation>
@@ -13214,7 +13211,7 @@ target, µm</source>
         </message>
         <message>
             <source>This project does not say what may be changed. A search takes every listed feed and stock of the stages and finds the quickest cycle that holds every requirement. Choose them on the page Search of the inputs, or start with usual ones.</source>
-            <translation>В проекте не задано, что можно менять. Поиск перебирает заданные подачи и припуски ступеней и находит самый быстрый цикл, который выдерживает все требования. Задайте их на странице «Поиск» исходных данных или начните с обычных.</translation>
+            <translation>В проекте не задано, что можно менять. Поиск перебирает заданные подачи и припуски ступеней и находит самый быстрый цикл, который выдерживает все требования. Задайте их на странице «Поиск» исходных данных или начните с типовых.</translation>
         </message>
         <message>
             <source>“Search” finds the quickest cycle of the grid that holds every requirement. It can be stopped at any time and keeps the best so far.</source>
@@ -16573,8 +16570,8 @@ good</source>
     <context>
         <name>sparkout::FormPage</name>
         <message>
-            <source>%1 (%2)</source>
-            <translation>%1 (%2)</translation>
+            <source>%1 (shared)</source>
+            <translation>%1 — общее</translation>
         </message>
     </context>
     <context>
@@ -17561,7 +17558,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>Of typed statistics the box is that of a normal law of their mean and standard deviation.</source>
-            <translation>По введённой статистике он построен по нормальному закону с её средним и отклонением.</translation>
+            <translation>По введённой статистике: нормальный закон с её средним и отклонением.</translation>
         </message>
         <message>
             <source>tolerance field</source>
@@ -17577,7 +17574,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>Box: the middle half of the parts, with their median; whiskers: the smallest and the largest part.</source>
-            <translation>Прямоугольник — средняя половина деталей с медианой, «усы» — до крайних деталей.</translation>
+            <translation>Прямоугольник — средняя половина деталей, «усы» — крайние.</translation>
         </message>
         <message>
             <source>Corners are no sample: of their prediction there is no box.</source>
@@ -17747,12 +17744,12 @@ The size alone gives α and β, that is the compliance with the force together; 
         <message>
             <source>Roundness</source>
             <comment>brief</comment>
-            <translation>Круглость</translation>
+            <translation>Откл. от круглости</translation>
         </message>
         <message>
             <source>Cylindricity</source>
             <comment>brief</comment>
-            <translation>Цилиндричность</translation>
+            <translation>Откл. от цилиндричн.</translation>
         </message>
         <message>
             <source>agrees</source>
@@ -17789,7 +17786,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>Runout and roundness also depend on the geometric runout of the machine and on the form of the blank.</source>
-            <translation>Биение и круглость зависят и от геометрического биения станка, и от формы заготовки.</translation>
+            <translation>Биение и отклонение от круглости зависят и от геометрического биения станка, и от формы заготовки.</translation>
         </message>
     </context>
     <context>
@@ -18241,7 +18238,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
         <message>
             <source>Point at a box to read its values.</source>
-            <translation>Наведите указатель на прямоугольник, чтобы прочитать значения.</translation>
+            <translation>Значения — под указателем.</translation>
         </message>
         <message>
             <source>The inputs are refused; the prediction is that of the last accepted ones.</source>
@@ -20973,6 +20970,17 @@ s</source>
         <message>
             <source>The views are covered until you have given your prediction in the panel of the laboratory work. Then the result is shown beside it.</source>
             <translation>Виды закрыты, пока вы не дали прогноз на панели лабораторной работы. Затем результат появится рядом с ним.</translation>
+        </message>
+    </context>
+    <context>
+        <name>RunName</name>
+        <message>
+            <source>Run %1</source>
+            <translation>Расчёт %1</translation>
+        </message>
+        <message>
+            <source>Worst part, no. %1</source>
+            <translation>Худшая деталь, № %1</translation>
         </message>
     </context>
 </TS>

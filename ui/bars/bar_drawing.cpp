@@ -20,9 +20,9 @@ namespace {
 
 using Shape = BarChart::Shape;
 
-constexpr double textGap = 4;          ///< between texts and what they belong to
-constexpr double ringRoom = 2.2;       ///< about a ring, in heights of a text
-constexpr double widestCategory = 0.5; ///< of the width, names beside lying bars
+constexpr double textGap = 4;           ///< between texts and what they belong to
+constexpr double ringRoom = 2.2;        ///< about a ring, in heights of a text
+constexpr double widestCategory = 0.58; ///< of the width, names beside lying bars
 constexpr double fieldAlpha = 0.22;
 constexpr double markWidth = 3;
 constexpr double lineOfCategory = 1.45; ///< a lying bar with its name, in heights of a text
@@ -103,10 +103,16 @@ int BarDrawing::categoryAt(const QPointF& at) const {
 
 int BarDrawing::leastHeight(const BarChart& chart, const QFont& font) {
     constexpr double standing = 7; // a chart of standing bars, in heights of a text
-    const double line = QFontMetricsF(font).height();
+    const QFontMetricsF metrics(font);
+    const double line = metrics.height();
     const auto categories = static_cast<double>(chart.categories.size());
     const double bars = chart.isLying ? std::max(categories, 2.0) * lineOfCategory : standing;
-    return static_cast<int>(std::ceil((bars + 2) * line + 3 * textGap));
+    const double names = chart.isLying
+                             ? 0 // they stand below; beside standing bars upright
+                             : std::max(metrics.horizontalAdvance(chart.axisText()),
+                                        metrics.horizontalAdvance(chart.secondAxisText()));
+    return static_cast<int>(
+        std::ceil(std::max((bars + 2) * line + 3 * textGap, names + 3 * textGap)));
 }
 
 // --- layout -------------------------------------------------------------------------------------
@@ -424,12 +430,20 @@ QRectF BarDrawing::beyondLimits(QRectF box, const Layout& layout, bool upwards) 
     return box;
 }
 
-/// Beyond the end of a stack; of sums, beyond all of it.
+/// Beyond the end of a stack; of sums, beyond all of it, below standing ones that are below 0.
 void BarDrawing::paintTotals(QPainter& painter, const Layout& layout) {
+    QStringList texts;
     for (std::size_t c = 0; c < static_cast<std::size_t>(m_drawn.categories.size()); ++c) {
-        const QString text = totalText(c);
+        texts << totalText(c);
+    }
+    const QFont font =
+        m_drawn.isLying ? m_look.font : fontFor(texts, layout.area.room(m_drawn) - textGap - 1);
+    const QFontMetricsF metrics(font);
+    painter.setFont(font);
+    for (std::size_t c = 0; c < static_cast<std::size_t>(m_drawn.categories.size()); ++c) {
+        const QString text = texts[static_cast<qsizetype>(c)];
         if (text.isEmpty()) {
-            return;
+            break;
         }
         QRectF stack;
         for (const BarPart& part : m_parts) {
@@ -437,10 +451,11 @@ void BarDrawing::paintTotals(QPainter& painter, const Layout& layout) {
         }
         if (!m_drawn.sums.empty()) {
             const double at = layout.area.at(m_drawn, layout.scales.first, m_drawn.sums[c]);
-            stack |= m_drawn.isLying ? QRectF(at, stack.top(), markWidth, stack.height())
-                                     : QRectF(stack.left(), at - markWidth, stack.width(), 1);
+            stack |= m_drawn.isLying
+                         ? QRectF(at, stack.top(), markWidth, stack.height())
+                         : QRectF(stack.left(), at - markWidth, stack.width(), 2 * markWidth);
         }
-        const QSizeF size(layout.metrics.horizontalAdvance(text), layout.metrics.height());
+        const QSizeF size(metrics.horizontalAdvance(text), metrics.height());
         const QRectF all(QPointF(), layout.size);
         if (m_drawn.isLying) {
             const QRectF box(stack.right() + textGap, stack.center().y() - size.height() / 2,
@@ -450,6 +465,14 @@ void BarDrawing::paintTotals(QPainter& painter, const Layout& layout) {
                 write(painter, all.contains(clear) ? clear : box, text, true);
             }
         } else if (size.width() <= layout.area.room(m_drawn)) {
+            const bool isBelow = !m_drawn.sums.empty() && m_drawn.sums[c] < 0;
+            const QRectF under(stack.center().x() - size.width() / 2, stack.bottom() + 1,
+                               size.width(), size.height());
+            const QRectF low = beyondLimits(under, layout, false);
+            if (isBelow && low.bottom() <= layout.area.rect.bottom()
+                && write(painter, low, text, true)) {
+                continue;
+            }
             const QRectF top(stack.center().x() - size.width() / 2, stack.top() - size.height(),
                              size.width(), size.height());
             const QRectF clear = beyondLimits(top, layout, true);
@@ -458,6 +481,7 @@ void BarDrawing::paintTotals(QPainter& painter, const Layout& layout) {
                   true);
         }
     }
+    painter.setFont(m_look.font);
 }
 
 /// Within a part of a stack that has room; beyond the end of a single bar, else within.
@@ -550,13 +574,12 @@ void BarDrawing::paintSliceNumbers(QPainter& painter, const Layout& layout) {
 
 // --- axes ---------------------------------------------------------------------------------------
 
-/// As large as the names have room for, down to the least that is read.
-QFont BarDrawing::categoryFont(double room) const {
+/// As large as each of the texts has room for, down to the least that is read.
+QFont BarDrawing::fontFor(const QStringList& texts, double room) const {
     constexpr double shrink = 0.95; // a font's widths do not follow its size evenly
     const auto fits = [&](const QFont& font) {
-        return std::ranges::all_of(m_drawn.categories, [&](const QString& name) {
-            return widthOf(QFontMetricsF(font), name) <= room;
-        });
+        return std::ranges::all_of(
+            texts, [&](const QString& text) { return widthOf(QFontMetricsF(font), text) <= room; });
     };
     QFont font = m_look.font;
     for (double size = 1; !fits(font) && size * shrink >= leastType;) {
@@ -570,7 +593,7 @@ void BarDrawing::paintCategories(QPainter& painter, const Layout& layout) {
     const QRectF& area = layout.area.rect;
     const double line = layout.metrics.height(), room = layout.area.room(m_drawn);
     const double most = std::max(room - textGap, 0.0); // under a standing bar
-    const QFont font = categoryFont(m_drawn.isLying ? area.left() - textGap : most);
+    const QFont font = fontFor(m_drawn.categories, m_drawn.isLying ? area.left() - textGap : most);
     const QFontMetricsF metrics(font);
     painter.setFont(font);
     double last = std::numeric_limits<double>::lowest(); // end of the one before

@@ -66,7 +66,7 @@ private:
     void paintNumbers(QPainter& painter, const Layout& layout);
     void paintTotals(QPainter& painter, const Layout& layout);
     void paintSliceNumbers(QPainter& painter, const Layout& layout);
-    [[nodiscard]] QFont categoryFont(double room) const;
+    [[nodiscard]] QFont fontFor(const QStringList& texts, double room) const;
     void paintCategories(QPainter& painter, const Layout& layout);
     void paintAxis(QPainter& painter, const Layout& layout, bool onSecond);
     void paintAxisName(QPainter& painter, const Layout& layout, bool onSecond);

@@ -22,7 +22,7 @@ struct Span {
     }
 };
 
-constexpr double numberRoom = 0.12; ///< beyond the bars, of what they span
+constexpr double numberRoom = 0.12; ///< beyond the bars, of what is drawn
 
 bool hasNumbersBeyond(const BarChart& chart) {
     return chart.hasTotals || !chart.sums.empty() || chart.shape != BarChart::Shape::stacked
@@ -58,6 +58,7 @@ Span spanOf(const BarChart& chart, bool onSecond) {
     for (const double sum : chart.sums) {
         span.take(sum);
     }
+    const double lowest = span.low; // of the bars
     for (const BarLimit& limit : chart.limits) {
         span.take(limit.at);
     }
@@ -69,7 +70,9 @@ Span spanOf(const BarChart& chart, bool onSecond) {
         span.high = std::min(span.high, *chart.most);
     }
     if (hasNumbersBeyond(chart)) {
-        span.high += numberRoom * (span.high - span.low);
+        const double room = numberRoom * (span.high - span.low);
+        span.high += room;
+        span.low = lowest < 0 ? std::min(span.low, lowest - room) : span.low;
     }
     return span;
 }

@@ -87,6 +87,9 @@ bool RunsModel::setData(const QModelIndex& index, const QVariant& value, int rol
         return true;
     }
     if (role == Qt::EditRole) {
+        if (value.toString() == m_runs[static_cast<std::size_t>(index.row())].name) {
+            return false; // left as it is shown, which may be another language than the file's
+        }
         emit renamed(index.row() - 1, value.toString());
         return true;
     }

@@ -4,6 +4,7 @@
 #include "ui/measured/columns_model.h"
 
 #include <QComboBox>
+#include <QKeyEvent>
 #include <QSignalBlocker>
 
 namespace sparkout {
@@ -34,6 +35,18 @@ void ColumnsDelegate::setEditorData(QWidget* editor, const QModelIndex& index) c
 void ColumnsDelegate::setModelData(QWidget* editor, QAbstractItemModel* model,
                                    const QModelIndex& index) const {
     model->setData(index, static_cast<QComboBox*>(editor)->currentData(), Qt::EditRole);
+}
+
+/// A box hands over each choice at once. At Return the delegate would do so later, when the table
+/// may have been read in another way and the box be gone.
+bool ColumnsDelegate::eventFilter(QObject* editor, QEvent* event) {
+    if (event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+            return false;
+        }
+    }
+    return QStyledItemDelegate::eventFilter(editor, event);
 }
 
 } // namespace sparkout

@@ -4,8 +4,8 @@
 #include "core/format/project_file.h"
 #include "core/project/wheel.h"
 #include "ui/session/surface_edits.h"
+#include "ui/text/example_texts.h"
 
-#include <QCoreApplication>
 #include <QDateTime>
 
 #include <algorithm>
@@ -24,14 +24,16 @@ constexpr std::size_t mostRuns = 1000; ///< of the table of the project
 constexpr std::size_t fileShare = 2;   ///< indented, a text may grow to twice its length
 constexpr std::size_t valuesShare = 2; ///< leaves as much for the rest of the project
 
+/// Neither in the file nor as it is shown.
 bool isFree(const std::vector<KeptRun>& runs, const std::string& name) {
-    return std::ranges::none_of(runs, [&](const KeptRun& run) { return run.name == name; });
+    const QString shown = runName(name);
+    return std::ranges::none_of(
+        runs, [&](const KeptRun& run) { return run.name == name || runName(run.name) == shown; });
 }
 
 std::string freeName(const std::vector<KeptRun>& runs) {
     for (std::size_t number = runs.size() + 1;; ++number) {
-        const std::string name =
-            QCoreApplication::translate("KeptRuns", "Run %1").arg(number).toStdString();
+        const std::string name = givenRunName(GivenName::run, QString::number(number));
         if (isFree(runs, name)) {
             return name;
         }

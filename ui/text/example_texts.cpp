@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <QRegularExpression>
 #include <QStringList>
 
 #include <algorithm>
@@ -46,6 +47,20 @@ namespace {
     QT_TRANSLATE_NOOP("Example", "Optimal"),
 };
 
+// of GivenName
+constexpr const char* givenNames[] = {
+    QT_TRANSLATE_NOOP("RunName", "Run %1"),
+    QT_TRANSLATE_NOOP("RunName", "Worst part, no. %1"),
+};
+
+/// Such a name, its number and its repetition.
+QRegularExpression wholeOf(const char* given) {
+    QString pattern = QRegularExpression::escape(QLatin1StringView(given));
+    pattern.replace(QStringLiteral("\\%1"), QStringLiteral("([0-9]+)"));
+    return QRegularExpression(
+        QRegularExpression::anchoredPattern(pattern + QStringLiteral("( \\([0-9]+\\))?")));
+}
+
 /// Written in Cyrillic letters for the most part.
 bool isRussian(const QString& text) {
     const auto of = [&](QChar::Script script) {
@@ -60,6 +75,24 @@ QString exampleTitle(const std::string& title) {
     const bool cut = title.find('\0') != std::string::npos; // translations end there, titles do not
     return cut ? QString::fromStdString(title)
                : QCoreApplication::translate("Example", title.c_str());
+}
+
+std::string givenRunName(GivenName kind, const QString& number) {
+    return QString(QLatin1StringView(givenNames[static_cast<std::size_t>(kind)]))
+        .arg(number)
+        .toStdString();
+}
+
+QString runName(const std::string& name) {
+    static const QRegularExpression patterns[] = {wholeOf(givenNames[0]), wholeOf(givenNames[1])};
+    const QString text = QString::fromStdString(name);
+    for (std::size_t kind = 0; kind < std::size(givenNames); ++kind) {
+        if (const auto match = patterns[kind].match(text); match.hasMatch()) {
+            return QCoreApplication::translate("RunName", givenNames[kind]).arg(match.captured(1))
+                   + match.captured(2);
+        }
+    }
+    return exampleTitle(name);
 }
 
 QString exampleNotes(const std::string& notes) {

@@ -220,11 +220,13 @@ void MainWindow::putGauge(double position_mm) {
                     {"Edit", QT_TRANSLATE_NOOP("Edit", "Put the gauge in the best place")});
 }
 
-/// Where a view shows a moment of the cycle: in front, or in a window of its own.
+/// Where there is a cycle to step through and a view that shows its moment: in front, or in a
+/// window of its own.
 void MainWindow::showPlayback() {
-    const bool any = std::ranges::any_of(views(), [this](const View* view) {
-        return view->showsMoment() && (m_tabs->isDetached(view) || m_tabs->currentWidget() == view);
-    });
+    const bool any = m_cursor.outcome() && std::ranges::any_of(views(), [this](const View* view) {
+                         return view->showsMoment()
+                                && (m_tabs->isDetached(view) || m_tabs->currentWidget() == view);
+                     });
     if (!any) {
         m_playback->setPlaying(false);
     }
@@ -642,12 +644,14 @@ void MainWindow::showOutcome(const OutcomePtr& outcome) {
     m_verdict->setOutcome(outcome);
     m_remedies->setOutcome(outcome);
     m_keeper->setOutcome(outcome);
+    showPlayback();
     showStatus();
     emit outcomeShown();
 }
 
 void MainWindow::showStatus() {
-    m_status->showOutcome(m_lesson->isCovered() ? nullptr : m_outcome.get(), m_runs.lastRun_ms());
+    m_status->showOutcome(m_lesson->isCovered() ? nullptr : m_outcome.get(), m_runs.lastRun_ms(),
+                          m_cursor.outcome() != nullptr);
 }
 
 void MainWindow::showTitle() {

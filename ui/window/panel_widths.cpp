@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/panel_widths.h"
 
-#include "ui/kit/font_size.h"
-
 #include <QDataStream>
 #include <QDockWidget>
 #include <QEvent>
@@ -16,7 +14,8 @@
 namespace sparkout {
 
 namespace {
-constexpr int wideWindow = 1900; ///< as one that fills a screen of 1920 pixels, in the usual type
+constexpr int wideWindow = 1900; ///< as one that fills a screen of 1920 pixels
+constexpr int leastViews = 700;  ///< beside a wide panel: what they have in a small window
 } // namespace
 
 PanelWidths::PanelWidths(QMainWindow& window, QList<QDockWidget*> panels)
@@ -64,9 +63,18 @@ void PanelWidths::wantInWideWindow(QDockWidget* panel, int width) {
     m_later.start();
 }
 
+/// A panel is wide where the others and the views keep what they need beside it: large type may
+/// leave no room for it in a window in which the usual one does.
 int PanelWidths::wanted(const QDockWidget* panel) const {
-    const bool isWide = m_window.width() >= atFontSize(wideWindow);
-    return std::max(m_wanted.value(panel), isWide ? m_wantedWide.value(panel) : 0);
+    const int wide = m_wantedWide.value(panel);
+    int views = m_window.width() - wide;
+    for (const QDockWidget* other : m_panels) {
+        if (other != panel && stands(*other)) {
+            views -= std::max(m_wanted.value(other), other->minimumSizeHint().width());
+        }
+    }
+    const bool isWide = m_window.width() >= wideWindow && views >= leastViews;
+    return std::max(m_wanted.value(panel), isWide ? wide : 0);
 }
 
 void PanelWidths::takeOver(QDockWidget* panel) {

@@ -78,7 +78,9 @@ void RunKeeper::showAside() {
     m_notices.add(
         {asideKey,
          Mark::none,
-         [name = m_asideName] { return tr("“%1” is being computed and will be kept.").arg(name); },
+         [name = m_asideName] {
+             return tr("“%1” is being computed and will be kept.").arg(runName(name.toStdString()));
+         },
          {{[] { return tr("Stop"); },
            [this] {
                m_aside.stop();
@@ -106,7 +108,7 @@ void RunKeeper::keepOutcome(const Outcome& outcome, const QString& name) {
             emit compareWanted();
         }
         emit reported(tr("Kept as “%1”; the view Compare lays it over the present run.")
-                          .arg(QString::fromStdString(m_kept.all().back().name)));
+                          .arg(runName(m_kept.all().back().name)));
         return;
     }
     const bool full = kept == KeptRuns::Kept::full;
@@ -126,7 +128,7 @@ void RunKeeper::reportChanged() {
     QStringList names;
     for (int run = 0; run < m_kept.count(); ++run) {
         if (m_kept.isChanged(run)) {
-            names << exampleTitle(m_kept.all()[static_cast<std::size_t>(run)].name);
+            names << runName(m_kept.all()[static_cast<std::size_t>(run)].name);
         }
     }
     if (m_kept.busy() || m_reported || names.isEmpty()) {

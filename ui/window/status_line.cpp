@@ -26,7 +26,7 @@ void StatusLine::showForAWhile(const QString& text) {
     m_bar.showMessage(text, patience_ms);
 }
 
-void StatusLine::showOutcome(const Outcome* outcome, double lastRun_ms) {
+void StatusLine::showOutcome(const Outcome* outcome, double lastRun_ms, bool hasCurves) {
     if (!outcome) {
         m_status->clear();
         m_time->clear();
@@ -38,12 +38,14 @@ void StatusLine::showOutcome(const Outcome* outcome, double lastRun_ms) {
         return;
     }
     if (!outcome->ran()) {
-        const auto faults =
+        const auto faults = static_cast<int>(
             std::count_if(outcome->issues.begin(), outcome->issues.end(),
-                          [](const Issue& issue) { return issue.severity == Severity::error; });
-        m_status->setText(tr("Not computed: %n faults in the inputs. The curves show the last "
-                             "good run.",
-                             nullptr, static_cast<int>(faults)));
+                          [](const Issue& issue) { return issue.severity == Severity::error; }));
+        m_status->setText(hasCurves
+                              ? tr("Not computed: %n faults in the inputs. The curves show "
+                                   "the last good run.",
+                                   nullptr, faults)
+                              : tr("Not computed: %n faults in the inputs.", nullptr, faults));
         m_time->clear();
         return;
     }
@@ -72,6 +74,7 @@ void StatusLine::showOutcome(const Outcome* outcome, double lastRun_ms) {
 }
 
 void StatusLine::retranslate() {
+    m_bar.clearMessage(); // of the language before
     m_status->setAccessibleName(tr("Status"));
     m_time->setAccessibleName(tr("Computing time"));
 }

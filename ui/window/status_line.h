@@ -18,7 +18,8 @@ class StatusLine : public QObject {
 public:
     explicit StatusLine(QStatusBar& bar);
 
-    void showOutcome(const Outcome* outcome, double lastRun_ms); ///< null: none yet
+    /// Null: none yet. Of refused inputs, whether the curves of a run before them are in sight.
+    void showOutcome(const Outcome* outcome, double lastRun_ms, bool hasCurves);
     void showForAWhile(const QString& text);
     void retranslate();
 

@@ -249,6 +249,41 @@ private slots:
         }
     }
 
+    /// Beside the mark that it is the number of, not at the other end of the stack.
+    void theSumOfAStackBelowZeroStandsBelowIt() {
+        BarChart chart = chartOf(Shape::stacked, false, 3, 2);
+        chart.series[0].values = {-6, -7, -5};
+        chart.series[1].values = {-2, 1, -3};
+        chart.sums = {-8, -6, -8};
+        chart.number = [](double value) { return QString::number(value, 'f', 3); };
+        QStringList texts;
+        const Drawn drawn(chart, {520, 360}, &texts);
+        QRectF stacks[3];
+        for (const BarPart& part : drawn.drawing.parts()) {
+            stacks[part.category] |= part.rect;
+        }
+        for (const QRectF& stack : stacks) {
+            QVERIFY(std::ranges::any_of(drawn.drawing.numberBoxes(), [&](const QRectF& box) {
+                return std::abs(box.center().x() - stack.center().x()) < 2
+                       && box.top() >= stack.bottom() && box.top() < stack.bottom() + 8;
+            }));
+        }
+        QCOMPARE(texts.filter(QStringLiteral("8.000")).size(), 2);
+    }
+
+    void theNameOfAnAxisIsReadInFullAtTheLeastHeight() {
+        BarChart chart = chartOf(Shape::grouped, false, 3, 2);
+        chart.axis = QStringLiteral("Time that a long name is given, of all");
+        chart.series[1].onSecond = true;
+        chart.secondAxis = QStringLiteral("Margin of the nearest requirement, least of all");
+        chart.secondUnit = QStringLiteral("%");
+        QStringList texts;
+        const Drawn drawn(chart, {640, BarDrawing::leastHeight(chart, QApplication::font())},
+                          &texts);
+        QVERIFY2(texts.contains(chart.axisText()), qPrintable(texts.join(u'\n')));
+        QVERIFY2(texts.contains(chart.secondAxisText()), qPrintable(texts.join(u'\n')));
+    }
+
     void whereThereIsRoomEveryBarHasItsNumber() {
         BarChart chart = chartOf(Shape::grouped, true, 3, 1);
         chart.series[0].values = {1.25, 2.5, 3.75};

@@ -16,6 +16,8 @@
 #include <QLabel>
 #include <QMenu>
 #include <QRandomGenerator>
+#include <QScopeGuard>
+#include <QScrollBar>
 #include <QTabBar>
 #include <QTest>
 #include <QToolButton>
@@ -492,6 +494,30 @@ private slots:
         again.resize(1920, 1080);
         again.show();
         QTRY_COMPARE(again.findChild<InputsPanel*>()->width(), dragged);
+    }
+
+    // Large type has two columns, too, where the views keep what they need beside them.
+    void aWideWindowHasRoomForTwoColumnsInLargeType() {
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        Bench bench(QStringLiteral("ru"));
+        QVERIFY(bench.open(examplePaths().front()));
+        MainWindow& window = *bench.window;
+        const auto* inputs = window.findChild<InputsPanel*>();
+        const auto* views = window.findChild<ViewTabs*>();
+        for (const auto& [percent, width] : {std::pair(115, 1920), {130, 2100}, {90, 1920}}) {
+            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            window.resize(width, 1080);
+            QTRY_VERIFY2(inputs->width() >= inputs->twoColumnWidth(),
+                         qPrintable(QString::number(percent)));
+            QVERIFY(views->width() >= 690); // and the lines that part them
+            for (const auto* page : inputs->pages()) {
+                QCOMPARE(page->horizontalScrollBar()->maximum(), 0);
+            }
+        }
+        bench.action("fontSize-130")->trigger();
+        window.resize(1920, 1080);
+        QTRY_VERIFY(inputs->width() < inputs->twoColumnWidth());
+        QVERIFY(views->width() > 900);
     }
 
     void aThemeSwitchLeavesTheLayoutAsItIs() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the views have of the window of a small laptop.
 #include "core/project/cycle.h"
+#include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/support/text_checks.h"
@@ -26,6 +27,7 @@
 #include <QScopeGuard>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QStatusBar>
 #include <QTableView>
 #include <QTest>
 #include <QToolBar>
@@ -200,6 +202,44 @@ private slots:
         }
     }
 
+    /// The plots of three zones have room beside each other, no bar scrolls them by a few pixels;
+    /// and their figures are read in full.
+    void theZonesOfABatchHaveRoom_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QString>("name");
+        for (const char* language : {"en", "ru"}) {
+            for (const char* name : {"shaft-38-74h6", "plunge-shaft-two-stage"}) {
+                QTest::addRow("%s %s", language, name)
+                    << QString::fromLatin1(language) << QString::fromLatin1(name);
+            }
+        }
+    }
+    void theZonesOfABatchHaveRoom() {
+        QFETCH(QString, language);
+        QFETCH(QString, name);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        Bench bench(language);
+        bench.action("fontSize-130")->trigger();
+        QVERIFY(bench.open(example(qPrintable(name))));
+        QVERIFY(bench.window->showView(QStringLiteral("batch")));
+        const View* const view = bench.window->viewTabs().currentView();
+        QTRY_VERIFY_WITH_TIMEOUT(!view->busy(), 60'000);
+        wait(bench);
+        const QStringList cut = textsWithoutRoom(*view);
+        QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
+        if (name == u"plunge-shaft-two-stage") { // its four sections are scrolled
+            return;
+        }
+        int areas = 0;
+        for (const auto* area : view->findChildren<QScrollArea*>()) {
+            if (area->isVisible()) {
+                ++areas;
+                QCOMPARE(area->horizontalScrollBar()->maximum(), 0);
+            }
+        }
+        QCOMPARE(areas, 1);
+    }
+
     /// A text that is longer than the legend is wide is wrapped.
     void noLegendIsElided_data() { languages(); }
     void noLegendIsElided() {
@@ -293,6 +333,11 @@ private slots:
             wait(bench);
             QCOMPARE(table->horizontalScrollBar()->maximum(), 0);
             const QFontMetrics metrics(table->font());
+            const auto* sheet =
+                bench.window->findChild<QAbstractScrollArea*>(QStringLiteral("formulaSheet"));
+            const int hidden = sheet->verticalScrollBar()->maximum();
+            QVERIFY2(hidden == 0 || hidden >= metrics.height(), // no bar for less than a line
+                     qPrintable(QString::number(hidden)));
             const int room = table->columnWidth(0) - table->iconSize().width() - 8;
             for (int row = 0; row < table->model()->rowCount(); ++row) {
                 const QString name = table->model()->index(row, 0).data().toString();
@@ -521,6 +566,26 @@ private slots:
         }
     }
 
+    /// Also the titles of boxes that say what all surfaces of a part share.
+    void theInputsOfSeveralSurfacesHaveRoom_data() { languages(); }
+    void theInputsOfSeveralSurfacesHaveRoom() {
+        QFETCH(QString, language);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        Bench bench(language);
+        QVERIFY(bench.open(
+            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/setups/spindle.sparkout")));
+        InputsPanel& inputs = bench.window->inputs();
+        for (const int percent : {100, 130}) {
+            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            for (const int page : {2, 3}) { // wheel, machine
+                inputs.showPage(page);
+                wait(bench);
+                const QStringList cut = textsWithoutRoom(inputs);
+                QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
+            }
+        }
+    }
+
     void playbackStandsWhereThereIsAMoment() {
         Bench bench(QStringLiteral("en"));
         QVERIFY(bench.open(example("shaft-30h6-factory")));
@@ -544,6 +609,32 @@ private slots:
         }
         wait(bench);
         QVERIFY(bar->isVisible());
+    }
+
+    /// Not before there is a cycle, nor where the one before is of another document.
+    void anEmptyDrawingHasNothingToPlay() {
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        QVERIFY(bench.window->showView(QStringLiteral("feeds")));
+        wait(bench);
+        const auto* bar = bench.window->findChild<QWidget*>(QStringLiteral("playback"));
+        QVERIFY(bar->isVisible());
+        Document& document = bench.window->document();
+        Project project = document.project();
+        project.part->length_mm = 1; // refused: the curves of the run before stay, and its moment
+        document.edit(project, {"Edit", "Length"});
+        const auto says = [&bench](const char* text) {
+            const QList<QLabel*> labels = bench.window->statusBar()->findChildren<QLabel*>();
+            return std::ranges::any_of(labels, [text](const QLabel* label) {
+                return label->text().contains(QLatin1StringView(text));
+            });
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(says("the last good run"), 20'000);
+        QVERIFY(bar->isVisible());
+        document.startUntitled(project);
+        QTRY_VERIFY_WITH_TIMEOUT(!bar->isVisible(), 20'000);
+        QVERIFY(says("Not computed: 1 fault in the inputs."));
+        QVERIFY(!says("the last good run"));
     }
 
     void messagesTakeRoomOnlyWhenSomethingIsSaid() {

@@ -353,8 +353,7 @@ void FormPage::showShared() {
     }
     for (const Box& box : m_boxes) {
         const QString title = inputText(box.field->label);
-        box.box->setTitle(
-            several && isShared(box.path) ? tr("%1 (%2)").arg(title, SharedMark::text()) : title);
+        box.box->setTitle(several && isShared(box.path) ? tr("%1 (shared)").arg(title) : title);
     }
 }
 

@@ -4,10 +4,12 @@
 #include "core/project/batch.h"
 #include "core/study/batch_edits.h"
 #include "ui/dialogs/copy_table.h"
+#include "ui/kit/metrics.h"
 #include "ui/kit/search_combo.h"
 #include "ui/kit/tool_row.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/run_bar.h"
+#include "ui/text/example_texts.h"
 #include "ui/text/names.h"
 #include "ui/views/batch/batch_figures.h"
 #include "ui/views/batch/batch_text.h"
@@ -39,6 +41,24 @@ constexpr int histogramShare = 200, figuresShare = 220; ///< of the height at fi
 constexpr int stateLetters = 60; ///< wide, the text on the run beside the buttons
 constexpr int mostStretched = 4; ///< columns of figures that have room beside each other
 constexpr int indexPoints = 256; ///< a power of two, as the Sobol sequence wants it
+
+/// No column is narrower than a word of it, which could not be wrapped.
+void fitColumns(QTableView& table) {
+    const QAbstractItemModel& model = *table.model();
+    const QFontMetrics text = table.fontMetrics();
+    int widest = 0;
+    for (int column = 0; column < model.columnCount(); ++column) {
+        widest = std::max(
+            widest, text.horizontalAdvance(model.headerData(column, Qt::Horizontal).toString()));
+        for (int row = 0; row < model.rowCount(); ++row) {
+            QString cell = model.index(row, column).data().toString();
+            for (const QString& word : cell.replace(u'…', QStringLiteral("… ")).split(u' ')) {
+                widest = std::max(widest, text.horizontalAdvance(word));
+            }
+        }
+    }
+    table.horizontalHeader()->setMinimumSectionSize(widest + 2 * metrics::gap);
+}
 
 } // namespace
 
@@ -98,6 +118,7 @@ CopyTable* BatchView::buildFigures() {
         *m_figures, [this] { return m_batch ? batchFiguresTable(m_batch->summary) : CsvTable(); });
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->verticalHeader()->setHighlightSections(false);
+    connect(m_table, &CopyTable::resized, this, [this] { fitColumns(*m_table); });
     return m_table;
 }
 
@@ -279,7 +300,8 @@ void BatchView::takeWorst() {
             }
             return withPart(std::move(project), batch->result, batch->summary.worstPart);
         };
-        emit runWanted(take, tr("Worst part, no. %1").arg(Names::part(m_batch->summary.worstPart)));
+        emit runWanted(take, QString::fromStdString(givenRunName(
+                                 GivenName::worstPart, Names::part(m_batch->summary.worstPart))));
     }
 }
 
@@ -332,6 +354,7 @@ void BatchView::showBatch() {
     m_table->horizontalHeader()->setSectionResizeMode(m_figures->columnCount() <= mostStretched
                                                           ? QHeaderView::Stretch
                                                           : QHeaderView::ResizeToContents);
+    fitColumns(*m_table);
     m_sensitivity->setBatch(m_batch, chosenName());
     m_sensitivity->setIndices(m_indices);
     m_pareto->setBatch(m_batch);

@@ -19,6 +19,7 @@ namespace {
 
 constexpr double barRoom = 0.05; ///< beside the outermost bar or limit, of what is between them
 constexpr QSize legibleCell(120, 80); ///< at the least
+constexpr int cellGap = 8;            ///< beside a cell, for half the number at its corner
 constexpr double countRoom = 1.08;    ///< above the highest bar
 constexpr double leastOutlined = 6;   ///< width of a bar with an outline [px]
 constexpr int valueTicks = 3;         ///< have room below narrow cells
@@ -55,6 +56,9 @@ void HistogramPlot::setSummaries(std::vector<CharacteristicSummary> summaries) {
     tie(rects, QCPAxis::atBottom);
     tie(rects, QCPAxis::atLeft);
     if (!m_cells.empty()) {
+        QMargins last = rects.back()->minimumMargins();
+        last.setRight(2 * cellGap);
+        rects.back()->setMinimumMargins(last);
         plotLayout()->setRowStretchFactor(0, 0.001);
         plotLayout()->setRowSpacing(0);
     }
@@ -70,6 +74,7 @@ void HistogramPlot::build(Cell& cell, int column) {
     plotLayout()->addElement(0, column, cell.header);
     cell.rect = addRect(1, column);
     cell.rect->setMinimumSize(legibleCell);
+    cell.rect->setMinimumMargins(QMargins(column == 0 ? 0 : cellGap, cellGap, cellGap, 0));
     cell.rect->axis(QCPAxis::atLeft)->setTicker(QSharedPointer<WholeTicker>::create());
     cell.rect->axis(QCPAxis::atLeft)->setTickLabels(column == 0); // all have the range of the first
     QCPAxis* values = cell.rect->axis(QCPAxis::atBottom);

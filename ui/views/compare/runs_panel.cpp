@@ -57,7 +57,7 @@ RunsPanel::RunsPanel(KeptRuns& kept, QWidget* parent)
 }
 
 QString RunsPanel::nameOf(int run) const {
-    const QString name = exampleTitle(m_kept.run(run).name).simplified();
+    const QString name = runName(m_kept.run(run).name).simplified();
     const QString& surface = m_kept.surfaceOf(run);
     return surface.isEmpty() ? name : QStringLiteral("%1: %2").arg(printableText(surface), name);
 }

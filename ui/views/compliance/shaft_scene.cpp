@@ -10,6 +10,8 @@
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
+#include <QPainterPath>
+
 #include <algorithm>
 
 namespace sparkout {
@@ -203,7 +205,17 @@ void ShaftScene::drawGauge(QCPPainter* painter) {
     const double high = painter->fontMetrics().height();
     QPointF end = at(m_gauge_mm, -m_high_mm * gaugeHalf);
     end.setY(std::max(end.y(), at(0, -m_high_mm).y() + high)); // the name is below the part
+    QPainterPath clear;                                        // of the texts
+    clear.addRect(m_rect->rect());
+    for (const auto& [rect, words] : m_notes) {
+        QPainterPath text;
+        text.addRect(rect.adjusted(-1, 0, 1, 0));
+        clear -= text;
+    }
+    painter->save();
+    painter->setClipPath(clear, Qt::IntersectClip);
     painter->drawLine(at(m_gauge_mm, m_high_mm * gaugeHalf), end);
+    painter->restore();
     note(painter, end + QPointF(4, -high / 2), Qt::AlignLeft, ProfileLook::name(ProfileLine::gauge),
          colour);
 }

@@ -7,6 +7,7 @@
 #include "ui/charts/verdict_why.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/kit/font_size.h"
+#include "ui/kit/metrics.h"
 #include "ui/kit/tool_row.h"
 #include "ui/plot/cursor_strip.h"
 #include "ui/plot/legend_strip.h"
@@ -27,6 +28,7 @@
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSplitter>
+#include <QTextDocument>
 #include <QTextEdit>
 #include <QVBoxLayout>
 
@@ -166,6 +168,7 @@ QWidget* ConstraintsView::buildSheet() {
     auto* column = rowIn<QVBoxLayout>(box);
     setTextMinimumHeight(*m_sheet, leastSheet);
     m_sheet->setReadOnly(true);
+    m_sheet->document()->setDocumentMargin(metrics::hair); // no bar for the height of a margin
     m_sheet->setTabChangesFocus(true);
     auto* row = new ToolRow;
     row->addWidget(m_goTo);

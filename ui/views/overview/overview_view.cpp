@@ -242,7 +242,7 @@ std::vector<RunBars> OverviewView::shownRuns() const {
     for (int run = std::max(m_kept.count() - OverviewCharts::mostRuns, 0); run < m_kept.count();
          ++run) {
         const KeptRun& kept = m_kept.all()[static_cast<std::size_t>(run)];
-        RunBars bars{printableText(exampleTitle(kept.name)), {}, {}};
+        RunBars bars{printableText(runName(kept.name)), {}, {}};
         if (const ReadSummary* const read = m_kept.summary(run)) {
             const bool hasTime = !read->missing.contains("/cycle_time_min");
             bars = hasTime ? barsOf(bars.name, read->summary)

@@ -5,6 +5,7 @@
 #include "core/units.h"
 #include "ui/charts/longitudinal_layers.h"
 #include "ui/plot/band_layer.h"
+#include "ui/plot/free_place.h"
 #include "ui/plot/plot_cursors.h"
 #include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
@@ -213,10 +214,34 @@ void LongitudinalPlot::fill() {
 void LongitudinalPlot::placeGauge() {
     const bool on = visible(ProfileLine::gauge) && !m_series.profiles.empty();
     m_gaugeLine->setVisible(on);
-    m_gaugeName->setVisible(on);
     m_gaugeLine->start->setCoords(m_series.gauge_mm, 0);
     m_gaugeLine->end->setCoords(m_series.gauge_mm, 1);
-    m_gaugeName->position->setCoords(m_series.gauge_mm, 0.02);
+}
+
+/// Beside its line, as high as no curve runs through it.
+void LongitudinalPlot::placeGaugeName() {
+    const QRectF room(m_rect->rect());
+    const double x = m_rect->axis(QCPAxis::atBottom)->coordToPixel(m_series.gauge_mm);
+    const bool isSeen = m_gaugeLine->visible() && x >= room.left() && x <= room.right();
+    m_gaugeName->setVisible(isSeen);
+    if (!isSeen) {
+        return;
+    }
+    FreePlace places(room.adjusted(1, 1, -1, -1));
+    places.addCurve({{x, room.top()}, {x, room.bottom()}});
+    for (const Curve& curve : m_curves) {
+        QPolygonF points;
+        for (const QCPGraphData& point : *curve.graph->data()) {
+            points << curve.graph->coordsToPixels(point.key, point.value);
+        }
+        if (curve.graph->visible()) {
+            places.addCurve(points);
+        }
+    }
+    const QSizeF text = QFontMetricsF(font()).boundingRect(m_gaugeName->text()).size();
+    const QMargins around = m_gaugeName->padding();
+    const QSizeF size(text.width() + around.left() + around.right(), text.height());
+    m_gaugeName->position->setPixelPosition(places.nearest(size, {x, room.top()}).place.topLeft());
 }
 
 QCPRange LongitudinalPlot::visibleValues() const {
@@ -250,6 +275,7 @@ void LongitudinalPlot::afterLayouting() {
     }
     showScale();
     style::fitValueAxes(*m_rect, font());
+    placeGaugeName();
 }
 
 /// Both axes at the same scale, whatever the window's shape.

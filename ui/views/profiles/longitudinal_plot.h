@@ -32,6 +32,7 @@ public:
     [[nodiscard]] LengthQuantity quantity() const; ///< that is drawn
     [[nodiscard]] QCPGraph* graph(LengthLine line, bool mirrored = false) const;
     [[nodiscard]] BandLayer* bands() const { return m_bands; }
+    [[nodiscard]] const QCPItemText* gaugeName() const { return m_gaugeName; }
     [[nodiscard]] std::vector<ProfileLine> lines() const override;
     [[nodiscard]] CsvTable table() const override;
     [[nodiscard]] ReadCurves readCurves() const override;
@@ -60,6 +61,7 @@ private:
     void fill();
     void fillBands();
     void placeGauge();
+    void placeGaugeName();
     void label();
     void fitAxes();
     void afterLayouting();

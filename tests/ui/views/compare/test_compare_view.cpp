@@ -11,6 +11,8 @@
 #include "ui/dialogs/copy_table.h"
 #include "ui/dialogs/notice_bar.h"
 #include "ui/session/project_io.h"
+#include "ui/text/example_texts.h"
+#include "ui/text/language.h"
 #include "ui/window/file_commands.h"
 
 #include <QAction>
@@ -207,6 +209,37 @@ private slots:
         desk.document.undo();
         desk.settle();
         QCOMPARE(desk.kept.count(), 1);
+    }
+
+    void theNameTheProgramGaveFollowsTheLanguage() {
+        Language language;
+        language.apply(QStringLiteral("en"));
+        Desk desk;
+        desk.keep();
+        desk.keep();
+        desk.kept.rename(1, QStringLiteral("Run 2 of mine"));
+        QVERIFY(desk.kept.keep(*desk.outcome, QString::fromStdString(givenRunName(
+                                                  GivenName::worstPart, QStringLiteral("12"))))
+                == KeptRuns::Kept::yes);
+        desk.settle();
+        const std::vector<KeptRun> before = desk.kept.all();
+        const auto shown = [&desk](int run) { return desk.row(run).data(Qt::EditRole).toString(); };
+        QCOMPARE(shown(0), QStringLiteral("Run 1"));
+        language.apply(QStringLiteral("ru"));
+        desk.settle();
+        QCOMPARE(shown(0), QStringLiteral("Расчёт 1"));
+        QCOMPARE(shown(1), QStringLiteral("Run 2 of mine"));
+        QCOMPARE(shown(2), QStringLiteral("Худшая деталь, № 12"));
+        QCOMPARE(desk.plot().runs()[1].name, QStringLiteral("Расчёт 1"));
+        desk.view.list()->model()->setData(desk.row(0), shown(0), Qt::EditRole); // nothing typed
+        QVERIFY(desk.kept.all() == before);
+        desk.kept.rename(1, QStringLiteral("Расчёт 4"));
+        desk.keep(); // under no name that is shown already
+        QCOMPARE(shown(3), QStringLiteral("Расчёт 5"));
+        language.apply(QStringLiteral("en"));
+        desk.settle();
+        QCOMPARE(shown(0), QStringLiteral("Run 1"));
+        QCOMPARE(shown(1), QStringLiteral("Расчёт 4")); // as it was typed
     }
 
     void refusedInputsLeaveThePresentRunDimmed() {

@@ -25,6 +25,7 @@
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -266,6 +267,31 @@ private slots:
         QCOMPARE(answers.fault(), QString());
         QCOMPARE(desk.measured()->parts.size(), 2U);
         QVERIFY(std::abs(desk.measured()->parts[0].diameters_mm.at(0) - 29.99) < 1e-9);
+    }
+
+    /// The boxes are others as soon as the table is read in another way.
+    void returnInABoxThatIsGoneIsForgotten() {
+        const Desk desk;
+        QVERIFY(desk.opened);
+        QApplication::clipboard()->setText(QStringLiteral("x\ty\n1\t29990\n2\t29991\n"));
+        WarningCatcher warnings;
+        DialogAnswers answers({QStringLiteral("importCancel")});
+        answers.seen = [](QDialog& dialog) {
+            QVERIFY(isRead(dialog));
+            auto* box = dialog.findChild<QComboBox*>(QStringLiteral("column-1-1"));
+            QVERIFY(box);
+            box->setFocus();
+            QKeyEvent key(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier);
+            QApplication::sendEvent(box, &key);
+            auto* delimiter = dialog.findChild<QComboBox*>(QStringLiteral("importDelimiter"));
+            delimiter->setCurrentIndex(delimiter->currentIndex() == 0 ? 1 : 0);
+            QCoreApplication::processEvents();
+            QVERIFY(isRead(dialog));
+        };
+        desk.click("measuredPaste");
+        QCOMPARE(answers.fault(), QString());
+        const QStringList warned = warnings.take();
+        QVERIFY2(warned.isEmpty(), qPrintable(warned.join(u'\n')));
     }
 
     void cancelLeavesTheProjectAsItIs() {

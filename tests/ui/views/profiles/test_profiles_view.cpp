@@ -37,6 +37,7 @@ private slots:
     void theFirstMomentIsTheBlank();
     void theMomentOutlivesANewOutcome();
     void anUnrecordedCycleShowsItsEnd();
+    void theNameOfTheGaugeStandsBesideTheCurves();
     void atMostFourSectionsAndTheChosenOneAmongThem();
     void aClickAlongTheAxisChoosesTheSection();
     void onlyTheChosenSectionIsShownLarge();
@@ -265,6 +266,41 @@ void TestProfilesView::anUnrecordedCycleShowsItsEnd() {
     QVERIFY(view.across()->series().atEnd());
     QVERIFY(!part<QSlider>(view, "strokeSlider")->isEnabled());
     QVERIFY(part<QLabel>(view, "profilesNotice")->text().contains(QStringLiteral("only its end")));
+}
+
+// Wherever they run, also in a low plot: "gauge" beside its line, across none of them.
+void TestProfilesView::theNameOfTheGaugeStandsBesideTheCurves() {
+    ProfilesView view;
+    show(view, m_of.traverse);
+    LongitudinalPlot& plot = *view.along();
+    QCPAxis* const values = plot.cell()->axis(QCPAxis::atLeft);
+    for (const double top : {0.2, 1.0, 3.0, 8.0}) { // µm above the target
+        values->setRange(top - 14, top);
+        plot.replot(QCustomPlot::rpImmediateRefresh);
+        const QCPItemText& name = *plot.gaugeName();
+        QVERIFY(name.visible());
+        const QRectF box(name.topLeft->pixelPosition(), name.bottomRight->pixelPosition());
+        const double x =
+            plot.cell()->axis(QCPAxis::atBottom)->coordToPixel(view.across()->series().gauge_mm);
+        QVERIFY(QRectF(plot.cell()->rect()).adjusted(-1, -1, 1, 1).contains(box));
+        QVERIFY(std::min(std::abs(box.left() - x), std::abs(box.right() - x)) <= 8);
+        QVERIFY(x < box.left() || x > box.right());
+        for (const LengthLine line : {LengthLine::mean, LengthLine::target}) {
+            const QCPGraph* const graph = plot.graph(line);
+            QVERIFY(graph->visible() && graph->dataCount() > 1);
+            for (double at = box.left(); at <= box.right(); ++at) {
+                const double mm = plot.cell()->axis(QCPAxis::atBottom)->pixelToCoord(at);
+                const auto next = graph->data()->findBegin(mm, false);
+                if (next != graph->data()->constEnd()) {
+                    const double y = values->coordToPixel(next->value);
+                    QVERIFY2(y <= box.top() || y >= box.bottom(), qPrintable(QString::number(top)));
+                }
+            }
+        }
+    }
+    plot.cell()->axis(QCPAxis::atBottom)->setRange(0, 1); // the gauge is out of sight
+    plot.replot(QCustomPlot::rpImmediateRefresh);
+    QVERIFY(!plot.gaugeName()->visible());
 }
 
 // --- sections -----------------------------------------------------------------------------------
