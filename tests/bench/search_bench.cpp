@@ -131,7 +131,7 @@ void stopped(const char* name, const Project& project) {
 }
 
 /// Both searches once, as a user has them: against the nominal one. The answer holds for every
-/// stock at each corner of the other factors. The aim is 10 nominal searches; today's are 19, of
+/// stock at each corner of the other factors. The aim is 10 nominal searches; today's are 20, of
 /// which the answer's own cases take 3.
 void robust(const Project& asked, double nominal_s) {
     const Project project = withCorners(asked);
