@@ -2,8 +2,8 @@
 #include "core/dressing/interval_search.h"
 
 #include "core/dressing/part_cost.h"
+#include "core/grace_stop.h"
 #include "core/optimisation/cycle_runner.h"
-#include "core/optimisation/grace_stop.h"
 #include "core/optimisation/variants.h"
 #include "core/phases/cycle_trial.h"
 #include "core/project/validate.h"

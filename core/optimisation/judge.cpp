@@ -29,6 +29,9 @@ Judge::Judge(const Grid& grid, const SearchOptions& options)
         }
         m_scenarios.push_back(runner(scenario, scenarios.size()));
     }
+    for (const PhaseCase& each : options.cases) {
+        add(each);
+    }
     demandMargin();
 }
 
@@ -53,6 +56,16 @@ std::unique_ptr<ScenarioRunner> Judge::runner(const Project& scenario, std::size
     const bool shares = m_options.method != SearchMethod::full;
     return std::make_unique<ScenarioRunner>(
         scenario, m_grid, shares ? m_options.memory_bytes / 4 / among : 0, m_options.stop);
+}
+
+/// Together they take an eighth of the memory. The full search runs every cycle.
+void Judge::add(const PhaseCase& of) {
+    const bool isKnown =
+        std::ranges::any_of(m_cases, [&](const auto& each) { return each->corner() == of.corner; });
+    if (m_options.method == SearchMethod::pruned && !isKnown && !m_options.stop.stop_requested()) {
+        m_cases.push_back(std::make_unique<PhaseOutlook>(
+            of, m_grid, m_options.memory_bytes / 8 / (m_cases.size() + 1), m_options.stop));
+    }
 }
 
 std::optional<double> Judge::leastMargin(const SimulationResult& result) {
@@ -181,18 +194,41 @@ void Judge::put(const FeasibleCycle& found) {
 
 bool Judge::isHopeless(GridCycle cycle, int merged) {
     for (int more = 0; more <= merged; ++more) {
-        const auto failing =
-            std::find_if(m_scenarios.begin(), m_scenarios.end(),
-                         [&](const auto& each) { return each->isHopeless(cycle, counts); });
-        if (failing == m_scenarios.end() || m_options.stop.stop_requested()) {
+        if (!isHopeless(cycle) || m_options.stop.stop_requested()) {
             return false;
         }
-        std::iter_swap(m_scenarios.begin(), failing);
         if (more < merged) {
             ++cycle[cycle.size() - 2].steps;
         }
     }
     ++counts.evaluations;
+    return true;
+}
+
+/// For a stock of a case; the one that showed it last is asked first.
+bool Judge::endsTooDeep(const GridCycle& cycle) {
+    const auto deep = std::find_if(m_cases.begin(), m_cases.end(),
+                                   [&](const auto& each) { return each->isHopeless(cycle); });
+    if (deep == m_cases.end()) {
+        return false;
+    }
+    ++counts.cuts[static_cast<std::size_t>((*deep)->tooDeep())];
+    std::iter_swap(m_cases.begin(), deep);
+    return true;
+}
+
+/// The scenario that failed last is asked first.
+bool Judge::isHopeless(const GridCycle& cycle) {
+    if (endsTooDeep(cycle)) {
+        return true;
+    }
+    const auto failing =
+        std::find_if(m_scenarios.begin(), m_scenarios.end(),
+                     [&](const auto& each) { return each->isHopeless(cycle, counts); });
+    if (failing == m_scenarios.end()) {
+        return false;
+    }
+    std::iter_swap(m_scenarios.begin(), failing);
     return true;
 }
 
@@ -228,14 +264,14 @@ void Judge::decideDone(const CyclePrefix& whole, CycleSteps& steps, CycleRunner&
 
 /// Whether it fails on a part that the challenge has; the best so far must hold there, too.
 bool Judge::isChallenged(const FeasibleCycle& found) {
-    auto scenario = m_options.challenge(found);
+    auto failing = m_options.challenge(found);
     if (m_options.stop.stop_requested()) {
         return true; // a test that is stopped shows nothing
     }
-    if (!scenario) {
+    if (!failing) {
         return false;
     }
-    auto further = runner(*scenario, m_scenarios.size() + 1);
+    auto further = runner(failing->part, m_scenarios.size() + 1);
     std::optional<SimulationResult> result;
     if (m_best && m_best->variant == m_options.variant) {
         result = further->run(m_best->cycle, counts);
@@ -244,7 +280,11 @@ bool Judge::isChallenged(const FeasibleCycle& found) {
         }
     }
     m_scenarios.insert(m_scenarios.begin(), std::move(further));
-    m_added.push_back(std::move(*scenario));
+    m_added.push_back(std::move(failing->part));
+    if (failing->of) {
+        add(*failing->of);
+        m_addedCases.push_back(std::move(*failing->of));
+    }
     if (m_best && m_best->variant == m_options.variant) {
         const auto margin = result ? leastMargin(*result) : std::nullopt;
         m_stale = m_stale || !margin || (m_beatOther && *margin < m_best->leastRelativeMargin);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/optimisation/phase_outlook.h"
 #include "core/optimisation/scenario_runner.h"
 
 namespace sparkout {
@@ -27,7 +28,7 @@ public:
     void decideDone(const CyclePrefix& whole, CycleSteps& steps, CycleRunner& runner,
                     int merged = 0);
     /// Whether a cycle and each of the `merged` further ones is known to break a requirement in a
-    /// scenario, before the last stage is run; then it is decided.
+    /// scenario or for a stock of a case, before the last stage is run; then it is decided.
     bool isHopeless(GridCycle cycle, int merged);
     /// Challenges those of the waiting cycles that take no longer than this [s] and would be the
     /// best, the best first. Not when it is to stop.
@@ -53,12 +54,16 @@ public:
     [[nodiscard]] double demandedMargin() const;
     /// Scenarios of challenges, and whether the best failed in one of them.
     [[nodiscard]] const std::vector<Project>& added() const { return m_added; }
+    [[nodiscard]] const std::vector<PhaseCase>& addedCases() const { return m_addedCases; }
     [[nodiscard]] bool isStale() const { return m_stale; }
     SearchCounts counts;
 
 private:
     [[nodiscard]] std::unique_ptr<ScenarioRunner> runner(const Project& scenario,
                                                          std::size_t among) const;
+    void add(const PhaseCase& of);
+    bool endsTooDeep(const GridCycle& cycle);
+    bool isHopeless(const GridCycle& cycle);
     /// Whether it holds on the scenarios, its margin then the least.
     bool holdsOnScenarios(FeasibleCycle& found);
     /// The same on the further parts, as far as it is then the best.
@@ -74,12 +79,14 @@ private:
     const Grid& m_grid;
     const SearchOptions& m_options;
     std::vector<std::unique_ptr<ScenarioRunner>> m_scenarios; ///< the one that failed last first
+    std::vector<std::unique_ptr<PhaseOutlook>> m_cases;       ///< likewise
     std::optional<FeasibleCycle> m_best;
     /// For their challenge, margins as when they were looked at last, which only fall; and those of
     /// the best one's time, which are better when its margin falls.
     std::vector<FeasibleCycle> m_waiting;
     bool m_beatOther = false; ///< it was of the best one's time, of another variant
     std::vector<Project> m_added;
+    std::vector<PhaseCase> m_addedCases;
     bool m_stale = false;
 };
 

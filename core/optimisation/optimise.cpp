@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/optimise.h"
 
+#include "core/grace.h"
 #include "core/optimisation/cycle_runner.h"
 #include "core/optimisation/dynamic_programming.h"
 #include "core/optimisation/full_search.h"
-#include "core/optimisation/grace.h"
 #include "core/optimisation/pruned_search.h"
 #include "core/optimisation/search_journal.h"
 #include "core/optimisation/time_bound.h"
@@ -118,6 +118,9 @@ private:
         for (Project& scenario : m_own.scenarios) {
             setMachine(scenario, machine);
         }
+        for (PhaseCase& each : m_own.cases) {
+            setMachine(each.part, machine);
+        }
         const SearchSummary found =
             search(m_variants.project(variant), m_variants.grid(variant), m_own);
         m_own.incumbent = found.best;
@@ -132,6 +135,10 @@ private:
         for (const Project& scenario : found.added) {
             m_own.scenarios.push_back(scenario);
             m_sum.added.push_back(scenario);
+        }
+        for (const PhaseCase& each : found.addedCases) {
+            m_own.cases.push_back(each);
+            m_sum.addedCases.push_back(each);
         }
         m_sum.isStale = found.isStale;
         m_sum.status = found.status;

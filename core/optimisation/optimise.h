@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/optimisation/variants.h"
+#include "core/phases/phase_decision.h"
 #include "core/project/cycle.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/result.h"
@@ -75,6 +76,20 @@ struct SearchCheckpoint {
     std::array<long long, constraintKinds> cuts{};
 };
 
+/// A part for which a cycle has to hold whatever its stock: from the least of `stocks` to the
+/// greatest, and half the largest infeed of the cycle beyond either.
+struct PhaseCase {
+    std::int64_t corner = -1; ///< by which it is known; −1: the part as it stands
+    Project part;
+    StockRange stocks; ///< per side
+};
+
+/// A part on which a cycle fails.
+struct FailingPart {
+    Project part;
+    std::optional<PhaseCase> of; ///< the case it is one of
+};
+
 struct SearchProgress {
     std::optional<FeasibleCycle> best; ///< so far
     double bound_s = 0;                ///< no feasible cycle is quicker than this and the best
@@ -100,9 +115,12 @@ struct SearchOptions {
     std::optional<double> beyondMargin;
     std::optional<FeasibleCycle> incumbent; ///< a cycle that holds, to be beaten
     std::size_t variant = 0;                ///< by optimise(): the one that is searched
+    /// Parts in which the cycle must hold whatever their stock. The pruned search drops cycles that
+    /// PhaseOutlook shows to fail; the others are not tried on them.
+    std::vector<PhaseCase> cases;
     /// Pruned search: a further part on which a cycle fails that would be the best, or nothing. The
-    /// part joins the scenarios.
-    std::function<std::optional<Project>(const FeasibleCycle&)> challenge;
+    /// part joins the scenarios, its case the cases.
+    std::function<std::optional<FailingPart>(const FeasibleCycle&)> challenge;
     std::int64_t quickest_us = 0; ///< no cycle that holds is quicker, as was proved before
     /// A cycle of which a stage makes no step on the part, as the size is reached before, does not
     /// count: it is one with fewer stages.
@@ -143,8 +161,9 @@ struct SearchSummary {
     /// How often each requirement cut, by kind: a cycle counts for each it breaks, but for its
     /// diameters alone where they miss the field; a branch that was dropped at a pass once.
     std::array<long long, constraintKinds> cuts{};
-    SearchCheckpoint checkpoint; ///< full search
-    std::vector<Project> added;  ///< the scenarios of challenges
+    SearchCheckpoint checkpoint;       ///< full search
+    std::vector<Project> added;        ///< the scenarios of challenges
+    std::vector<PhaseCase> addedCases; ///< and their cases
     /// A best cycle failed in a scenario that was added later; what it cut off may be the best. The
     /// search was stopped, and must be made again with the scenarios added.
     bool isStale = false;

@@ -3,9 +3,11 @@
 
 #include "core/batch/factor_law.h"
 #include "core/batch/scenario_source.h"
+#include "core/phases/cycle_trial.h"
 #include "core/phases/failing_stock.h"
 #include "core/project/optimisation.h"
 #include "core/project/part.h"
+#include "core/simulation/stage_control.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -48,6 +50,21 @@ std::vector<std::int64_t> cornersOf(const std::vector<GivenFactor>& factors) {
     return corners;
 }
 
+/// The stated stock, and the least and the greatest of a batch that counts.
+StockRange wholeStocks(const Project& project) {
+    const double stock_mm = project.part->stock_mm;
+    StockRange stocks{stock_mm, stock_mm};
+    if (scenariosOf(project) != OptimisationScenarios::nominal) {
+        const std::vector<GivenFactor> factors = scatteredFactors(project);
+        const auto factor = stockAmong(factors);
+        if (factor != factors.end()) {
+            const FactorEnds ends = cornerEnds(*factor);
+            stocks = {std::min(stock_mm, ends.low), std::max(stock_mm, ends.high)};
+        }
+    }
+    return stocks;
+}
+
 /// The project with a stock of the range for which its cycle fails.
 std::optional<Project> failingOf(Project project, const StockRange& stocks,
                                  const std::stop_token& stop) {
@@ -71,17 +88,27 @@ public:
         }
     }
 
-    [[nodiscard]] std::vector<std::int64_t> all() const {
-        std::vector<std::int64_t> cases{-1};
-        if (m_source) {
-            const std::vector<std::int64_t> corners = cornersOf(m_source->factors());
-            cases.insert(cases.end(), corners.begin(), corners.end());
+    /// All of them, by the margins of the cycle on their own stocks.
+    [[nodiscard]] std::vector<std::int64_t> worstFirst(const std::stop_token& stop) const {
+        std::vector<std::pair<double, std::int64_t>> cases{{0, -1}};
+        for (const std::int64_t corner :
+             m_source ? cornersOf(m_source->factors()) : std::vector<std::int64_t>{}) {
+            const auto trial = tried(m_source->project(corner), stop);
+            cases.emplace_back(trial ? trial->leastMargin : 0, corner);
         }
-        return cases;
+        std::ranges::sort(cases);
+        std::vector<std::int64_t> order;
+        std::ranges::transform(cases, std::back_inserter(order),
+                               [](const auto& each) { return each.second; });
+        return order;
     }
-    [[nodiscard]] std::optional<Project> failing(std::int64_t one,
-                                                 const std::stop_token& stop) const {
-        return failingOf(one < 0 ? m_part : m_source->project(one), m_cases.stocks, stop);
+    [[nodiscard]] std::optional<FailingPart> failing(std::int64_t one,
+                                                     const std::stop_token& stop) const {
+        Project part = one < 0 ? m_part : m_source->project(one);
+        auto found = failingOf(part, m_cases.stocks, stop);
+        return found ? std::optional(FailingPart{
+                   std::move(*found), PhaseCase{one, std::move(part), wholeStocks(m_part)}})
+                     : std::nullopt;
     }
 
 private:
@@ -113,32 +140,24 @@ bool takeWorst(const Project& project, const StockRange& stocks, double least,
 } // namespace
 
 PhaseCases phaseCases(const Project& project) {
-    PhaseCases cases{usualPhases(project)};
-    const OptimisationScenarios scenarios = scenariosOf(project);
-    if (scenarios == OptimisationScenarios::nominal) {
-        return cases;
+    double infeed_mm = 0;
+    for (const double each_mm : infeedsOfStages(project)) {
+        infeed_mm = std::max(infeed_mm, each_mm);
     }
-    const std::vector<GivenFactor> factors = scatteredFactors(project);
-    const auto stock = stockAmong(factors);
-    if (stock != factors.end()) {
-        Project end = project;
-        const FactorEnds ends = cornerEnds(*stock);
-        end.part->stock_mm = ends.low;
-        cases.stocks.from_mm = std::min(cases.stocks.from_mm, usualPhases(end).from_mm);
-        end.part->stock_mm = ends.high;
-        cases.stocks.to_mm = std::max(cases.stocks.to_mm, usualPhases(end).to_mm);
-    }
-    if (scenarios == OptimisationScenarios::corners) {
-        cases.corners = static_cast<std::int64_t>(cornersOf(factors).size());
+    PhaseCases cases{widened(wholeStocks(project), infeed_mm)};
+    if (scenariosOf(project) == OptimisationScenarios::corners) {
+        cases.corners = static_cast<std::int64_t>(cornersOf(scatteredFactors(project)).size());
     }
     return cases;
 }
 
 std::optional<Project> failingCase(const Project& best, const std::stop_token& stop) {
-    return CaseOrder().failingElse(best, stop);
+    auto failing = CaseOrder().failingElse(best, stop);
+    return failing ? std::optional(std::move(failing->part)) : std::nullopt;
 }
 
-std::optional<Project> CaseOrder::failingAgain(const Project& best, const std::stop_token& stop) {
+std::optional<FailingPart> CaseOrder::failingAgain(const Project& best,
+                                                   const std::stop_token& stop) {
     if (m_failed.empty()) {
         return std::nullopt;
     }
@@ -153,18 +172,25 @@ std::optional<Project> CaseOrder::failingAgain(const Project& best, const std::s
     return std::nullopt;
 }
 
-std::optional<Project> CaseOrder::failingElse(const Project& best, const std::stop_token& stop) {
+// A corner that fails by most for one cycle does so for others: one run of each shows which.
+std::optional<FailingPart> CaseOrder::failingElse(const Project& best,
+                                                  const std::stop_token& stop) {
     const Cases cases(best);
-    for (const std::int64_t each : cases.all()) {
-        if (std::ranges::find(m_failed, each) != m_failed.end()) {
-            continue;
-        }
-        if (auto found = cases.failing(each, stop)) {
-            m_failed.insert(m_failed.begin(), each);
+    const auto isNew = [&](std::int64_t each) { return !std::ranges::count(m_failed, each); };
+    std::optional<FailingPart> found;
+    if (m_order.empty()) {
+        found = isNew(-1) ? cases.failing(-1, stop) : std::nullopt;
+        if (found) {
+            m_failed.insert(m_failed.begin(), -1);
             return found;
         }
-        if (stop.stop_requested()) {
-            break;
+        m_order = cases.worstFirst(stop);
+    }
+    for (const std::int64_t each : m_order) {
+        found = isNew(each) && !stop.stop_requested() ? cases.failing(each, stop) : std::nullopt;
+        if (found) {
+            m_failed.insert(m_failed.begin(), each);
+            return found;
         }
     }
     return std::nullopt;

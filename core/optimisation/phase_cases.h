@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/optimisation/optimise.h"
 #include "core/phases/phase_decision.h"
 #include "core/quality/constraints.h"
 
@@ -35,15 +36,16 @@ struct PhaseCases {
 class CaseOrder {
 public:
     /// Of the cases in which others failed; nothing: it holds for these.
-    [[nodiscard]] std::optional<Project> failingAgain(const Project& best,
-                                                      const std::stop_token& stop = {});
+    [[nodiscard]] std::optional<FailingPart> failingAgain(const Project& best,
+                                                          const std::stop_token& stop = {});
     /// Of the others. After failingAgain() of the same cycle the answer is that of failingCase().
-    [[nodiscard]] std::optional<Project> failingElse(const Project& best,
-                                                     const std::stop_token& stop = {});
+    [[nodiscard]] std::optional<FailingPart> failingElse(const Project& best,
+                                                         const std::stop_token& stop = {});
 
 private:
     /// Corners of ScenarioSource; −1: the part as it stands. The one that failed last first.
     std::vector<std::int64_t> m_failed;
+    std::vector<std::int64_t> m_order; ///< all, those in which a cycle did worst first
 };
 
 /// The requirement with the least relative margin over all of these cases; nothing: the project's

@@ -129,6 +129,7 @@ public:
         summary.visits = m_judge.counts.visits;
         summary.cuts = m_judge.counts.cuts;
         summary.added = m_judge.added();
+        summary.addedCases = m_judge.addedCases();
         summary.isStale = m_judge.isStale();
         return summary;
     }

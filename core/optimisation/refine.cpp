@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/refine.h"
 
+#include "core/grace_stop.h"
 #include "core/optimisation/cycle_runner.h"
-#include "core/optimisation/grace_stop.h"
 #include "core/optimisation/refine_space.h"
 #include "core/project/cycle.h"
 #include "core/project/part.h"

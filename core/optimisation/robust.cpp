@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <mutex>
 #include <numbers>
@@ -64,6 +65,25 @@ void addPhase(Project& project, double infeed_mm, double share) {
     stock_mm = std::max(stock_mm + infeed_mm * (share - 0.5), leastShare * stock_mm);
 }
 
+/// Of a draw: all corners of the project's batch, or its parts with another seed each round.
+std::vector<Project> partsOfBatch(Project sampled, OptimisationScenarios asked, int round,
+                                  const std::stop_token& stop) {
+    if (asked == OptimisationScenarios::corners) {
+        sampled.batch->scenarios = Scenarios::corners;
+    } else {
+        constexpr unsigned mostSeed = std::numeric_limits<int>::max();
+        const unsigned seed =
+            static_cast<unsigned>(sampled.batch->seed) + static_cast<unsigned>(round);
+        sampled.batch->seed = static_cast<int>(seed & mostSeed);
+    }
+    const ScenarioSource source(std::move(sampled));
+    std::vector<Project> parts;
+    for (std::int64_t part = 0; part < source.parts() && !stop.stop_requested(); ++part) {
+        parts.push_back(source.project(part));
+    }
+    return parts;
+}
+
 /// From 1, of the last of the candidates that is this cycle; the last of all if none were.
 int placeOf(const FeasibleCycle& cycle, const std::vector<FeasibleCycle>& candidates) {
     const auto last =
@@ -74,6 +94,11 @@ int placeOf(const FeasibleCycle& cycle, const std::vector<FeasibleCycle>& candid
                            ? candidates.size()
                            : static_cast<std::size_t>(candidates.rend() - last);
     return std::max(static_cast<int>(place), 1);
+}
+
+/// A part that is none of a case.
+std::optional<FailingPart> failingPart(std::optional<Project> part) {
+    return part ? std::optional(FailingPart{std::move(*part), {}}) : std::nullopt;
 }
 
 /// The margins of cycles on all that a robust answer must hold for.
@@ -192,12 +217,14 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
         if (failing) {
             return failing;
         }
-        failing = trials.failing(best, source(best, draws++), stop);
+        failing = failingPart(trials.failing(best, source(best, draws++), stop));
         if (!failing && !stop.stop_requested()) {
             candidates.push_back(found);
             ++summary.candidates;
-            failing = canDecide ? cases.failingElse(best, stop)
-                                : failingPhase(best, static_cast<std::uint32_t>(draws), stop);
+            failing =
+                canDecide
+                    ? cases.failingElse(best, stop)
+                    : failingPart(failingPhase(best, static_cast<std::uint32_t>(draws), stop));
             summary.freshFailures += failing ? 1 : 0;
         }
         return failing;
@@ -213,6 +240,7 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
             search.scenarios.push_back(scenario);
             summary.added.push_back(std::move(scenario));
         }
+        std::ranges::move(summary.search.addedCases, std::back_inserter(search.cases));
         if (summary.search.isStale && !options.search.stop.stop_requested()) {
             continue; // with its best in none of them
         }
@@ -239,8 +267,11 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
             }
             return summary;
         }
-        search.scenarios.push_back(*failing);
-        summary.added.push_back(std::move(*failing));
+        search.scenarios.push_back(failing->part);
+        summary.added.push_back(std::move(failing->part));
+        if (failing->of) {
+            search.cases.push_back(std::move(*failing->of));
+        }
         search.quickest_us = summary.search.best->time_us; // further scenarios speed nothing up
         if (search.method == SearchMethod::pruned) {
             search.challenge = challenge;
@@ -313,20 +344,20 @@ FreshScenarios scenariosAskedFor(const Project& project, const std::stop_token& 
     }
     return [asked, stop](const Project& best, int round) {
         std::vector<Project> scenarios = freshStockPhases(best, round);
-        Project sampled = best;
-        if (asked == OptimisationScenarios::corners) {
-            sampled.batch->scenarios = Scenarios::corners;
-        } else {
-            constexpr unsigned mostSeed = std::numeric_limits<int>::max();
-            const unsigned seed =
-                static_cast<unsigned>(sampled.batch->seed) + static_cast<unsigned>(round);
-            sampled.batch->seed = static_cast<int>(seed & mostSeed);
-        }
-        const ScenarioSource source(std::move(sampled));
-        for (std::int64_t part = 0; part < source.parts() && !stop.stop_requested(); ++part) {
-            scenarios.push_back(source.project(part));
-        }
+        std::ranges::move(partsOfBatch(best, asked, round, stop), std::back_inserter(scenarios));
         return scenarios;
+    };
+}
+
+FreshScenarios undecidedScenarios(const Project& project, const std::stop_token& stop) {
+    if (!canDecidePhases(project)) {
+        return scenariosAskedFor(project, stop);
+    }
+    const OptimisationScenarios asked = project.optimisation->scenarios;
+    return [asked, stop](const Project& best, int round) {
+        return asked == OptimisationScenarios::batch && best.batch
+                   ? partsOfBatch(best, asked, round, stop)
+                   : std::vector<Project>{};
     };
 }
 

@@ -44,9 +44,10 @@ struct RobustSummary {
 /// it must hold in, and again, until none fails [MODEL-8]. Added is the one that fails by most;
 /// where draws correspond they are tried in the order of the last cycle that was tried on all, the
 /// worst first, and added is the first that fails. The answer is the best of the grid for the
-/// scenarios in the set. Under gauge control it is decided for each cycle that may be the answer
-/// whether it holds in all its phaseCases(), before the source's scenarios those in which others
-/// failed; one in which it fails is added and the search goes on. Under position control that is
+/// scenarios in the set. Under gauge control it is the best of those that hold in all of their
+/// phaseCases(): this is decided for each cycle that may be the answer, before the source's
+/// scenarios the cases in which others failed; the part that fails is added, with its case, and the
+/// search goes on without what PhaseOutlook shows to fail there. Under position control that is
 /// not proved: it is tried on phases of the stock drawn at random, fresh for each such cycle; the
 /// answer is one that failed in none of its own, so that with 95 % confidence no more than
 /// mostFailing() of the phases fail. A stop leaves a trial unchecked: it counts neither as one that
@@ -58,11 +59,11 @@ struct RobustSummary {
 ///
 /// The pruned search is made twice: once for the part, then with the first scenario added. There
 /// a cycle that would be the best is tested before it counts, on scenarios drawn for it, and what
-/// it fails in joins the set. What was dropped before failed in a part of the final set or is
-/// slower than a cycle that was the best then; as long as that one holds in all scenarios that
-/// joined later, nothing is lost: cycles of its time are not dropped, they wait, as its margin may
-/// fall. Where it does not hold, the search is made again with the set as it is. Cycles quicker
-/// than the best without further scenarios were judged before: none of them holds.
+/// it fails in joins the set. What was dropped before failed in a part of the final set, or for a
+/// stock of a case, or is slower than a cycle that was the best then; as long as that one holds in
+/// all scenarios that joined later, nothing is lost: cycles of its time are not dropped, they wait,
+/// as its margin may fall. Where it does not hold, the search is made again with the set as it is.
+/// Cycles quicker than the best without further scenarios were judged before: none of them holds.
 ///
 /// For the greatest margin within a time no scenario is added: the margin of each cycle that would
 /// be the best is taken on all that it must hold for, which is the same whatever else is searched:
@@ -114,5 +115,10 @@ inline constexpr int freshPhaseCount = 500;
 /// alone. A stop leaves out parts of the batch.
 [[nodiscard]] FreshScenarios scenariosAskedFor(const Project& project,
                                                const std::stop_token& stop = {});
+
+/// Those of them that phaseCases() do not decide: under gauge control the parts of a batch alone,
+/// for the stock phases and the corners are among these cases.
+[[nodiscard]] FreshScenarios undecidedScenarios(const Project& project,
+                                                const std::stop_token& stop = {});
 
 } // namespace sparkout

@@ -43,9 +43,11 @@ public:
         }
     }
 
-    /// Neither: it has to be decided on the piece's own ends.
-    [[nodiscard]] bool holds() const { return !m_fails && !m_isNear; }
+    /// Neither, and not for burning alone: it has to be decided on the piece's own ends.
+    [[nodiscard]] bool holds() const { return !m_fails && !m_isNear && !m_mayBurn; }
     [[nodiscard]] bool fails() const { return m_fails; }
+    /// All but burning holds, which more stock may prevent.
+    [[nodiscard]] bool holdsIfNotBurned() const { return !m_fails && !m_isNear; }
     double leastMargin = std::numeric_limits<double>::infinity(); ///< relative, at the worse end
     StockRange failing; ///< stocks of the piece that the diameter that fails by most fails for
 
@@ -69,7 +71,9 @@ private:
             return (!isLength || sign * each.margin > nearest_um)
                    && (!isOfDepths || sign * each.relativeMargin > nearestShare);
         };
-        if (each.kind != ConstraintKind::burn && beyond(-1)) {
+        if (each.kind == ConstraintKind::burn) {
+            m_mayBurn = !beyond(1) || !each.isWhole;
+        } else if (beyond(-1)) {
             m_fails = true;
         } else if (!beyond(1) || !each.isWhole) {
             m_isNear = true;
@@ -113,7 +117,7 @@ private:
     StockRange m_piece;
     double m_worst_um = 0;      ///< margin of a diameter that fails
     double m_low_um, m_high_um; ///< diameters of the ends of the piece less those of the run
-    bool m_fails = false, m_isNear = false;
+    bool m_fails = false, m_isNear = false, m_mayBurn = false;
 };
 
 /// Keeps the worst of those that fail.
@@ -159,6 +163,16 @@ private:
     std::vector<Suspect> m_worst; ///< a heap, the least of them first
 };
 
+/// Whether the piece's steps burn a blank of this stock, or it is stopped.
+bool burns(const Project& project, const PhasePiece& piece, double stock_mm,
+           const std::stop_token& stop) {
+    const SimulationResult result = simulatePiece(project, piece, stock_mm, stop);
+    return result.status != RunStatus::completed
+           || std::ranges::any_of(evaluateConstraints(result), [](const ConstraintResult& each) {
+                  return each.kind == ConstraintKind::burn && !each.holds;
+              });
+}
+
 } // namespace
 
 std::optional<double> failingStock_mm(const Project& project, StockRange range,
@@ -177,6 +191,15 @@ std::optional<double> failingStock_mm(const Project& project, StockRange range,
         if (isShared && shared.fails()) {
             suspects.add({shared.failing, shared.leastMargin});
             return true;
+        }
+        if (isShared && shared.holdsIfNotBurned()) {
+            if (!burns(part, piece, piece.from_mm, stop)) {
+                return true;
+            }
+            if (burns(part, piece, piece.to_mm, stop)) {
+                suspects.add({shared.failing, shared.leastMargin});
+                return !stop.stop_requested();
+            }
         }
         const DecidedPiece decided = decidePiece(part, piece, stop);
         for (const StockRange& stocks : decided.failing()) {

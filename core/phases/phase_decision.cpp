@@ -140,14 +140,18 @@ bool canDecidePhases(const Project& project) {
     return project.gauge->control == Control::gauge;
 }
 
+StockRange widened(const StockRange& stocks, double largestInfeed_mm) {
+    constexpr double leastShare = 0.01; // of the stock: a blank has some
+    return {std::max(stocks.from_mm - largestInfeed_mm / 2, leastShare * stocks.from_mm),
+            stocks.to_mm + largestInfeed_mm / 2};
+}
+
 StockRange usualPhases(const Project& project) {
     double most_mm = 0;
     for (const double infeed_mm : infeedsOfStages(project)) {
         most_mm = std::max(most_mm, infeed_mm);
     }
-    const double stock_mm = project.part->stock_mm;
-    constexpr double leastShare = 0.01; // of the stock: a blank has some
-    return {std::max(stock_mm - most_mm / 2, leastShare * stock_mm), stock_mm + most_mm / 2};
+    return widened({project.part->stock_mm, project.part->stock_mm}, most_mm);
 }
 
 DecidedPiece decidePiece(const Project& project, PhasePiece piece, const std::stop_token& stop) {

@@ -74,6 +74,9 @@ struct PhaseDecision {
 /// Whether the phases of a valid project can be decided: under gauge control.
 [[nodiscard]] bool canDecidePhases(const Project& project);
 
+/// Stocks and half the largest infeed of a stage on either side of them.
+[[nodiscard]] StockRange widened(const StockRange& stocks, double largestInfeed_mm);
+
 /// The stocks around the stated one over which each way of the last steps of the stages to fall
 /// comes up: half the largest infeed of a stage on either side.
 [[nodiscard]] StockRange usualPhases(const Project& project);

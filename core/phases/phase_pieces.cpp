@@ -58,6 +58,7 @@ private:
         double low_mm, high_mm;
         StepReading last;
         std::vector<bool> answers;
+        double left_mm = 0; ///< that the run leaves more below its cuts
     };
 
     bool follow(Branch& branch) {
@@ -65,12 +66,14 @@ private:
             judge(branch);
         }
         Run& run = branch.steps->run();
+        leaveMore(branch);
         while (!branch.loop.finished() && !branch.loop.isStuck() && !run.mustEnd()) {
             if (!branch.steps->step(branch.loop.next(run))) {
                 break;
             }
             branch.last = takeReading(*branch.steps);
             judge(branch);
+            leaveMore(branch);
         }
         if (branch.loop.isStuck()) {
             run.setStatus(RunStatus::cannotReachSize);
@@ -82,6 +85,14 @@ private:
                && m_visit(
                    {from_mm + branch.low_mm, from_mm + branch.high_mm, counts, result.status},
                    result);
+    }
+
+    /// All stocks of the branch leave so much more below their cuts than the least of the interval.
+    static void leaveMore(Branch& branch) {
+        if (branch.low_mm > branch.left_mm) {
+            branch.steps->run().leaveMore(branch.low_mm - branch.left_mm);
+            branch.left_mm = branch.low_mm;
+        }
     }
 
     /// Goes on with the stocks of which what the loop asks next is true, and leaves the others for
@@ -102,7 +113,8 @@ private:
                 answers.push_back(false);
                 m_branches.push_back({branch.steps->copy(), before,
                                       std::max(branch.low_mm, larger_mm - m_overlap_mm),
-                                      branch.high_mm, branch.last, std::move(answers)});
+                                      branch.high_mm, branch.last, std::move(answers),
+                                      branch.left_mm});
                 branch.high_mm = std::min(branch.high_mm, larger_mm + m_overlap_mm);
             }
             given.push_back(some);

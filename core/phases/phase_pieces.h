@@ -44,7 +44,9 @@ struct PhasePiece {
                                                   double to_mm, const std::stop_token& stop = {},
                                                   std::size_t most = SIZE_MAX);
 
-/// Takes a piece, and what its cycle makes of the stock `from_mm` of the interval; false: no more.
+/// Takes a piece, and what its cycle makes of the stock `from_mm` of the interval, but for burning:
+/// a cut is judged by the stock it leaves of the least blank that comes to it, so by no more than
+/// any of the piece leaves. False: no more.
 using PieceVisitor = std::function<bool(const PhasePiece& piece, const SimulationResult& result)>;
 
 /// Visits the pieces in no order, each as soon as it is known. Whether all were visited.

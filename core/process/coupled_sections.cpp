@@ -44,7 +44,9 @@ public:
         , m_gap(m_count)
         , m_matrix(m_count, m_count)
         , m_direction(m_count)
-        , m_free(static_cast<std::size_t>(m_count)) {}
+        , m_free(static_cast<std::size_t>(m_count)) {
+        makeLow();
+    }
 
     Outcome solve(const double* lag_mm, double* root, const std::stop_token& stop);
     VectorXd force; ///< of the last solution
@@ -65,6 +67,8 @@ private:
     [[nodiscard]] double contactForce(Index j, double f) const;
     [[nodiscard]] double slope(Index j, double u, double f) const;
     [[nodiscard]] double ownDepth(const Point& point, Index j) const;
+    void makeLow();
+    void lowStep();
     void newtonStep();
     int interiorSteps(const MapConst& h, const std::stop_token& stop);
     double interiorStep(double mu);
@@ -87,6 +91,12 @@ private:
     ArrayXd m_gap; ///< z, which becomes r where it is positive [mm]
     MatrixXd m_matrix;
     VectorXd m_direction; ///< of a descent
+    MatrixXd m_low;       ///< L, no column where it is of no use
+    ArrayXd m_beyondLow;  ///< diagonal of G − L·Lᵀ
+    MatrixXd m_weighted;  ///< W·L
+    MatrixXd m_small;     ///< 1 + Lᵀ·W·L
+    ArrayXd m_weight;
+    VectorXd m_smallSide;
     std::vector<Index> m_free;
 };
 
@@ -106,6 +116,14 @@ CoupledSections::Outcome CoupledSections::Solver::solve(const double* lag_mm, do
     while (!(m_now.residual <= enough) && outcome.iterations < maxIterations
            && !stop.stop_requested()) {
         ++outcome.iterations;
+        if (m_low.cols() > 0) {
+            lowStep();
+            evaluate(m_next, h);
+            if (m_next.residual <= m_now.residual / 4) {
+                std::swap(m_now, m_next);
+                continue;
+            }
+        }
         newtonStep();
         evaluate(m_next, h);
         if (!(m_next.residual <= m_now.residual / 2)) {
@@ -182,6 +200,65 @@ double CoupledSections::Solver::slope(Index j, double u, double f) const {
 // w + G_jj·f: what a section gives when it lets go.
 double CoupledSections::Solver::ownDepth(const Point& point, Index j) const {
     return point.w[j] + m_influence(j, j) * point.f[j];
+}
+
+// By Cholesky's method with pivots, as far as its columns are worth more than one part in 10⁴.
+void CoupledSections::Solver::makeLow() {
+    constexpr Index fewestSections = 32, mostColumns = 16;
+    constexpr double leastShare = 1e-4;
+    if (m_count < fewestSections) {
+        return;
+    }
+    m_beyondLow = m_influence.diagonal();
+    const double least = leastShare * m_beyondLow.maxCoeff();
+    m_low.resize(m_count, mostColumns);
+    Index columns = 0, pivot = 0;
+    double most = m_beyondLow.maxCoeff(&pivot);
+    for (; columns < mostColumns && most > least; most = m_beyondLow.maxCoeff(&pivot)) {
+        VectorXd column = m_influence.col(pivot);
+        for (Index i = 0; i < columns; ++i) {
+            column -= m_low(pivot, i) * m_low.col(i);
+        }
+        m_low.col(columns) = column / std::sqrt(most);
+        m_beyondLow -= m_low.col(columns).array().square();
+        ++columns;
+    }
+    m_beyondLow = m_beyondLow.max(0);
+    m_low.conservativeResize(Eigen::NoChange, most > least ? 0 : columns);
+    m_weighted.resizeLike(m_low);
+    m_small.resize(m_low.cols(), m_low.cols());
+    m_smallSide.resize(m_low.cols());
+    m_weight.resize(m_count);
+}
+
+// Newton's step with L·Lᵀ and what is beyond it on the diagonal in place of G: with W = 1/(D +
+// beyond), 0 where a section lets go, δ = W·b − W·L·(1 + Lᵀ·W·L)⁻¹·Lᵀ·W·b, b = −r.
+void CoupledSections::Solver::lowStep() {
+    m_reduced = -m_now.r;
+    m_step.setZero();
+    bool letsGo = false;
+    for (Index j = 0; j < m_count; ++j) {
+        const bool inContact = ownDepth(m_now, j) >= m_now.r[j];
+        m_weight[j] = inContact ? 1 / (slope(j, m_now.u[j], m_now.f[j]) + m_beyondLow[j]) : 0;
+        m_step[j] = inContact ? 0 : -m_now.f[j];
+        letsGo = letsGo || m_step[j] < 0;
+    }
+    if (letsGo) {
+        m_reduced.noalias() -= m_influence * m_step;
+    }
+    for (Index i = 0; i < m_low.cols(); ++i) {
+        m_weighted.col(i) = m_weight * m_low.col(i).array();
+        m_smallSide[i] = m_weighted.col(i).dot(m_reduced);
+        for (Index k = 0; k <= i; ++k) {
+            m_small(i, k) = m_weighted.col(i).dot(m_low.col(k)) + (i == k ? 1 : 0);
+        }
+    }
+    Eigen::LLT<Eigen::Ref<MatrixXd>>(m_small).solveInPlace(m_smallSide);
+    m_step.array() += m_weight * m_reduced.array();
+    for (Index i = 0; i < m_low.cols(); ++i) {
+        m_step -= m_smallSide[i] * m_weighted.col(i);
+    }
+    m_next.f = (m_now.f + m_step).cwiseMax(0);
 }
 
 // Newton's step on min(w + G_jj·f, r) = 0: where the first is the smaller, the section lets go.

@@ -40,6 +40,11 @@ namespace sparkout {
 /// largest residual; else interior-point steps on Ψ(f) − μ·Σ ln f, μ → 0, find which sections are
 /// in contact. From the last revolution's roots it takes one or two steps.
 ///
+/// Neighbours on a shaft deflect nearly alike: many sections have a G that is L·Lᵀ, L of a few
+/// columns, but for a ten-thousandth. Then a step is tried first for which L·Lᵀ stands in place of
+/// G, in time proportional to J; r and the residual are those of G. It is taken where it leaves a
+/// quarter of the residual at most, else Newton's own is.
+///
 /// These quick steps may end short of the solution where a section barely touches: there dw/df → 0
 /// and both sets of sections seem right in turn. From the best point they found a descent on Ψ goes
 /// on, which comes to the solution from everywhere:
@@ -73,7 +78,7 @@ public:
 
     struct Outcome {
         bool converged = false;
-        int iterations = 0;     ///< Cholesky factors it took
+        int iterations = 0;     ///< steps it took
         double residual_mm = 0; ///< largest |min(a + G·f, r)| of what is returned
     };
 

@@ -49,6 +49,11 @@ public:
         m_worst = {};
         m_quietEnd = m_stretchEnd = std::numeric_limits<double>::lowest();
     }
+    /// From now on so much more [mm] is left below every cut, as of a larger blank.
+    void leaveMore(double more_mm) {
+        m_total += more_mm;
+        m_quietEnd = m_stretchEnd = std::numeric_limits<double>::lowest();
+    }
     /// Whether a visit burned beyond doubt: the table of limits is off by less.
     [[nodiscard]] bool surelyBurned() const {
         constexpr double generously = 1e-4; // of √a

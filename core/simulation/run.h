@@ -68,6 +68,9 @@ public:
     }
     void setStatus(RunStatus status) { m_result.status = status; }
 
+    /// From now on burning is judged as on a blank larger by so much more [mm] per side.
+    void leaveMore(double more_mm) { m_watch.leaveMore(more_mm); }
+
     /// Points from this one on count for sums, peaks, limits and accuracy; those before it, their
     /// zones' middles, are recorded alone.
     void countFrom(std::size_t point) { m_firstCounted = point; }

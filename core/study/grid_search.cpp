@@ -2,8 +2,8 @@
 #include "core/study/grid_search.h"
 
 #include "core/batch/batch_check.h"
+#include "core/grace_stop.h"
 #include "core/optimisation/binding.h"
-#include "core/optimisation/grace_stop.h"
 #include "core/project/cycle.h"
 #include "core/project/optimisation.h"
 #include "core/project/validate.h"
@@ -104,7 +104,7 @@ void searchOnce(GridSearchReport& report, const Project& searched, const GridSea
         report.interval = searchInterval(searched, options.wear.value_or(none), {.search = search});
         report.search = report.interval->search;
     } else if (options.robust || asksForABatch(searched)) {
-        report.robust = optimiseRobustly(searched, scenariosAskedFor(searched, options.stop),
+        report.robust = optimiseRobustly(searched, undecidedScenarios(searched, options.stop),
                                          {.search = search});
         report.search = report.robust->search;
     } else {

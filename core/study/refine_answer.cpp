@@ -11,7 +11,7 @@ RefineSummary refineAnswer(const GridAnswer& answer, const std::stop_token& stop
     if (answer.robust) {
         options.everyStageSteps = true;
         options.scenarios = answer.robust->scenarios;
-        options.source = scenariosAskedFor(answer.asked, stop);
+        options.source = undecidedScenarios(answer.asked, stop);
         options.candidates = answer.robust->candidates;
     }
     return refine(answer.best, answer.cycle, options);

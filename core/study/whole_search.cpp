@@ -2,8 +2,8 @@
 #include "core/study/whole_search.h"
 
 #include "core/batch/batch_check.h"
+#include "core/grace_stop.h"
 #include "core/optimisation/binding.h"
-#include "core/optimisation/grace_stop.h"
 #include "core/optimisation/judge.h"
 #include "core/optimisation/limit.h"
 #include "core/optimisation/robust.h"
@@ -211,7 +211,7 @@ private:
             number.search = interval->search;
         } else if (m_outcome->robust) {
             RobustSummary robust =
-                optimiseRobustly(project, scenariosAskedFor(project, m_stop), {.search = options});
+                optimiseRobustly(project, undecidedScenarios(project, m_stop), {.search = options});
             candidate = m_now.candidates + robust.candidate;
             m_now.candidates += robust.candidates;
             number.scenariosAdded = static_cast<int>(robust.added.size());
@@ -302,8 +302,8 @@ private:
 
     [[nodiscard]] TradeOff frontOf(const SearchOptions& options, std::size_t most) const {
         if (m_outcome->robust) {
-            return tradeOffRobustly(m_now.searched, scenariosAskedFor(m_now.searched, options.stop),
-                                    options, most);
+            return tradeOffRobustly(
+                m_now.searched, undecidedScenarios(m_now.searched, options.stop), options, most);
         }
         const std::optional<SearchSummary> from =
             m_within_us ? optimise(m_now.searched, options) : quickest();

@@ -213,6 +213,19 @@ void coupledCycle(benchmark::State& state) {
     }
 }
 
+/// The same cycle of the most sections there may be, deflecting each other or not.
+void manySections(benchmark::State& state, bool coupled) {
+    Project project = readProject(coupledShaft).project.value();
+    project.sections = 200;
+    project.sections_coupled = coupled;
+    for (auto _ : state) {
+        const SimulationResult result = simulateUnchecked(project);
+        if (result.status != RunStatus::completed || result.cycleCount != 300) {
+            state.SkipWithError("not the cycle it should be");
+        }
+    }
+}
+
 /// The same cycle with everything asked, and its verdict.
 void demandingCycle(benchmark::State& state, bool verdict) {
     const Project project = demandingShaft();
@@ -375,6 +388,10 @@ bool summary(const Minima& minima) {
     // here the ratio is to 100 ms
     beyond |= report("simulate_coupled_20x300x36", time("simulate_coupled_20x300x36"), 1.0,
                      time("simulate_coupled_20x300x36") / 100e6);
+    // to the same sections uncoupled; the aim is 8
+    report("simulate_sections_200x300x36", time("simulate_sections_200x300x36"), 0, 0);
+    beyond |= report("simulate_coupled_200x300x36", time("simulate_coupled_200x300x36"), 130,
+                     time("simulate_coupled_200x300x36") / time("simulate_sections_200x300x36"));
     // to 200 µs: 100,000 parts on two processors in 10 s
     const double part = time("batch_of_shafts") / partsOfBatch;
     beyond |= report("batch_part", part, 1.0, part / 200e3);
@@ -412,6 +429,8 @@ void registerAll() {
     benchmark::RegisterBenchmark("simulate_every_constraint", demandingCycle, false);
     benchmark::RegisterBenchmark("simulate_and_verdict", demandingCycle, true);
     benchmark::RegisterBenchmark("simulate_coupled_20x300x36", coupledCycle);
+    benchmark::RegisterBenchmark("simulate_sections_200x300x36", manySections, false);
+    benchmark::RegisterBenchmark("simulate_coupled_200x300x36", manySections, true);
     benchmark::RegisterBenchmark("batch_of_shafts", batchOfShafts);
     benchmark::RegisterBenchmark("read_project", readAndValidate);
     benchmark::RegisterBenchmark("validate", validateAlone);

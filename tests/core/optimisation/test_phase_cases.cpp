@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a robust answer under gauge control is decided to hold for.
 #include "core/batch/scenario_source.h"
+#include "core/optimisation/phase_outlook.h"
 #include "core/optimisation/robust.h"
 #include "core/phases/failing_stock.h"
 #include "core/project/batch.h"
+#include "core/simulation/stage_control.h"
 #include "tests/core/optimisation/search_cases.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -117,6 +120,72 @@ private slots:
         }
         QVERIFY2(answers * 5 > static_cast<int>(cases) && excluded > 2,
                  QByteArray::number(answers) + ' ' + QByteArray::number(excluded));
+    }
+
+    /// The full search runs every cycle, and knows of no outlook.
+    void theQuickestIsThatOfTheFullSearch() {
+        int answers = 0;
+        const unsigned cases = static_cast<unsigned>(samples::sized(60, 20, 2000));
+        for (unsigned seed = 0; seed < cases; ++seed) {
+            const Project p = withCorners(seed);
+            RobustOptions full;
+            full.search.method = SearchMethod::full;
+            full.search.threads = 1;
+            const RobustSummary told = optimiseRobustly(p, undecidedScenarios(p));
+            const RobustSummary all = optimiseRobustly(p, scenariosAskedFor(p), full);
+            QCOMPARE(told.holdsInSample, all.holdsInSample);
+            QCOMPARE(told.search.status, all.search.status);
+            if (all.search.best) {
+                ++answers;
+                QCOMPARE(told.search.best->time_us, all.search.best->time_us);
+            }
+        }
+        QVERIFY2(answers * 5 > static_cast<int>(cases), QByteArray::number(answers));
+    }
+
+    /// Of all cycles of small grids, with every number of stages: none that holds for each stock of
+    /// its range is called hopeless, and most that fail by a diameter that is too small are.
+    void whatIsHopelessFailsForSomeStock() {
+        int told = 0, failing = 0, severalStages = 0;
+        const unsigned cases = static_cast<unsigned>(samples::sized(40, 12, 1000));
+        for (unsigned seed = 0; seed < cases; ++seed) {
+            Project p = smallCase(seed);
+            p.gauge->control = Control::gauge;
+            p.gauge->datum_mm.reset();
+            p.batch.reset();
+            const Grid grid(p);
+            const double stock_mm = p.part->stock_mm, wide_mm = 0.001 * (seed % 3);
+            const StockRange stocks{stock_mm - wide_mm, stock_mm + wide_mm};
+            PhaseOutlook outlook({-1, p, stocks}, grid, seed % 4 == 0 ? 0 : 1 << 20, {});
+            int cycles = 0;
+            for (GridCycle cycle; cycles < 300 && grid.next(cycle); ++cycles) {
+                const bool isHopeless = outlook.isHopeless(cycle);
+                if (!isHopeless && cycles % 4 > 0) {
+                    continue; // those that hold are not the question
+                }
+                *p.cycle = grid.cycle(cycle);
+                const std::vector<double> infeeds_mm = infeedsOfStages(p);
+                const StockRange range = widened(stocks, std::ranges::max(infeeds_mm));
+                const bool fails = failingStock_mm(p, range).has_value();
+                QVERIFY2(fails || !isHopeless, QByteArray::number(seed));
+                failing += fails ? 1 : 0;
+                told += isHopeless ? 1 : 0;
+                severalStages += isHopeless && cycle.size() > 2 ? 1 : 0;
+            }
+        }
+        qInfo("%d of %d told, %d of more than two stages", told, failing, severalStages);
+        QVERIFY(told > static_cast<int>(cases) * 5 && severalStages > static_cast<int>(cases));
+    }
+
+    void onlyWhatIsNotDecidedIsDrawn() {
+        Project p = withCorners(4);
+        p.batch->parts = 5;
+        QVERIFY(undecidedScenarios(p)(p, 0).empty());
+        p.optimisation->scenarios = OptimisationScenarios::batch;
+        QCOMPARE(undecidedScenarios(p)(p, 0).size(), std::size_t{5});
+        QVERIFY(scenariosAskedFor(p)(p, 0).size() > 5); // and the phases of the part
+        p.gauge->control = Control::position;
+        QCOMPARE(undecidedScenarios(p)(p, 0).size(), scenariosAskedFor(p)(p, 0).size());
     }
 
     /// What is returned fails by itself.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Searches of parts whose cycles take long, sections that deflect each other: a stop ends them
 // within a cycle, and what was stopped decides nothing.
+#include "core/grace_stop.h"
 #include "core/optimisation/binding.h"
 #include "core/optimisation/cycle_runner.h"
-#include "core/optimisation/grace_stop.h"
 #include "core/optimisation/limit.h"
 #include "core/optimisation/refine.h"
 #include "core/process/compliance.h"

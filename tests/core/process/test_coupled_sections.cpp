@@ -265,11 +265,26 @@ private slots:
         QVERIFY(held);
     }
 
+    // Where G is a sum of few products, a step of few columns stands for Newton's, sections that
+    // barely touch or let go included.
+    void manySectionsOfFewProductsAreSolvedToTheirConditions() {
+        const bool held = rc::check("few products", [] {
+            const auto J = static_cast<std::size_t>(*rc::gen::inRange(32, 70));
+            const auto rank = static_cast<std::size_t>(*rc::gen::inRange(1, 20));
+            const System system = randomSystem(J, rank);
+            const std::vector<double> h = randomLags(J);
+            const Solution solution = solve(system, h);
+            RC_ASSERT(solution.outcome.converged);
+            RC_ASSERT(system.fault(solution.u, h) < 1e-12);
+        });
+        QVERIFY(held);
+    }
+
     // Revolution after revolution from the last one's roots, touch and spark-out included.
     void wholeCyclesConverge_data() {
         QTest::addColumn<int>("sections");
         QTest::addColumn<double>("kr");
-        for (const int sections : {2, 4, 8, 20, 50}) {
+        for (const int sections : {2, 4, 8, 20, 50, 100}) {
             for (const double kr : {0.0, 7.0, 71.3, 356.0, 2000.0}) {
                 QTest::addRow("%d sections, k_r %g", sections, kr) << sections << kr;
             }
@@ -412,16 +427,23 @@ private slots:
         QVERIFY(!solve(beam(3, usual), {0.01, std::nan(""), 0.01}).outcome.converged);
     }
 
+    void solvingAllocatesNothing_data() {
+        QTest::addColumn<int>("sections");
+        QTest::addRow("few") << 20;
+        QTest::addRow("many") << 60;
+    }
     void solvingAllocatesNothing() {
-        const System system = beam(20, dull);
-        CoupledSections sections(system.G, system.width, system.law);
-        std::vector<double> u(20), h(20);
+        QFETCH(int, sections);
+        const auto J = static_cast<std::size_t>(sections);
+        const System system = beam(J, dull);
+        CoupledSections balance(system.G, system.width, system.law);
+        std::vector<double> u(J), h(J);
         const long long before = allocations::count;
         for (int m = 1; m < 50; ++m) {
-            for (std::size_t j = 0; j < 20; ++j) {
+            for (std::size_t j = 0; j < J; ++j) {
                 h[j] = (j + std::size_t(m)) % 5 == 0 ? -0.001 : 0.0001 * m;
             }
-            sections.solve(h.data(), u.data());
+            balance.solve(h.data(), u.data());
         }
         QCOMPARE(static_cast<long long>(allocations::count), before);
     }

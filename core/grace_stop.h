@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/optimisation/grace.h"
+#include "core/grace.h"
 
 #include <condition_variable>
 #include <mutex>

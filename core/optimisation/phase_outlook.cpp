@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/optimisation/phase_outlook.h"
+
+#include "core/optimisation/last_stage_outlook.h"
+#include "core/optimisation/stage_runs.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace sparkout {
+
+namespace {
+
+constexpr double mostFormChange_mm = 1e-6;
+constexpr double roundings_mm = 2e-9; ///< of depths and written stocks, generously
+constexpr double nearest_mm = 1e-5;   ///< what the deviation of a diameter is left in doubt
+
+bool isLate(const Project& project) {
+    return project.gauge->delay_s.value_or(0) > 0
+           || project.machine->feed_change_delay_s.value_or(0) > 0;
+}
+
+double largestInfeed_mm(const Project& project, const Grid& grid) {
+    double most_mm = 0;
+    for (const StageSetting& setting : grid.settings()) {
+        most_mm = std::max(most_mm, setting.sparkOut == 0 ? infeedOf(project, setting) : 0);
+    }
+    return most_mm;
+}
+
+Project withStock(Project project, double stock_mm) {
+    project.part->stock_mm = stock_mm;
+    return project;
+}
+
+} // namespace
+
+PhaseOutlook::PhaseOutlook(const PhaseCase& of, const Grid& grid, std::size_t memory_bytes,
+                           const std::stop_token& stop)
+    : m_grid(grid)
+    , m_corner(of.corner)
+    , m_stocks(of.stocks)
+    , m_part(withStock(of.part, widened(of.stocks, largestInfeed_mm(of.part, grid)).from_mm))
+    , m_runner(m_part, grid, stop)
+    , m_blank(m_runner.begin(grid.stageCounts().front()))
+    , m_mostKept_bytes(memory_bytes) {
+    const double most_mm = widened(of.stocks, largestInfeed_mm(of.part, grid)).to_mm;
+    const double form_mm = formChange_mm(m_part, most_mm - m_part.part->stock_mm);
+    const RadiusFollower* const follower = m_blank->follower();
+    if (!follower || isLate(m_part) || form_mm > mostFormChange_mm) {
+        return;
+    }
+    m_doubt_mm = form_mm + roundings_mm;
+    for (const StageSetting& setting : grid.settings()) {
+        m_infeeds_mm.push_back(infeedOf(m_part, setting));
+        m_feeds.push_back(follower->feed(m_infeeds_mm.back(), setting.axialFeed_mm_min));
+    }
+    m_unbegun = stateOf(*m_blank);
+}
+
+bool PhaseOutlook::isHopeless(const GridCycle& cycle) {
+    if (m_feeds.empty()) {
+        return false;
+    }
+    double infeed_mm = 0;
+    for (const GridStage& stage : cycle) {
+        const bool feeds = m_grid.settings()[stage.setting].sparkOut == 0;
+        infeed_mm = std::max(infeed_mm, feeds ? m_infeeds_mm[stage.setting] : 0);
+    }
+    StockRange range = widened(m_stocks, infeed_mm);
+    range.from_mm -= m_part.part->stock_mm;
+    range.to_mm -= m_part.part->stock_mm;
+    if (m_kept_bytes > m_mostKept_bytes) {
+        m_first.clear();
+        m_kept_bytes = 0;
+    }
+    if (cycle.size() == 1) {
+        return endsTooDeep(m_unbegun, cycle, range);
+    }
+    const std::pair key(cycle.size(), cycle.front().setting);
+    const auto found = m_first.find(key);
+    Stage& first = found != m_first.end()
+                       ? found->second
+                       : m_first.emplace(key, begin(m_runner.begin(cycle.size()))).first->second;
+    return isHopelessFrom(first, cycle, 0, 0, range);
+}
+
+/// Goes through the steps at which stocks of the range end the stage.
+bool PhaseOutlook::isHopelessFrom(Stage& stage, const GridCycle& cycle, std::size_t place,
+                                  int taken, StockRange range) {
+    const int behind = taken + cycle[place].steps;
+    const double later_mm = m_grid.remainder(behind) + stageSlack_mm;
+    const auto isBefore = [&](const State& each) { // no stock of the range ends it there
+        return later_mm - each.remaining_mm - range.from_mm <= 4 * m_doubt_mm;
+    };
+    const auto first = std::ranges::partition_point(stage.states, isBefore);
+    const auto known = static_cast<std::size_t>(first - stage.states.begin());
+    for (std::size_t count = std::max<std::size_t>(known, place == 0 ? 1 : 0);
+         range.to_mm - range.from_mm > 4 * m_doubt_mm; ++count) {
+        const State* const state = stateAt(stage, count, place, cycle[place].setting);
+        if (!state) {
+            return false;
+        }
+        const double end_mm = later_mm - state->remaining_mm;
+        const StockRange ending{range.from_mm, std::min(range.to_mm, end_mm)};
+        if (ending.to_mm - ending.from_mm <= 4 * m_doubt_mm) {
+            continue;
+        }
+        if (place + 2 == cycle.size()) {
+            if (endsTooDeep(*state, cycle, ending)) {
+                return true;
+            }
+        } else if (Stage* const next = follower(stage, count, cycle, place);
+                   next && isHopelessFrom(*next, cycle, place + 1, behind, ending)) {
+            return true;
+        }
+        range.from_mm = ending.to_mm;
+    }
+    return false;
+}
+
+PhaseOutlook::Stage PhaseOutlook::begin(std::shared_ptr<const CycleSteps> from) {
+    Stage stage;
+    stage.steps = from->copy();
+    stage.states.push_back(stateOf(*from));
+    stage.kept.emplace(0, std::move(from));
+    m_kept_bytes += prefixBytes(m_part);
+    return stage;
+}
+
+PhaseOutlook::State PhaseOutlook::stateOf(const CycleSteps& steps) const {
+    return {tellingRadii(steps), steps.remaining()};
+}
+
+const PhaseOutlook::State* PhaseOutlook::stateAt(Stage& stage, std::size_t count, std::size_t place,
+                                                 std::size_t setting) {
+    while (stage.states.size() <= count) {
+        if (!stage.steps || stage.steps->run().mustEnd()
+            || !stage.steps->step(
+                {m_infeeds_mm[setting], place, m_grid.settings()[setting].axialFeed_mm_min})) {
+            stage.steps.reset();
+            return nullptr;
+        }
+        stage.states.push_back(stateOf(*stage.steps));
+        m_kept_bytes += sizeof(State);
+    }
+    return &stage.states[count];
+}
+
+/// The next stage of the cycle after so many steps; nothing: it was stopped.
+PhaseOutlook::Stage* PhaseOutlook::follower(Stage& stage, std::size_t count, const GridCycle& cycle,
+                                            std::size_t place) {
+    const std::size_t setting = cycle[place].setting;
+    const std::pair key(count, cycle[place + 1].setting);
+    if (const auto found = stage.next.find(key); found != stage.next.end()) {
+        return &found->second;
+    }
+    const auto& [made, before] = *std::prev(stage.kept.upper_bound(count));
+    std::shared_ptr<const CycleSteps> from = before;
+    if (made < count) {
+        std::unique_ptr<CycleSteps> steps = before->copy();
+        for (std::size_t i = made; i < count; ++i) {
+            if (steps->run().mustEnd()
+                || !steps->step(
+                    {m_infeeds_mm[setting], place, m_grid.settings()[setting].axialFeed_mm_min})) {
+                return nullptr;
+            }
+        }
+        from = std::move(steps);
+        stage.kept.emplace(count, from);
+        m_kept_bytes += prefixBytes(m_part);
+    }
+    return &stage.next.emplace(key, begin(from)).first->second;
+}
+
+bool PhaseOutlook::endsTooDeep(const State& state, const GridCycle& cycle, StockRange range) {
+    const std::size_t setting = cycle.back().setting;
+    const int sparkOut = m_grid.settings()[setting].sparkOut;
+    const RadiusFollower& follower = *m_blank->follower();
+    const Run& run = m_blank->run();
+    const double size_mm = run.blank().totalInfeed_mm - stageSlack_mm - roundings_mm;
+    const long long mostPasses = maxVisits / run.radii();
+    const double most_mm = range.to_mm - m_doubt_mm;
+    FollowedRadii strokes = state.telling;
+    m_least_mm.assign(1, range.from_mm + m_doubt_mm);
+    for (int made = 0; m_least_mm.back() < most_mm; ++made) {
+        if (isTooDeep(strokes, m_least_mm.back())) {
+            return true;
+        }
+        if (sparkOut > 0 ? made >= sparkOut : strokes.passes > mostPasses) {
+            break;
+        }
+        const bool mayEnd = sparkOut == 0 && (cycle.size() > 1 || made > 0);
+        const double ended_mm = strokes.radii[0].depth_mm - size_mm + m_doubt_mm;
+        m_least_mm.push_back(mayEnd ? std::max(m_least_mm.back(), ended_mm) : m_least_mm.back());
+        follower.strokesAlone(strokes, m_feeds[setting]);
+    }
+    FollowedRadii all = state.telling;
+    for (std::size_t made = 1; made < m_least_mm.size() && m_least_mm[made] < most_mm; ++made) {
+        follower.stepAlone(all, m_feeds[setting]);
+        if (isTooDeep(all, m_least_mm[made])) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Of a stock greater by so much than that of the shared run.
+bool PhaseOutlook::isTooDeep(const FollowedRadii& radii, double more_mm) const {
+    const double larger_mm = 2 * more_mm + nearest_mm;
+    const double deviation_mm =
+        m_blank->run().diameterDeviation(radii.radii[1].depth_mm, radii.radii[2].depth_mm);
+    const bool isBore = m_part.part->surface == Surface::internal;
+    return m_runner.cuts().isTooDeep(deviation_mm + (isBore ? -larger_mm : larger_mm));
+}
+
+} // namespace sparkout

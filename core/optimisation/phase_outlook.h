@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/optimisation/cycle_runner.h"
+#include "core/optimisation/optimise.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+namespace sparkout {
+
+/// Shows of cycles of a grid that they end too deep for some stock of a case.
+///
+/// Under gauge control passes do not depend on the stock (phasePieces()). So all stocks share the
+/// runs of the stages before the last, on a blank of the least of them: with Π = Π_0 + x a stage
+/// with the stocks L behind it ends at the first step that leaves
+///
+///     Π_rem ≤ L + slack − x,
+///
+/// Π_rem that of the shared run. A range of x thus parts at the steps of each stage, and each part
+/// of it begins the last stage with the radii of one state. From there the radii of
+/// LastStageOutlook are followed. Those x that have not ended the cycle before step k,
+///
+///     x > depth_(k−1) − |R_first − R_t| + slack,  depth that of the deepest radius gauged,
+///
+/// make k steps at least, and the two opposite radii that are the deepest then, which only grow
+/// deeper, leave a diameter of no more than that of Π_0 and 2x. Where that is beyond the field for
+/// the least such x, the cycle fails for the stocks next to it.
+///
+/// The blank's form changes with the stock by no more than formChange_mm(), and every step shown
+/// to end a stage, or not to, is so by more than that and what rounding is; a diameter is too small
+/// by more than 10 nm, as failingStock_mm() counts them. Nothing is said of what the gauge tells
+/// late, nor where LastStageOutlook knows nothing.
+class PhaseOutlook {
+public:
+    /// @param memory_bytes  for states to go on from, about
+    PhaseOutlook(const PhaseCase& of, const Grid& grid, std::size_t memory_bytes,
+                 const std::stop_token& stop);
+    PhaseOutlook(const PhaseOutlook&) = delete; // the runs refer to the runner's cuts
+
+    [[nodiscard]] std::int64_t corner() const { return m_corner; }
+    [[nodiscard]] bool isHopeless(const GridCycle& cycle);
+    [[nodiscard]] ConstraintKind tooDeep() const { return m_runner.cuts().tooDeep(); }
+
+private:
+    /// Behind a step of a stage.
+    struct State {
+        FollowedRadii telling; ///< of a last stage
+        double remaining_mm = 0;
+    };
+    /// A stage from a state on, as far as it was run.
+    struct Stage {
+        std::map<std::size_t, std::shared_ptr<const CycleSteps>> kept; ///< by steps made
+        std::unique_ptr<CycleSteps> steps;                             ///< behind the last state
+        std::vector<State> states;                                     ///< from none made on
+        std::map<std::pair<std::size_t, std::size_t>, Stage> next; ///< by steps made and setting
+    };
+
+    [[nodiscard]] Stage begin(std::shared_ptr<const CycleSteps> from);
+    [[nodiscard]] State stateOf(const CycleSteps& steps) const;
+    [[nodiscard]] const State* stateAt(Stage& stage, std::size_t count, std::size_t place,
+                                       std::size_t setting);
+    [[nodiscard]] Stage* follower(Stage& stage, std::size_t count, const GridCycle& cycle,
+                                  std::size_t place);
+    [[nodiscard]] bool isHopelessFrom(Stage& stage, const GridCycle& cycle, std::size_t place,
+                                      int taken, StockRange range);
+    [[nodiscard]] bool endsTooDeep(const State& state, const GridCycle& cycle, StockRange range);
+    [[nodiscard]] bool isTooDeep(const FollowedRadii& radii, double more_mm) const;
+
+    const Grid& m_grid;
+    std::int64_t m_corner;
+    StockRange m_stocks;
+    Project m_part; ///< with the least stock of all
+    CycleRunner m_runner;
+    std::shared_ptr<const CycleSteps> m_blank; ///< before the first step
+    double m_doubt_mm = 0;                     ///< of a stock at which a step ends a stage
+    std::vector<double> m_infeeds_mm;          ///< by setting
+    std::vector<FollowedFeed> m_feeds;         ///< by setting; empty: nothing is known
+    std::map<std::pair<std::size_t, std::size_t>, Stage> m_first; ///< by stages and setting
+    State m_unbegun;                                              ///< of cycles of one stage
+    std::vector<double> m_least_mm; ///< x that have not ended before each step
+    std::size_t m_kept_bytes = 0, m_mostKept_bytes;
+};
+
+} // namespace sparkout
