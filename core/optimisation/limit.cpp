@@ -113,8 +113,20 @@ public:
 
     double infeed_mm = 0; ///< the greatest of a step
 
-    /// Least time of a step [s].
+    /// Least time of a step beside that of plunging in [s].
     [[nodiscard]] double least_s() const { return travels() ? step_s(m_fastest) : m_revolution_s; }
+
+    /// Least time of all plunging in for so much infeed [s].
+    [[nodiscard]] double plungeIn_s(double fed_mm) const {
+        if (!travels() || feedsContinuously(m_project)) {
+            return 0;
+        }
+        // each may be rounded down by 1e-9 of a revolution; no run has a million of them
+        constexpr double rounding = 1e-3;
+        const Machine& machine = *m_project.machine;
+        const double turns = machine.work_speed_rpm * fed_mm / machine.plunge_feed_mm_min;
+        return std::max(std::ceil(turns - rounding), 0.0) * m_revolution_s;
+    }
 
     /// ρ(s), or more [mm/s], with the cut that it is by.
     [[nodiscard]] std::pair<double, BoundCut> rate(double stock_mm) const {
@@ -160,23 +172,75 @@ double leftByField_mm(const Part& part) {
     return std::max(shaft * (edge_mm - targetRadius(part)), 0.0) + diameterSlack_mm;
 }
 
-/// The least number of passes in which a radius of the gauged section of a plunge loses its stock.
+/// A radius of a section that is sure to lose this stock, and may stop so far above the target.
+struct Loss {
+    double stock_mm = 0, left_mm = 0;
+    std::size_t section = 0;
+    SpreadOf spread = SpreadOf::eachRadius; ///< from other sections
+};
+
+/// The radii of a section: the deepest of the blank, and of the diameters that are whole the one
+/// whose deeper end is the shallowest.
+struct BlankOfSection {
+    double deepest_mm = 0, shallowPair_mm = std::numeric_limits<double>::infinity();
+    BlankOfSection(const Blank& blank, std::size_t section) {
+        const std::vector<double>& depth = blank.depthAt(section);
+        const std::size_t half = depth.size() / 2;
+        for (std::size_t k = 0; k < depth.size(); ++k) {
+            if (blank.isGap(k)) {
+                continue;
+            }
+            deepest_mm = std::max(deepest_mm, depth[k]);
+            if (k < half && !blank.isGap(k + half)) {
+                shallowPair_mm = std::min(shallowPair_mm, std::max(depth[k], depth[k + half]));
+            }
+        }
+    }
+};
+
+/// Points (1) to (4) of the header, of a cycle that leaves no more than `left_mm` where it is
+/// gauged, or in the mean of two opposite radii.
+std::vector<Loss> lossesOf(const Project& project, const Blank& blank, double left_mm) {
+    const double all_mm = blank.totalInfeed_mm;
+    const auto gauged = static_cast<std::size_t>(gaugeSection(project));
+    const BlankOfSection there(blank, gauged);
+    const double byField_mm = leftByField_mm(*project.part) + 2 * stageSlack_mm;
+    std::vector<Loss> losses{{all_mm - left_mm - there.deepest_mm, left_mm, gauged},
+                             {all_mm - byField_mm - there.shallowPair_mm, byField_mm, gauged}};
+    const std::vector<CompliantPoint> points = compliantPoints(project);
+    const auto softest = static_cast<std::size_t>(
+        std::ranges::max_element(points, {}, &CompliantPoint::gamma_mm_n) - points.begin());
+    const BlankOfSection soft(blank, softest);
+    losses.push_back({all_mm - byField_mm - soft.shallowPair_mm, byField_mm, softest});
+    if (const auto& runout_um = project.part->tolerance.radial_runout_um) {
+        const double apart_mm =
+            std::max(*runout_um - project.machine->geometric_runout_um, 0.0) / units::umPerMm
+            + diameterSlack_mm;
+        const double ofAny_mm = left_mm + apart_mm, ofTwo_mm = byField_mm + apart_mm / 2;
+        losses.push_back(
+            {all_mm - ofAny_mm - there.shallowPair_mm, ofAny_mm, gauged, SpreadOf::oneOfTwo});
+        losses.push_back(
+            {all_mm - ofTwo_mm - soft.shallowPair_mm, ofTwo_mm, softest, SpreadOf::oneOfTwo});
+    }
+    return losses;
+}
+
+/// The least number of passes in which a radius of a plunge loses its stock.
 class LeastPasses {
 public:
-    /// @param left_mm above the target that its last pass may leave
-    LeastPasses(const Project& project, double infeed_mm, double stock_mm, double left_mm,
+    LeastPasses(const Project& project, double infeed_mm, const Loss& loss,
                 const std::stop_token& stop)
         : m_law(forceLaw(project))
         , m_b(project.part->length_mm)
-        , m_gamma(
-              compliantPoints(project)[static_cast<std::size_t>(gaugeSection(project))].gamma_mm_n)
         , m_infeed_mm(infeed_mm)
-        , m_left_mm(left_mm)
-        , m_cell_mm(stock_mm / cells) {
-        const double lastCut_mm = provedLastCut_mm(project, m_b, m_gamma);
+        , m_left_mm(loss.left_mm)
+        , m_cell_mm(loss.stock_mm / cells) {
+        const std::vector<CompliantPoint> points = compliantPoints(project);
+        m_gamma = points[loss.section].gamma_mm_n;
+        const double lastCut_mm = provedLastCut_mm(project, m_b, m_gamma, loss.spread);
         LimitPoints release;
         if (std::isfinite(lastCut_mm)) {
-            release = releaseCurve(m_law, m_b, m_gamma, lastCut_mm, stock_mm);
+            release = releaseCurve(m_law, m_b, m_gamma, lastCut_mm, loss.stock_mm);
         }
         auto next = release.begin();
         for (int i = 1; i <= cells && !stop.stop_requested(); ++i) {
@@ -185,22 +249,69 @@ public:
                 ++next;
             }
             const bool known = next != release.end(); // it rises: its value further on is no less
-            BoundCut most = leastLimit(project, m_b, left_mm + upper_mm);
+            BoundCut most = leastLimit(project, m_b, m_left_mm + upper_mm);
             if (known && next->depth_mm < most.depth_mm) {
                 most = {next->depth_mm, LimitBound::accuracy};
             }
             m_most.push_back(most);
         }
+        const double stiffest =
+            std::ranges::min_element(points, {}, &CompliantPoint::gamma_mm_n)->gamma_mm_n;
+        const double spread_mm = provedSpread_mm(project, loss.spread) + 2 * diameterSlack_mm;
+        if (stiffest > 0 && m_gamma > stiffest && std::isfinite(spread_mm)) {
+            boundLastCuts(stiffest, spread_mm, stop);
+        }
     }
 
-    /// None where it cannot be lost in so many. Adds what bounds each pass, of so much time.
+    /// None where it cannot be lost in so many. Adds what bounds each pass, of so much time; the
+    /// last ones that count together are one piece.
     [[nodiscard]] std::optional<int> count(const std::stop_token& stop, double pass_s,
-                                           Pieces& pieces) const {
-        constexpr int most = 1'000'000;
+                                           Pieces& pieces, int& together) const {
+        const std::vector<Pass> passes = allPasses(stop);
+        if (passes.empty() || passes.back().to_mm > 0) {
+            return std::nullopt;
+        }
+        std::size_t before = passes.size(), last = 0;
+        for (std::size_t m = 0; m < m_lastCuts_mm.size(); ++m) {
+            std::size_t n = 0; // the last ones take no more than is left here
+            while (n < passes.size() && passes[n].from_mm > m_lastCuts_mm[m]) {
+                ++n;
+            }
+            if (n > 0 && n + fewestTogether + m > before + last) {
+                before = n;
+                last = fewestTogether + m;
+            }
+        }
+        const std::size_t all = before + last;
+        if (last > 0 && before == passes.size()) {
+            --before; // the pass that may take all that is left is one of those together
+        }
+        for (std::size_t n = 0; n < before; ++n) {
+            pieces.add(m_left_mm + passes[n].from_mm, m_left_mm + passes[n].to_mm, passes[n].cut,
+                       pass_s);
+        }
+        together = last > 0 ? static_cast<int>(all - before) : 0;
+        if (together > 0) {
+            pieces.add(m_left_mm + passes[before].from_mm, m_left_mm,
+                       {passes[before].cut.depth_mm, LimitBound::accuracy}, together * pass_s);
+        }
+        return static_cast<int>(all);
+    }
+
+private:
+    struct Pass {
+        double from_mm = 0, to_mm = 0; ///< still lost before it and after it, at the least
+        BoundCut cut;
+    };
+
+    /// Pass by pass the greatest cuts, until all is lost or none is.
+    [[nodiscard]] std::vector<Pass> allPasses(const std::stop_token& stop) const {
+        constexpr std::size_t most = 1'000'000;
         constexpr double lastBits = 1e-9;
+        std::vector<Pass> passes;
         double left_mm = cells * m_cell_mm * (1 - lastBits), reached_mm = 0;
         std::size_t cell = cells - 1;
-        for (int n = 1; n <= most && !stop.stop_requested(); ++n) {
+        while (left_mm > 0 && passes.size() < most && !stop.stop_requested()) {
             reached_mm = depthAfter(m_law, m_b, m_gamma, reached_mm, m_infeed_mm);
             const auto lowest = [&](std::size_t i) { // that is left after a pass that ends in i
                 return left_mm - std::min(reached_mm, m_most[i].depth_mm) * (1 + lastBits);
@@ -209,28 +320,44 @@ public:
                 --cell;
             }
             const double after_mm = std::max(lowest(cell), static_cast<double>(cell) * m_cell_mm);
+            if (after_mm >= left_mm) {
+                break;
+            }
             // at the lower end of its cell it is what allows no cut into the next
             const bool isEnd = cell > 0 && after_mm > lowest(cell);
             const BoundCut& allowed = m_most[isEnd ? cell - 1 : cell];
             const BoundCut feed{reached_mm, LimitBound::feed};
-            pieces.add(m_left_mm + left_mm, m_left_mm + std::max(after_mm, 0.0),
-                       reached_mm <= allowed.depth_mm ? feed : allowed, pass_s);
-            if (after_mm <= 0) {
-                return n;
-            }
-            if (after_mm >= left_mm) {
-                return std::nullopt;
-            }
+            passes.push_back({left_mm, std::max(after_mm, 0.0),
+                              reached_mm <= allowed.depth_mm ? feed : allowed});
             left_mm = after_mm;
         }
-        return std::nullopt;
+        return passes;
     }
 
-private:
+    /// What the last two and three cuts take together, where the radii of the stiffest section may
+    /// stand so far away.
+    void boundLastCuts(double stiffest, double spread_mm, const std::stop_token& stop) {
+        constexpr double lastBits = 1e-9;
+        const auto most = [&](double after_mm) {
+            const auto cell = static_cast<std::size_t>(after_mm / m_cell_mm);
+            return std::min(m_most[std::min(cell, m_most.size() - 1)].depth_mm, m_infeed_mm);
+        };
+        for (std::size_t m = 0; m < mostTogether - fewestTogether + 1; ++m) {
+            if (m_most.size() < cells || stop.stop_requested()) {
+                return;
+            }
+            m_lastCuts_mm.push_back(lastCutsOfSpread(m_law, m_b, stiffest, m_gamma, spread_mm,
+                                                     static_cast<int>(fewestTogether + m), most)
+                                    * (1 + lastBits));
+        }
+    }
+
     static constexpr int cells = 200;
+    static constexpr std::size_t fewestTogether = 2, mostTogether = 3;
     ForceLaw m_law;
-    double m_b, m_gamma, m_infeed_mm, m_left_mm, m_cell_mm;
-    std::vector<BoundCut> m_most; ///< of a pass that leaves up to the upper end of a cell
+    double m_b, m_gamma = 0, m_infeed_mm, m_left_mm, m_cell_mm;
+    std::vector<BoundCut> m_most;      ///< of a pass that leaves up to the upper end of a cell
+    std::vector<double> m_lastCuts_mm; ///< that the last two, three … take together at most
 };
 
 /// Whether passes of a radius follow one another as the release and the build-up suppose.
@@ -239,9 +366,10 @@ bool countsPasses(const Project& project) {
 }
 
 /// Puts a bound in the place of a smaller one.
-void takeGreater(SteplessLimit& limit, double time_s, LimitBy by, const Pieces& pieces) {
+void takeGreater(SteplessLimit& limit, double time_s, LimitBy by, const Pieces& pieces,
+                 const CountedRadius& counted = {}) {
     if (time_s > limit.time_s) {
-        limit = {time_s, by, pieces.all()};
+        limit = {time_s, by, counted, pieces.all()};
     }
 }
 
@@ -254,24 +382,23 @@ SteplessLimit limitOf(const Project& project, bool sparksOut, const std::stop_to
         return limit;
     }
     const double left = sparksOut ? leftByField_mm(*project.part) : 0;
-    const double all = blank.totalInfeed_mm - left - 2 * stageSlack_mm;
     const double end = left + 2 * stageSlack_mm; ///< stock left there
+    const double all = blank.totalInfeed_mm - end;
+    // a datum of the position control may be nearer than the first touch
+    const double fed = all - std::max(firstFeed(project, blank.totalInfeed_mm), 0.0);
     const double steps = feedsContinuously(project)
                              ? 1 // what a step feeds grows with the time it takes
-                             : std::max(std::ceil(all / times.infeed_mm - 1e-9), 1.0);
+                             : std::max(std::ceil(fed / times.infeed_mm - 1e-9), 1.0);
+    const double plungeIn_s = times.plungeIn_s(fed);
     // a last step cut short still takes its dwells and strokes
-    const double steps_s = (steps + (sparksOut ? 1 : 0)) * times.least_s();
+    const double steps_s = (steps + (sparksOut ? 1 : 0)) * times.least_s() + plungeIn_s;
     Pieces bySteps;
     bySteps.add(end + all, end, {times.infeed_mm, LimitBound::feed}, steps_s);
     takeGreater(limit, steps_s, LimitBy::steps, bySteps);
     if (project.gauge->control == Control::gauge && !project.gauge->position_mm) {
-        double deepest = 0;
-        const std::vector<double>& gauged =
-            blank.depthAt(static_cast<std::size_t>(gaugeSection(project)));
-        for (std::size_t k = 0; k < blank.depth_mm.size(); ++k) {
-            deepest = blank.isGap(k) ? deepest : std::max(deepest, gauged[k]);
-        }
-        const double cell = (all - deepest) / stockCells;
+        const std::vector<Loss> losses = lossesOf(project, blank, end);
+        const double stock = losses.front().stock_mm;
+        const double cell = stock / stockCells;
         double sum_s = 0;
         std::vector<std::pair<double, BoundCut>> rates; ///< from the size on
         for (int i = 1; i <= stockCells && cell > 0 && !stop.stop_requested(); ++i) {
@@ -282,14 +409,20 @@ SteplessLimit limitOf(const Project& project, bool sparksOut, const std::stop_to
         for (std::size_t i = rates.size(); i > 0; --i) {
             const auto& [rate, cut] = rates[i - 1];
             const auto above = static_cast<double>(i);
-            byRates.add(end + above * cell, end + (above - 1) * cell, cut, cell / rate);
+            byRates.add(end + above * cell, end + (above - 1) * cell, cut,
+                        cell / rate + plungeIn_s / stockCells);
         }
-        takeGreater(limit, sum_s, LimitBy::rates, byRates);
-        if (all > deepest && countsPasses(project)) {
+        takeGreater(limit, sum_s + plungeIn_s, LimitBy::rates, byRates);
+        for (const Loss& loss : losses) {
+            if (!(loss.stock_mm > 0) || !countsPasses(project)) {
+                continue;
+            }
             Pieces byPasses;
-            const LeastPasses passes(project, times.infeed_mm, all - deepest, end, stop);
-            const int count = passes.count(stop, times.least_s(), byPasses).value_or(0);
-            takeGreater(limit, count * times.least_s(), LimitBy::passes, byPasses);
+            const LeastPasses passes(project, times.infeed_mm, loss, stop);
+            CountedRadius counted{loss.section, loss.spread};
+            const int count =
+                passes.count(stop, times.least_s(), byPasses, counted.together).value_or(0);
+            takeGreater(limit, count * times.least_s(), LimitBy::passes, byPasses, counted);
         }
     }
     constexpr double lastBits = 1e-9;
@@ -317,7 +450,7 @@ SteplessLimit steplessLimitBounds(const Project& project, const std::stop_token&
         return limitOf(plain, false, stop);
     }
     std::vector<std::pair<MachineSettings, bool>> met; // the counts of spark-outs do not matter
-    SteplessLimit least{std::numeric_limits<double>::infinity(), LimitBy::steps, {}};
+    SteplessLimit least{std::numeric_limits<double>::infinity(), LimitBy::steps, {}, {}};
     for (std::size_t v = 0; v < variants.count(); ++v) {
         const Project& variant = variants.project(v);
         const std::pair each(machineSettings(variant), variants.grid(v).sparkOut() > 0);

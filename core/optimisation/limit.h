@@ -2,8 +2,10 @@
 #pragma once
 
 #include "core/project/project.h"
+#include "core/quality/accuracy_limit.h"
 #include "core/quality/depth_limits.h"
 
+#include <cstddef>
 #include <stop_token>
 #include <vector>
 
@@ -25,9 +27,17 @@ enum class LimitBy {
     passes, ///< whole passes counted
 };
 
+/// Whose passes are counted.
+struct CountedRadius {
+    std::size_t section = 0;
+    SpreadOf spread = SpreadOf::eachRadius; ///< that its last cuts are bounded by
+    int together = 0;                       ///< so many last ones by their sum
+};
+
 struct SteplessLimit {
     double time_s = 0; ///< steplessLimit_s()
     LimitBy by = LimitBy::steps;
+    CountedRadius counted{}; ///< by passes
     /// By falling stock, next to each other, none of the bound of its neighbour; their times add up
     /// to the limit. None where it is 0 or a stop cut it short.
     std::vector<LimitPiece> pieces;
@@ -37,8 +47,11 @@ struct SteplessLimit {
 /// of its stocks of those that count where the limit is found.
 ///
 /// * rates: of the requirements on a pass, at the axial feed of ρ(s), by cells of the stock;
-/// * passes: of A_i and M(S') for each pass, over the stock that it takes;
+/// * passes: of A_i and M(S') for each pass, over the stock that it takes; accuracy of the last
+///   ones where their sum counts;
 /// * steps: the greatest infeed alone.
+///
+/// The time of plunging in is spread over them by the stock.
 [[nodiscard]] SteplessLimit steplessLimitBounds(const Project& project,
                                                 const std::stop_token& stop = {});
 
@@ -72,25 +85,47 @@ struct SteplessLimit {
 /// no depth exceeds t_П; the greater of the two bounds holds. Under position control, where the
 /// size is not gauged, only the second does.
 ///
+/// In traverse both count the dwells and strokes of a double stroke alone. What it feeds, x, takes
+/// ⌈n·x/S_rad⌉ revolutions of plunging in besides, S_rad as the machine is set, at either reversal
+/// or at both. All that is fed is at least |R_first − R_t|, so these add to either bound
+///
+///     Σ⌈n·x_i/S_rad⌉ ≥ ⌈n·Σx_i/S_rad⌉ ≥ ⌈n·|R_first − R_t|/S_rad⌉
+///
+/// revolutions. A continuous infeed takes none.
+///
 /// In a plunge of uncoupled sections without wheel contact passes are whole, and counted [MODEL-8].
-/// A radius that loses at least the same Π makes one in each revolution. Where the wheel head never
-/// draws back, each keeps a + γ·P(a) = γ·P(a_before) + Δt, 0 ≤ Δt ≤ f, from no deflection on. So
+/// A radius makes one in each revolution. With the allowance r of the radial runout, less the
+/// machine's, and δ as below, there is one that loses at least S and may stop κ above the target:
+///
+/// (1) in the gauged section one that stands within the slack, of the deepest of the blank or less;
+/// (2) in every section one of two opposite radii stands δ before target at the most, κ = δ: of
+///     the diameter of which the deeper end of the blank is the shallowest;
+/// (3) in the gauged section each of these two, κ = r beside the slack: all are so near to (1);
+/// (4) in every section each of these two, κ = δ + r/2, as their mean is δ at the most.
+///
+/// For (2) and (4) the gauged and the most compliant section are taken. Where the wheel head never
+/// draws back, each pass of such a radius keeps a + γ·P(a) = γ·P(a_before) + Δt, 0 ≤ Δt ≤ f, from
+/// no deflection on. So
 ///
 /// * build-up: the i-th cut is A_i at most, A_i + γ·P(A_i) = γ·P(A_{i−1}) + f, A_0 = 0;
 /// * release: a cut after which S is still lost is at most the release curve of
-///   core/quality/accuracy_limit.h at S, for the last cut that is proved there for every radius;
-/// * burn, power and self-sharpening: at most L(S + what may be left).
+///   core/quality/accuracy_limit.h at S, for the last cut that is proved there: of (1) and (2) for
+///   every radius, of (3) and (4), which two opposite radii share, for one of two;
+/// * burn, power and self-sharpening: at most L(S + κ).
 ///
 /// The least of the last two, M(S), does not fall with S. From S a pass leads to the least S' with
 /// S' + min(A_i, M(S')) ≥ S, whose left side rises; and from less, with more passes made, to no
 /// more. So the cuts that are greatest throughout need the least passes N, and T ≥ N/n. M is taken
-/// at the upper end of each of its cells.
+/// at the upper end of each of its cells. A radius that loses more than S needs no fewer.
+///
+/// The last m cuts take together B_m at the most (lastCutsOfSpread() there, each of them f and M at
+/// the most). Where S > B_m there are more than m, and before them S comes down to B_m, which needs
+/// N_m passes of the same greatest cuts, so N ≥ N_m + m; of m = 2 and 3 and of all radii (1) to (4)
+/// the greatest N is taken.
 ///
 /// In traverse only the first two bounds are taken. The release does not follow there: γ·P_b(a)
 /// grows with the width b of a pass, so one at a smaller axial feed may cut more than the one
-/// before though nothing is fed. It would win little: of the gap of the shipped shafts, 56 and 58
-/// %, 54 and 56 % are left where the drawing asks for no accuracy at all. What is left out is that
-/// burn and the greatest infeed bind together; see [MODEL-8].
+/// before though nothing is fed [MODEL-8].
 ///
 /// Work speeds and dwells are those the grid lists: the least over its variants is returned, whose
 /// n and dwells are in τ and in L_b.

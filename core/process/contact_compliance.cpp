@@ -54,14 +54,14 @@ double ContactCompliance::cut(Lanes& lanes, const LaneCoefficients& coefficients
                               .bks = range.bks,
                               .bkr = range.bkr};
         const double u = root(balance, h, lanes.root[lane]);
-        const double a = u * u;
-        lanes.depth_mm[lane] += a;
+        lanes.depth_mm[lane] += u * u;
+        if (!lanes.lastRoot.empty()) {
+            lanes.rootBefore[lane] = lanes.root[lane];
+            lanes.lastRoot[lane] = lanes.lastCut(lane);
+        }
         lanes.root[lane] = u;
         lanes.rootSum[lane] += u;
-        if (u > 0 && !lanes.lastRoot.empty()) {
-            lanes.lastRoot[lane] = u;
-        }
-        lanes.peakForce_n[lane] = std::max(lanes.peakForce_n[lane], range.bks * a + range.bkr * u);
+        lanes.peakRoot[lane] = std::max(lanes.peakRoot[lane], u);
         largest = std::max(largest, u);
         least = std::min(least, u);
     }

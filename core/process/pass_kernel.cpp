@@ -29,8 +29,21 @@ enum class Drift { none, some }; ///< of the infeed: few cycles have one, which 
 /// u where the lane was cut, else what was before, by a mask: a choice would become a masked store,
 /// which takes thrice as long.
 [[gnu::always_inline]] inline double lastOf(double u, double before) {
-    const std::uint64_t uncut = u == 0 ? ~std::uint64_t{0} : 0;
-    return u + std::bit_cast<double>(std::bit_cast<std::uint64_t>(before) & uncut);
+    const std::uint64_t cut = u > 0 ? ~std::uint64_t{0} : 0;
+    return std::bit_cast<double>((std::bit_cast<std::uint64_t>(u) & cut)
+                                 | (std::bit_cast<std::uint64_t>(before) & ~cut));
+}
+
+/// The last cuts before a pass that did not cut every lane. While passes cut all of them, each
+/// pass's own cuts are the last ones, and nothing is to be kept but those of the pass before.
+[[gnu::always_inline]] inline void keepThoseBefore(Lanes& lanes, const PassRange& range) {
+    const double* __restrict before = lanes.rootBefore.data() + range.first;
+    double* __restrict last = lanes.lastRoot.data() + range.first;
+    const std::size_t count = range.count;
+#pragma omp simd
+    for (std::size_t i = 0; i < count; ++i) {
+        last[i] = lastOf(before[i], last[i]);
+    }
 }
 
 // The loop is written once; each wrapper compiles it for its vector unit. Every operation is an
@@ -41,9 +54,9 @@ template <Root form, LastCuts cuts, Drift drifts>
     double* __restrict depth = lanes.depth_mm.data() + range.first;
     double* __restrict root = lanes.root.data() + range.first;
     double* __restrict rootSum = lanes.rootSum.data() + range.first;
-    double* __restrict peakForce = lanes.peakForce_n.data() + range.first;
-    double* __restrict lastRoot =
-        lanes.lastRoot.data() + (cuts == LastCuts::kept ? range.first : 0);
+    double* __restrict peakRoot = lanes.peakRoot.data() + range.first;
+    double* __restrict before =
+        lanes.rootBefore.data() + (cuts == LastCuts::kept ? range.first : 0);
     const double* __restrict share = lanes.share.data() + range.first;
     const double* __restrict C = coefficients.C.data() + range.first;
     const double* __restrict C2 = coefficients.C2.data() + range.first;
@@ -51,7 +64,6 @@ template <Root form, LastCuts cuts, Drift drifts>
     const double* __restrict inverse2A = coefficients.inverse2A.data() + range.first;
     const double begin = feed.base + feed.offset, rate = feed.rate, most = feed.base + feed.cap;
     const double drift = feed.drift, end = feed.most;
-    const double bks = range.bks, bkr = range.bkr;
     const std::size_t count = range.count;
     double largest = 0, least = std::numeric_limits<double>::max();
 #pragma omp simd reduction(max : largest) reduction(min : least)
@@ -67,20 +79,21 @@ template <Root form, LastCuts cuts, Drift drifts>
         const double q = std::sqrt(C2[i] + A4[i] * h);
         const double u =
             form == Root::multiplied ? (q - C[i]) * inverse2A[i] : (h + h) / (C[i] + q);
-        const double a = u * u;
-        const double force = bks * a + bkr * u;
-        depth[i] += a;
-        root[i] = u;
-        rootSum[i] += u; // a sum a lane: the same in every unit
-        peakForce[i] = force > peakForce[i] ? force : peakForce[i];
-        largest = u > largest ? u : largest;
         if constexpr (cuts == LastCuts::kept) {
-            lastRoot[i] = lastOf(u, lastRoot[i]);
+            before[i] = root[i];
             least = u < least ? u : least;
         }
+        depth[i] += u * u;
+        root[i] = u;
+        rootSum[i] += u; // a sum a lane: the same in every unit
+        peakRoot[i] = u > peakRoot[i] ? u : peakRoot[i];
+        largest = u > largest ? u : largest;
     }
     if constexpr (cuts == LastCuts::kept) {
         lanes.leastRoot = least;
+        if (!(least > 0)) {
+            keepThoseBefore(lanes, range);
+        }
     }
     return largest;
 }
@@ -117,6 +130,23 @@ double cutBaseline(Lanes& lanes, const LaneCoefficients& coefficients, const Pas
 }
 
 } // namespace
+
+double PeakForces::of(const Lanes& lanes, std::size_t section) const {
+    const double* const root = lanes.peakRoot.data() + section * m_radii;
+    double u = 0;
+#pragma omp simd reduction(max : u)
+    for (std::size_t k = 0; k < m_radii; ++k) {
+        u = root[k] > u ? root[k] : u;
+    }
+    const Section& at = m_sections[section];
+    return std::max(at.peak_n, at.bks * (u * u) + at.bkr * u);
+}
+
+void PeakForces::turnTo(Lanes& lanes, const PassRange& range, std::size_t section) {
+    m_sections[section] = {range.bks, range.bkr, of(lanes, section)};
+    std::fill_n(lanes.peakRoot.begin() + static_cast<std::ptrdiff_t>(section * m_radii), m_radii,
+                0.0);
+}
 
 bool isSupported(VectorUnit unit) {
     return unit == VectorUnit::baseline || __builtin_cpu_supports("avx2");

@@ -27,15 +27,23 @@ inline constexpr double multipliedFormLimit = 500;
 /// The lanes' state.
 struct Lanes {
     explicit Lanes(std::size_t count)
-        : depth_mm(count), root(count), rootSum(count), peakForce_n(count), share(count) {}
+        : depth_mm(count), root(count), rootSum(count), peakRoot(count), share(count) {}
     /// From now on each pass also keeps every lane's last cut.
-    void keepLastCuts() { lastRoot.assign(root.size(), 0.0); }
-    std::vector<double> depth_mm;    ///< how far the radius stands below first touch
-    std::vector<double> root;        ///< u = √a of the last pass [√mm]
-    std::vector<double> rootSum;     ///< Σ√a since the owner last cleared it [√mm]
-    std::vector<double> peakForce_n; ///< largest P_y so far
-    std::vector<double> share;       ///< (k+1)/K, share of the revolution at which it is visited
-    std::vector<double> lastRoot;    ///< u of its last pass with a > 0; empty: not kept [√mm]
+    void keepLastCuts() {
+        rootBefore.assign(root.size(), 0.0);
+        lastRoot.assign(root.size(), 0.0);
+    }
+    /// u of a lane's last pass with a > 0, or 0, where last cuts are kept [√mm].
+    [[nodiscard]] double lastCut(std::size_t lane) const {
+        return root[lane] > 0 ? root[lane] : lastRoot[lane];
+    }
+    std::vector<double> depth_mm;   ///< how far the radius stands below first touch
+    std::vector<double> root;       ///< u = √a of the last pass [√mm]
+    std::vector<double> rootSum;    ///< Σ√a since the owner last cleared it [√mm]
+    std::vector<double> peakRoot;   ///< largest √a since the owner last cleared it [√mm]
+    std::vector<double> share;      ///< (k+1)/K, share of the revolution at which it is visited
+    std::vector<double> rootBefore; ///< u of the pass before the last; empty: not kept [√mm]
+    std::vector<double> lastRoot;   ///< lastCut() where the last pass did not cut, else of no use
     double leastRoot = 0; ///< smallest u in the last pass, where last cuts are kept [√mm]
 };
 
@@ -86,7 +94,7 @@ struct LaneBalance {
 /// A range of lanes in one pass.
 struct PassRange {
     std::size_t first = 0, count = 0;
-    double bks = 0, bkr = 0; ///< for the peak force P_y = bks·a + bkr·√a
+    double bks = 0, bkr = 0; ///< of the force P_y = bks·a + bkr·√a
 };
 
 /// Cuts the lanes of the range once; returns the largest √a [√mm].
@@ -102,5 +110,35 @@ enum class VectorUnit { baseline, avx2 };
 
 /// The function for the widest unit of this processor. All give bit-identical results.
 [[nodiscard]] PassFunction widestPassFunction();
+
+/// The largest P_y of each zone or section so far [N].
+///
+/// P_y rises with √a, and so do its rounded products and their sum: of the passes at one width the
+/// largest √a bears the largest force, to the last bit. So a pass keeps that alone, and the force
+/// is taken where a section goes on at another width, and in the end.
+class PeakForces {
+public:
+    PeakForces(std::size_t sections, std::size_t radii) : m_radii(radii), m_sections(sections) {}
+    /// Before a pass over `count` sections from `first` on.
+    void passBegins(Lanes& lanes, const PassRange& range, std::size_t first, std::size_t count) {
+        for (std::size_t section = first; section < first + count; ++section) {
+            const Section& before = m_sections[section];
+            if (before.bks != range.bks || before.bkr != range.bkr) {
+                turnTo(lanes, range, section);
+            }
+        }
+    }
+    [[nodiscard]] double of(const Lanes& lanes, std::size_t section) const;
+
+private:
+    struct Section {
+        double bks = 0, bkr = 0; ///< of the passes whose force is not taken yet
+        double peak_n = 0;       ///< of those before
+    };
+    void turnTo(Lanes& lanes, const PassRange& range, std::size_t section);
+
+    std::size_t m_radii;
+    std::vector<Section> m_sections;
+};
 
 } // namespace sparkout

@@ -42,9 +42,7 @@ bool retracts(const Project& project) {
     });
 }
 
-/// How far the radii of two lanes may stand apart at the end [mm], of each radius or of one of two
-/// that are opposite.
-enum class SpreadOf { eachRadius, oneOfTwo };
+/// How far the radii of two lanes may stand apart at the end [mm].
 double greatestSpread(const Part& part, double geometricRunout_mm, SpreadOf of) {
     double s = (part.upper_deviation_um - part.lower_deviation_um) / units::umPerMm;
     if (of == SpreadOf::oneOfTwo) {
@@ -147,6 +145,33 @@ double lastCutOfSpread(const ForceLaw& law, double b, double stiffGamma, double 
     return root * root;
 }
 
+double lastCutsOfSpread(const ForceLaw& law, double b, double stiffGamma, double compliantGamma,
+                        double s_mm, int count, const std::function<double(double)>& most) {
+    constexpr int parts = 48; // of the range of each cut but the first of them
+    const auto sum = [&](const auto& self, int cuts, double s, double released,
+                         double after) -> double {
+        if (!(s > 0)) {
+            return 0;
+        }
+        const double highest = std::min(
+            {released, most(after), lastCutOfSpread(law, b, stiffGamma, compliantGamma, s)});
+        if (cuts == 1) {
+            return highest;
+        }
+        double greatest = 0;
+        for (int i = 0; i < parts; ++i) {
+            const double low = highest * i / parts, high = highest * (i + 1) / parts;
+            const double stiff =
+                rootOfForce(law, b, (compliantGamma * forceAt(law, b, low) - s) / stiffGamma);
+            const double before = self(self, cuts - 1, s + high - stiff * stiff,
+                                       depthBefore(law, b, compliantGamma, high), after + high);
+            greatest = std::max(greatest, high + before);
+        }
+        return greatest;
+    };
+    return sum(sum, count, s_mm, infinite, 0);
+}
+
 double steadyCutOfSpread(const ForceLaw& law, double b, double stiffGamma, double compliantGamma,
                          double s) {
     if (!(compliantGamma > stiffGamma)) {
@@ -188,10 +213,16 @@ LimitPoints releaseCurve(const ForceLaw& law, double b, double gamma, double las
     return points;
 }
 
-double provedLastCut_mm(const Project& project, double b, double gamma) {
-    return isProvable(project) ? std::min(spreadLimit(project, forceLaw(project), b, gamma,
-                                                      AccuracyProof::proved, SpreadOf::eachRadius),
-                                          roughnessLimit(project, b))
+double provedSpread_mm(const Project& project, SpreadOf of) {
+    return isProvable(project) ? greatestSpread(
+               *project.part, project.machine->geometric_runout_um / units::umPerMm, of)
+                               : infinite;
+}
+
+double provedLastCut_mm(const Project& project, double b, double gamma, SpreadOf of) {
+    return isProvable(project) ? std::min(
+               spreadLimit(project, forceLaw(project), b, gamma, AccuracyProof::proved, of),
+               roughnessLimit(project, b))
                                : infinite;
 }
 

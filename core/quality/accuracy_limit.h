@@ -6,6 +6,7 @@
 #include "core/simulation/result.h"
 #include "core/simulation/trajectory.h"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -35,7 +36,19 @@
 ///
 /// This is proved for uncoupled sections of a plunge of one blank without wheel contact and
 /// retraction, with S counted from the size that the radius ends at. It allows a last pass that
-/// finds no deflection and cuts the lanes unlike, and is wide. Where the last cuts of all lanes are
+/// finds no deflection and cuts the lanes unlike, and is wide.
+///
+/// The last cuts together. A last cut that is as great follows one that is small. Let x and y be
+/// the last cut of the compliant lane and the one before, e = D_2 − D_1 after each pass:
+///
+///     e_n = γ_2·P(x) − γ_1·P(a_1) ≤ s,  so  a_1 ≥ g(x),  γ_1·P(g(x)) = max(γ_2·P(x) − s, 0),
+///     e_(n−1) = e_n + x − a_1 ≤ s + x − g(x),  and  y ≤ σ^(−1)(x).
+///
+/// So y is a last cut where the radii may differ by s' = s + x − g(x), and the same goes for the
+/// cut before it. All of these bounds rise with x but −g, which falls: over x₁ … x₂ they are no
+/// more than with x₂ in them and x₁ in g.
+///
+/// Where the last cuts of all lanes are
 /// alike, as at a steady feed, their radii differ by (γ_max − γ_min)·P(a): the a at which that is s
 /// is the estimate beside it, and the only one for zones of traverse and coupled sections.
 namespace sparkout {
@@ -51,6 +64,12 @@ namespace sparkout {
 /// infinite where γ_1 = γ_2.
 [[nodiscard]] double lastCutOfSpread(const ForceLaw& law, double b, double stiffGamma,
                                      double compliantGamma, double s_mm);
+
+/// The greatest sum of its last `count` cuts [mm], each no more than `most` of the stock that it
+/// leaves to those that follow [mm], which does not fall with it.
+[[nodiscard]] double lastCutsOfSpread(const ForceLaw& law, double b, double stiffGamma,
+                                      double compliantGamma, double s_mm, int count,
+                                      const std::function<double(double)>& most);
 
 /// The cut at which two lanes that cut alike end s apart [mm]; infinite where γ_1 = γ_2.
 [[nodiscard]] double steadyCutOfSpread(const ForceLaw& law, double b, double stiffGamma,
@@ -72,10 +91,15 @@ struct AccuracyLimit {
     LimitPoints curve;
 };
 
-/// a* of every radius of a lane that the project is held to, proved: the spread of all its radii is
-/// the total runout or the whole field of the diameter, since each pair of opposite radii keeps it
-/// in sum and the difference of lanes has one sign. Infinite where nothing is proved.
-[[nodiscard]] double provedLastCut_mm(const Project& project, double b, double gamma);
+/// How far a radius of two lanes may stand apart at the end: each one by the total runout or the
+/// whole field of the diameter, since each pair of opposite radii keeps it in sum and the
+/// difference of lanes has one sign; so one of two that are opposite by half the field.
+enum class SpreadOf { eachRadius, oneOfTwo };
+/// s [mm] that the project is held to; infinite where nothing is proved.
+[[nodiscard]] double provedSpread_mm(const Project& project, SpreadOf of);
+/// a* of such a radius, proved; infinite where nothing is.
+[[nodiscard]] double provedLastCut_mm(const Project& project, double b, double gamma,
+                                      SpreadOf of = SpreadOf::eachRadius);
 
 /// Of a group of the series; nothing where the drawing and the project bound no last cut, the wheel
 /// head may retract, or nothing is proved.

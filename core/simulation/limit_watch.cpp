@@ -141,11 +141,12 @@ void LimitWatch::put(SimulationResult& result, const Lanes& lanes) const {
     const std::size_t first = result.zoneSections.empty() ? 0 : result.sections.size();
     for (std::size_t i = 0; m_keepsLast && i < sections.size(); ++i) {
         const std::size_t section = first + i;
-        const auto begin = lanes.lastRoot.begin() + static_cast<std::ptrdiff_t>(section * m_radii);
-        const auto most = std::max_element(begin, begin + static_cast<std::ptrdiff_t>(m_radii));
-        if (*most > 0) {
-            const auto lane = static_cast<std::size_t>(most - lanes.lastRoot.begin());
-            sections[i].lastCut = LastCut{.depth_mm = *most * *most,
+        std::size_t lane = section * m_radii;
+        for (std::size_t other = lane + 1; other < (section + 1) * m_radii; ++other) {
+            lane = lanes.lastCut(other) > lanes.lastCut(lane) ? other : lane;
+        }
+        if (const double most = lanes.lastCut(lane); most > 0) {
+            sections[i].lastCut = LastCut{.depth_mm = most * most,
                                           .radius = static_cast<int>(lane % m_radii),
                                           .at = m_sectionLast[section].value_or(m_laneLast[lane])};
         }

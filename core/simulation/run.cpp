@@ -58,6 +58,7 @@ Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory*
     , m_law(forceLaw(project))
     , m_lanes(m_points.size() * static_cast<std::size_t>(m_radii))
     , m_cutPass(widestPassFunction())
+    , m_peakForces(m_points.size(), static_cast<std::size_t>(m_radii))
     , m_watch(project, m_blank)
     , m_trajectory(trajectory)
     , m_stop(std::move(stop))
@@ -116,6 +117,7 @@ void Run::cut(std::size_t first, std::size_t count, const CutWidth& width, const
     if (places) {
         openStage(static_cast<std::size_t>(places->stage - 1));
     }
+    m_peakForces.passBegins(m_lanes, range, first, count);
     const double root = m_contact ? m_contact->cut(m_lanes, width.coefficients, feed, range)
                                   : m_cutPass(m_lanes, width.coefficients, feed, range);
     m_result.visits += static_cast<long long>(range.count);
@@ -256,9 +258,8 @@ SectionResult Run::sectionResult(std::size_t point, Zone zone) const {
         const double radius_mm = finalRadius(m_lanes.depth_mm[point * K + k]);
         const bool isThere = radius_mm > leastRadius_mm || m_blank.isGap(k);
         section.radii_mm.push_back(isThere ? radius_mm : leastRadius_mm);
-        section.peakNormalForce_n =
-            std::max(section.peakNormalForce_n, m_lanes.peakForce_n[point * K + k]);
     }
+    section.peakNormalForce_n = m_peakForces.of(m_lanes, point);
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const double radius : section.radii_mm) { // of a gap it is no number, and no extreme
         low = std::min(low, radius);

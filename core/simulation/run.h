@@ -153,6 +153,7 @@ private:
     ForceLaw m_law;
     Lanes m_lanes;
     PassFunction m_cutPass;
+    PeakForces m_peakForces;
     std::optional<ContactCompliance> m_contact; ///< in series, where the passes see to it
     LimitWatch m_watch;
     Trajectory* m_trajectory;

@@ -81,19 +81,23 @@ void floorOfRoots(benchmark::State& state, VectorUnit unit, std::size_t count) {
 // --- a pass --------------------------------------------------------------------------------------
 
 // The feed goes on with every pass, so that each lane keeps cutting about as deep as in a real one.
+// Scenarios, like sections, are one behind the other, each with all its radii.
 void pass(benchmark::State& state, PassFunction cut, std::size_t radii, std::size_t scenarios) {
     const std::size_t count = radii * scenarios;
     Lanes lanes(count);
     LaneCoefficients coefficients(count);
     for (std::size_t lane = 0; lane < count; ++lane) {
-        const double scenario = static_cast<double>(lane % scenarios);
-        lanes.share[lane] = static_cast<double>(lane / scenarios + 1) / static_cast<double>(radii);
+        const double scenario = static_cast<double>(lane / radii);
+        lanes.share[lane] = static_cast<double>(lane % radii + 1) / static_cast<double>(radii);
         coefficients.set(lane, 2e-5 * (1 + 0.1 * scenario), 1228, 2851 * (1 + 0.05 * scenario));
     }
     PassFeed feed{0, 0, 0.005, 0.005};
     const PassRange range{0, count, 1228, 2851};
+    PeakForces peaks(scenarios, radii);
     for (auto _ : state) {
-        benchmark::DoNotOptimize(cut(lanes, coefficients, feed, range));
+        peaks.passBegins(lanes, range, 0, scenarios);
+        const double root = cut(lanes, coefficients, feed, range);
+        benchmark::DoNotOptimize(root);
         benchmark::ClobberMemory();
         feed.base += 0.005;
     }
@@ -143,11 +147,13 @@ void passWithEveryConstraint(benchmark::State& state, bool sparking) {
     }
     watch.prepare(lanes);
     lanes.depth_mm = blank.depth_mm;
+    PeakForces peaks(1, 36);
     const PassFunction cut = widestPassFunction();
     const Place place{.stage = 1, .cycleCount = 1, .revolution = 1};
     PassFeed feed{0, 0, 0.005, 0.005};
     for (auto _ : state) {
         const PassRange range{0, 36, 1228, 2851};
+        peaks.passBegins(lanes, range, 0, 1);
         const double root = cut(lanes, coefficients, feed, range);
         watch.passDone(lanes, range, root, feed, &place, 0, 1);
         benchmark::DoNotOptimize(root);

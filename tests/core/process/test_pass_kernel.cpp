@@ -57,7 +57,7 @@ struct RandomPass {
             lanes.share[i] = uniform(0, 1);
             const double below = feed.base * (1 - decades(-16, 0));
             lanes.depth_mm[i] = uniform(0, 1) < 0.25 ? uniform(0, 2) : below;
-            lanes.peakForce_n[i] = uniform(0, 1) < 0.5 ? 0 : decades(-3, 4);
+            lanes.peakRoot[i] = uniform(0, 1) < 0.5 ? 0 : decades(-3, 1);
             lanes.root[i] = -1;
             lanes.rootSum[i] = uniform(0, 1) < 0.5 ? 0 : decades(-3, 2);
         }
@@ -108,7 +108,7 @@ private slots:
                     QVERIFY(sameBits(wide.lanes.depth_mm, narrow.lanes.depth_mm));
                     QVERIFY(sameBits(wide.lanes.root, narrow.lanes.root));
                     QVERIFY(sameBits(wide.lanes.rootSum, narrow.lanes.rootSum));
-                    QVERIFY(sameBits(wide.lanes.peakForce_n, narrow.lanes.peakForce_n));
+                    QVERIFY(sameBits(wide.lanes.peakRoot, narrow.lanes.peakRoot));
                     wide.feed.base = narrow.feed.base = wide.feed.base * 1.01;
                 }
             }
@@ -138,6 +138,7 @@ private slots:
             RandomPass plain(engine, 2, 1 + static_cast<std::size_t>(round) % 40);
             RandomPass keeping = plain;
             keeping.lanes.keepLastCuts();
+            std::fill(keeping.lanes.root.begin(), keeping.lanes.root.end(), 0.0);
             std::vector<double> root(plain.lanes.root.size());
             const PassRange whole = plain.range;
             for (int pass = 1; pass < 12; ++pass) {
@@ -158,7 +159,9 @@ private slots:
                     least = std::min(least, u);
                 }
                 QCOMPARE(keeping.lanes.leastRoot, least);
-                QVERIFY(sameBits(keeping.lanes.lastRoot, root));
+                for (std::size_t i = 0; i < root.size(); ++i) {
+                    QVERIFY(keeping.lanes.lastCut(i) == root[i]);
+                }
             }
             QVERIFY(sameBits(keeping.lanes.depth_mm, plain.lanes.depth_mm));
             QVERIFY(sameBits(keeping.lanes.rootSum, plain.lanes.rootSum));
@@ -232,7 +235,7 @@ private slots:
             QCOMPARE(largest, 0.0);
             QVERIFY(sameBits(before.depth_mm, pass.lanes.depth_mm));
             QVERIFY(sameBits(before.rootSum, pass.lanes.rootSum));
-            QVERIFY(sameBits(before.peakForce_n, pass.lanes.peakForce_n));
+            QVERIFY(sameBits(before.peakRoot, pass.lanes.peakRoot));
             for (std::size_t i = 1; i < 1 + pass.range.count; ++i) {
                 QVERIFY(pass.lanes.root[i] == 0.0);
             }
@@ -255,13 +258,13 @@ private slots:
                     QCOMPARE(pass.lanes.depth_mm[i], before.depth_mm[i]);
                     QCOMPARE(pass.lanes.root[i], before.root[i]);
                     QCOMPARE(pass.lanes.rootSum[i], before.rootSum[i]);
-                    QCOMPARE(pass.lanes.peakForce_n[i], before.peakForce_n[i]);
+                    QCOMPARE(pass.lanes.peakRoot[i], before.peakRoot[i]);
                 }
             }
         }
     }
 
-    void rootsAddUpAndThePeakIsTheLargestForceSoFar() {
+    void rootsAddUpAndTheLargestIsKeptAndReturned() {
         std::mt19937_64 engine(5);
         for (int round = 0; round < 2000; ++round) {
             RandomPass pass(engine, 0, 1 + static_cast<std::size_t>(round) % 40, 0);
@@ -273,14 +276,52 @@ private slots:
                 const double u = pass.lanes.root[i];
                 expected = std::max(expected, u);
                 QCOMPARE(pass.lanes.rootSum[i], before.rootSum[i] + u);
-                const double force = pass.range.bks * u * u + pass.range.bkr * u;
-                // three roundings of two positive terms
-                QVERIFY(fixtures::close(pass.lanes.peakForce_n[i],
-                                        std::max(before.peakForce_n[i], force),
-                                        3 * fixtures::epsilon));
+                QCOMPARE(pass.lanes.peakRoot[i], std::max(before.peakRoot[i], u));
             }
             QCOMPARE(largest, expected);
         }
+    }
+
+    // To the last bit what it would be with the force of every lane at hand: over passes of one
+    // section or several, at widths that change, deeper and shallower.
+    void thePeakOfASectionIsTheLargestForceOfItsLanes() {
+        std::mt19937_64 engine(8);
+        int raised = 0, kept = 0;
+        for (int round = 0; round < 300; ++round) {
+            const std::size_t radii = 1 + static_cast<std::size_t>(round) % 13;
+            const std::size_t sections = 1 + static_cast<std::size_t>(round) % 5;
+            RandomPass pass(engine, 0, radii * sections, 0);
+            std::fill(pass.lanes.peakRoot.begin(), pass.lanes.peakRoot.end(), 0.0);
+            PeakForces peaks(sections, radii);
+            std::vector<double> plain(sections);
+            for (int i = 0; i < 30; ++i) {
+                const auto drawn = [&](std::size_t count) {
+                    return std::uniform_int_distribution<std::size_t>(0, count - 1)(engine);
+                };
+                const std::size_t first = drawn(sections), count = 1 + drawn(sections - first);
+                const double width = 1 + 0.5 * static_cast<double>(drawn(3));
+                const PassRange range{first * radii, count * radii, pass.range.bks * width,
+                                      pass.range.bkr * width};
+                for (std::size_t lane = 0; lane < pass.gamma.size(); ++lane) {
+                    pass.coefficients.set(lane, pass.gamma[lane], range.bks, range.bkr);
+                }
+                pass.feed.base *= 1 + 0.001 * static_cast<double>(drawn(4));
+                peaks.passBegins(pass.lanes, range, first, count);
+                widestPassFunction()(pass.lanes, pass.coefficients, pass.feed, range);
+                for (std::size_t lane = range.first; lane < range.first + range.count; ++lane) {
+                    const double u = pass.lanes.root[lane], a = u * u;
+                    double& peak = plain[lane / radii];
+                    const double force = range.bks * a + range.bkr * u;
+                    raised += force > peak ? 1 : 0;
+                    kept += force < peak ? 1 : 0;
+                    peak = std::max(peak, force);
+                }
+                for (std::size_t section = 0; section < sections; ++section) {
+                    QVERIFY(peaks.of(pass.lanes, section) == plain[section]);
+                }
+            }
+        }
+        QVERIFY(raised > 1000 && kept > 1000);
     }
 
     // t_П = base + min(offset + rate·share, cap): a rigid system (A = 1, C = 0) cuts exactly that
