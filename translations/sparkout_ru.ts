@@ -17260,6 +17260,10 @@ good</source>
             <translation>Время записи, с</translation>
         </message>
         <message>
+        <message>
+            <source>Surface %1: %2</source>
+            <translation>Поверхность %1: %2</translation>
+        </message>
             <source>Number of the value</source>
             <translation>Номер значения</translation>
         </message>
@@ -20968,3 +20972,7 @@ s</source>
         </message>
     </context>
 </TS>
+        <message>
+            <source>Views that show what other steps ask you to predict open once those predictions are given.</source>
+            <translation>Виды, показывающие то, что просят спрогнозировать другие шаги, откроются, когда эти прогнозы будут даны.</translation>
+        </message>

@@ -297,7 +297,7 @@ void LessonDesk::putStep() {
     const LessonStep& step = m_run.current();
     m_moment = step.moment;
     m_isOwn = true;
-    m_hidden.hide(HiddenThings::of(step));
+    m_hidden.hide(HiddenThings::of(m_run));
     m_document.startUntitled(m_run.setupFor(m_run.step()));
     m_document.showSurface(static_cast<std::size_t>(step.surface) - 1);
     m_document.setGate([this](const SetupState& after) { return allows(after); });
@@ -346,6 +346,7 @@ void LessonDesk::keepDraft() {
         draft.setup.text = setup;
     }
     m_run.setDraft(std::move(draft));
+        m_hidden.hide(HiddenThings::of(m_run));
 }
 
 void LessonDesk::save() {

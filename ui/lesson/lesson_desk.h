@@ -40,6 +40,7 @@ public:
     [[nodiscard]] HiddenThings& hidden() { return m_hidden; }
     [[nodiscard]] bool isRunning() const { return m_run.isRunning(); }
     [[nodiscard]] bool isCovered() const { return m_run.isCovered(); }
+    [[nodiscard]] const HiddenThings& hidden() const { return m_hidden; }
 
     /// Drafts of works are kept below this folder.
     void protect(const QString& stateFolder);

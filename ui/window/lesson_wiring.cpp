@@ -91,14 +91,13 @@ void LessonWiring::apply(const Parts& parts) {
         parts.tabs.attachAll();
     }
     m_middle->setCurrentIndex(isCovered ? 1 : 0);
-    const auto step =
-        desk.isRunning() ? HiddenThings::of(desk.run().current()) : HiddenThings::Things();
+    const HiddenThings& step = desk.hidden(); // nothing where no lesson runs
     parts.layout.takeAway(WindowLayout::Panel::verdict,
-                          isCovered || step.contains(Hideable::verdict));
+                          isCovered || step.isHidden(Hideable::verdict));
     parts.layout.takeAway(WindowLayout::Panel::messages,
-                          isCovered || step.contains(Hideable::messages));
+                          isCovered || step.isHidden(Hideable::messages));
     parts.layout.takeAway(WindowLayout::Panel::sheet,
-                          isCovered || step.contains(Hideable::formulas));
+                          isCovered || step.isHidden(Hideable::formulas));
     parts.inputs.setAccess(desk.isRunning()
                                ? std::make_shared<const FormAccess>(desk.run().current(), isCovered)
                                : std::make_shared<const FormAccess>());

@@ -544,10 +544,15 @@ void MainWindow::connectLesson() {
         if (m_partWindow && m_lesson->isRunning()) { // it tells the results of all surfaces
             m_partWindow->hide();
         }
+        m_strip->tellResults(!m_lesson->isCovered()
+                             && !m_lesson->hidden().isHidden(Hideable::verdict));
         m_actions->follow(m_document, !m_inputs->refusals().empty());
         showPlayback();
         showTitle();
     });
+    HiddenThings& hidden = m_lesson->hidden();
+    hidden.add({Hideable::keptRuns}, [this](bool away) { m_overview->offerKeeping(!away); });
+    hidden.add({Hideable::calibrate}, [this](bool away) { m_measured->offerCalibration(!away); });
     connect(m_keeper, &RunKeeper::kept, this, [this](const KeptRun& run) {
         if (m_lesson->isRunning()) {
             m_lesson->takeKeptRun(run);
