@@ -20976,3 +20976,11 @@ s</source>
             <source>Views that show what other steps ask you to predict open once those predictions are given.</source>
             <translation>Виды, показывающие то, что просят спрогнозировать другие шаги, откроются, когда эти прогнозы будут даны.</translation>
         </message>
+        <message>
+            <source>Export &amp;XLSX…</source>
+            <translation>Э&amp;кспорт XLSX…</translation>
+        </message>
+        <message>
+            <source>Step %1</source>
+            <translation>Шаг %1</translation>
+        </message>
