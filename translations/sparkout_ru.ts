@@ -616,6 +616,114 @@
             <source>most parts per dressing</source>
             <translation>больше всего деталей на правку</translation>
         </message>
+        <message>
+            <source>shown, not changed</source>
+            <translation>видны, не изменяются</translation>
+        </message>
+        <message>
+            <source>changed by the student</source>
+            <translation>изменяет студент</translation>
+        </message>
+        <message>
+            <source>not shown</source>
+            <translation>не видны</translation>
+        </message>
+        <message>
+            <source>double strokes or revolutions</source>
+            <translation>двойных ходов или оборотов</translation>
+        </message>
+        <message>
+            <source>stages</source>
+            <translation>ступеней</translation>
+        </message>
+        <message>
+            <source>zones or sections</source>
+            <translation>зон или сечений</translation>
+        </message>
+        <message>
+            <source>the whole double stroke</source>
+            <translation>весь двойной ход</translation>
+        </message>
+        <message>
+            <source>Overview</source>
+            <translation>Обзор</translation>
+        </message>
+        <message>
+            <source>Feeds by stage</source>
+            <translation>Подачи по ступеням</translation>
+        </message>
+        <message>
+            <source>Profiles</source>
+            <translation>Профили</translation>
+        </message>
+        <message>
+            <source>Constraints</source>
+            <translation>Ограничения</translation>
+        </message>
+        <message>
+            <source>Compliance</source>
+            <translation>Податливость</translation>
+        </message>
+        <message>
+            <source>Layers</source>
+            <translation>Слои</translation>
+        </message>
+        <message>
+            <source>Batch</source>
+            <translation>Партия</translation>
+        </message>
+        <message>
+            <source>Sweep</source>
+            <translation>Варьирование</translation>
+        </message>
+        <message>
+            <source>Optimise</source>
+            <translation>Оптимизация</translation>
+        </message>
+        <message>
+            <source>Compare</source>
+            <translation>Сравнение</translation>
+        </message>
+        <message>
+            <source>Measurements</source>
+            <translation>Измерения</translation>
+        </message>
+        <message>
+            <source>Verdict</source>
+            <translation>Заключение</translation>
+        </message>
+        <message>
+            <source>Remedies</source>
+            <translation>Что поможет</translation>
+        </message>
+        <message>
+            <source>Formulas of the step</source>
+            <translation>Формулы этапа</translation>
+        </message>
+        <message>
+            <source>Messages</source>
+            <translation>Сообщения</translation>
+        </message>
+        <message>
+            <source>Kept runs</source>
+            <translation>Запомненные расчёты</translation>
+        </message>
+        <message>
+            <source>Calibrate from measurements</source>
+            <translation>Калибровка по измерениям</translation>
+        </message>
+        <message>
+            <source>Examples</source>
+            <translation>Примеры</translation>
+        </message>
+        <message>
+            <source>Reports</source>
+            <translation>Отчёты</translation>
+        </message>
+        <message>
+            <source>Export results</source>
+            <translation>Экспорт результатов</translation>
+        </message>
     </context>
     <context>
         <name>Company</name>
@@ -5639,6 +5747,418 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Cost and wheel life are searched over the parts from one dressing to the next: the cycle holds for all of them, with the wheel as the part&apos;s wear makes it. The least cost needs the cost of a part.</source>
             <translation>Стоимость и стойкость круга ищутся по деталям от правки до правки: цикл годен для каждой из них, с кругом, каким его делает износ, заданный у детали. Для наименьшей стоимости нужна стоимость детали.</translation>
         </message>
+        <message>
+            <source>Path of an input, or of all below it, as `/wheel/dullness` or `/cycle`. Of several that name an input the longest holds.</source>
+            <translation>Путь исходной величины или всех под ним, например `/wheel/dullness` или `/cycle`. Если величину называют несколько путей, действует самый длинный.</translation>
+        </message>
+        <message>
+            <source>Access</source>
+            <translation>Доступ</translation>
+        </message>
+        <message>
+            <source>Text</source>
+            <translation>Текст</translation>
+        </message>
+        <message>
+            <source>Price</source>
+            <translation>Цена</translation>
+        </message>
+        <message>
+            <source>What a student who takes it loses of the points of the step.</source>
+            <translation>Сколько баллов шага теряет студент, взявший подсказку.</translation>
+        </message>
+        <message>
+            <source>View</source>
+            <translation>Вид</translation>
+        </message>
+        <message>
+            <source>By its name for `--view`; not given: the one in front stays.</source>
+            <translation>По имени для `--view`; не задан — остаётся открытый вид.</translation>
+        </message>
+        <message>
+            <source>as it is</source>
+            <translation>как есть</translation>
+        </message>
+        <message>
+            <source>Stage</source>
+            <translation>Ступень</translation>
+        </message>
+        <message>
+            <source>Double stroke or revolution</source>
+            <translation>Двойной ход или оборот</translation>
+        </message>
+        <message>
+            <source>Step of the double stroke</source>
+            <translation>Этап двойного хода</translation>
+        </message>
+        <message>
+            <source>Task</source>
+            <translation>Задание</translation>
+        </message>
+        <message>
+            <source>The one that the step is about, from 1.</source>
+            <translation>О какой поверхности шаг; счёт от 1.</translation>
+        </message>
+        <message>
+            <source>What is put into the project as the step begins.</source>
+            <translation>Что задаётся в проекте, когда шаг начинается.</translation>
+        </message>
+        <message>
+            <source>Other inputs</source>
+            <translation>Прочие исходные данные</translation>
+        </message>
+        <message>
+            <source>What a student may do with inputs that are not named.</source>
+            <translation>Что студент может делать с данными, которые не названы.</translation>
+        </message>
+        <message>
+            <source>Hidden</source>
+            <translation>Скрыто</translation>
+        </message>
+        <message>
+            <source>Views, panels and commands that are not there in this step.</source>
+            <translation>Виды, панели и команды, которых на этом шаге нет.</translation>
+        </message>
+        <message>
+            <source>Goal</source>
+            <translation>Цель</translation>
+        </message>
+        <message>
+            <source>Exactly one kind.</source>
+            <translation>Ровно одного вида.</translation>
+        </message>
+        <message>
+            <source>Hints</source>
+            <translation>Подсказки</translation>
+        </message>
+        <message>
+            <source>In the order in which they may be taken.</source>
+            <translation>В том порядке, в каком их можно брать.</translation>
+        </message>
+        <message>
+            <source>Moment shown</source>
+            <translation>Показываемый момент</translation>
+        </message>
+        <message>
+            <source>the window stays as it is</source>
+            <translation>окно остаётся как есть</translation>
+        </message>
+        <message>
+            <source>Aim</source>
+            <translation>Цель работы</translation>
+        </message>
+        <message>
+            <source>Theory</source>
+            <translation>Теория</translation>
+        </message>
+        <message>
+            <source>Steps</source>
+            <translation>Шаги</translation>
+        </message>
+        <message>
+            <source>Variants</source>
+            <translation>Варианты</translation>
+        </message>
+        <message>
+            <source>all students have the same project</source>
+            <translation>у всех студентов один проект</translation>
+        </message>
+        <message>
+            <source>In the teacher&apos;s file alone.</source>
+            <translation>Только в файле преподавателя.</translation>
+        </message>
+        <message>
+            <source>Guide for the teacher</source>
+            <translation>Указания преподавателю</translation>
+        </message>
+        <message>
+            <source>none is printed</source>
+            <translation>не печатаются</translation>
+        </message>
+        <message>
+            <source>Least margin</source>
+            <translation>Наименьший запас</translation>
+        </message>
+        <message>
+            <source>The relative margin that the worst requirement is to have left.</source>
+            <translation>Относительный запас, который должен остаться у худшего требования.</translation>
+        </message>
+        <message>
+            <source>Below</source>
+            <translation>Не дольше</translation>
+        </message>
+        <message>
+            <source>it follows from the proved best of each variant</source>
+            <translation>следует из доказанного лучшего времени варианта</translation>
+        </message>
+        <message>
+            <source>Within so much of the best</source>
+            <translation>Не дольше лучшего более чем на</translation>
+        </message>
+        <message>
+            <source>a time is given</source>
+            <translation>задано время</translation>
+        </message>
+        <message>
+            <source>Of the quickest cycle of the project&apos;s grid that holds every requirement, as the search proves it for each variant.</source>
+            <translation>От самого быстрого цикла на сетке проекта, выполняющего все требования: его доказывает поиск для каждого варианта.</translation>
+        </message>
+        <message>
+            <source>Every requirement holds as well</source>
+            <translation>И все требования выполняются</translation>
+        </message>
+        <message>
+            <source>Figure</source>
+            <translation>Величина</translation>
+        </message>
+        <message>
+            <source>In the unit of the figure.</source>
+            <translation>В единице величины.</translation>
+        </message>
+        <message>
+            <source>Tolerance</source>
+            <translation>Допуск</translation>
+        </message>
+        <message>
+            <source>Either way.</source>
+            <translation>В обе стороны.</translation>
+        </message>
+        <message>
+            <source>Either way, in the unit of the figure.</source>
+            <translation>В обе стороны, в единице величины.</translation>
+        </message>
+        <message>
+            <source>Tolerance, relative</source>
+            <translation>Допуск относительный</translation>
+        </message>
+        <message>
+            <source>Of the engine&apos;s value. The greater of both tolerances holds.</source>
+            <translation>От рассчитанного значения. Действует больший из двух допусков.</translation>
+        </message>
+        <message>
+            <source>Read off the run</source>
+            <translation>Читается по результату</translation>
+        </message>
+        <message>
+            <source>Else it is said before the run, and nothing is shown until then.</source>
+            <translation>Иначе называется до расчёта, и до тех пор ничего не показано.</translation>
+        </message>
+        <message>
+            <source>Along</source>
+            <translation>Вдоль чего</translation>
+        </message>
+        <message>
+            <source>At</source>
+            <translation>Где сравнивается</translation>
+        </message>
+        <message>
+            <source>Where the drawn curve is compared: double strokes, revolutions and stages from 1, sections from 0, zones as 0, 1, 2.</source>
+            <translation>В каких местах сравнивается кривая: двойные ходы, обороты и ступени от 1, сечения от 0, зоны как 0, 1, 2.</translation>
+        </message>
+        <message>
+            <source>Share within it</source>
+            <translation>Доля мест в допуске</translation>
+        </message>
+        <message>
+            <source>Of the places where it is compared.</source>
+            <translation>Из мест, где кривая сравнивается.</translation>
+        </message>
+        <message>
+            <source>Alike within</source>
+            <translation>Одинаковы в пределах</translation>
+        </message>
+        <message>
+            <source>Places whose values are no further apart may stand in either order.</source>
+            <translation>Места, значения в которых отличаются не больше, могут стоять в любом порядке.</translation>
+        </message>
+        <message>
+            <source>Right</source>
+            <translation>Верный</translation>
+        </message>
+        <message>
+            <source>Options</source>
+            <translation>Варианты ответа</translation>
+        </message>
+        <message>
+            <source>A student&apos;s file does not say which of them are right.</source>
+            <translation>В файле студента не сказано, какие из них верны.</translation>
+        </message>
+        <message>
+            <source>Least length</source>
+            <translation>Наименьшая длина</translation>
+        </message>
+        <message>
+            <source>Letters that an answer is to have.</source>
+            <translation>Сколько букв должно быть в ответе.</translation>
+        </message>
+        <message>
+            <source>Requirements hold</source>
+            <translation>Требования выполнены</translation>
+        </message>
+        <message>
+            <source>not asked</source>
+            <translation>не спрашивается</translation>
+        </message>
+        <message>
+            <source>The cycle ends by itself and every requirement holds.</source>
+            <translation>Цикл заканчивается сам, и все требования выполняются.</translation>
+        </message>
+        <message>
+            <source>Quick enough</source>
+            <translation>Время цикла</translation>
+        </message>
+        <message>
+            <source>The cycle takes less than a time.</source>
+            <translation>Цикл не дольше заданного времени.</translation>
+        </message>
+        <message>
+            <source>A figure of the run has a value, within a tolerance.</source>
+            <translation>Величина, найденная расчётом, равна заданной в пределах допуска.</translation>
+        </message>
+        <message>
+            <source>Number predicted</source>
+            <translation>Прогноз числа</translation>
+        </message>
+        <message>
+            <source>A figure is said before the run.</source>
+            <translation>Величина называется до расчёта.</translation>
+        </message>
+        <message>
+            <source>Curve predicted</source>
+            <translation>Прогноз кривой</translation>
+        </message>
+        <message>
+            <source>A curve is drawn before the run.</source>
+            <translation>Кривая рисуется до расчёта.</translation>
+        </message>
+        <message>
+            <source>Order predicted</source>
+            <translation>Прогноз порядка</translation>
+        </message>
+        <message>
+            <source>Zones or sections are put in order before the run.</source>
+            <translation>Зоны или сечения ставятся по порядку до расчёта.</translation>
+        </message>
+        <message>
+            <source>Choice</source>
+            <translation>Выбор</translation>
+        </message>
+        <message>
+            <source>All right options are chosen and no other.</source>
+            <translation>Выбраны все верные ответы и никакие другие.</translation>
+        </message>
+        <message>
+            <source>Answer in words</source>
+            <translation>Ответ словами</translation>
+        </message>
+        <message>
+            <source>It is kept for the teacher, who gives the points.</source>
+            <translation>Хранится для преподавателя, он ставит баллы.</translation>
+        </message>
+        <message>
+            <source>By its name; the unit is in it.</source>
+            <translation>По имени; единица — в нём.</translation>
+        </message>
+        <message>
+            <source>none is needed</source>
+            <translation>не нужна</translation>
+        </message>
+        <message>
+            <source>A section by its number from 0, as in a project file.</source>
+            <translation>Сечение — номером от 0, как в файле проекта.</translation>
+        </message>
+        <message>
+            <source>none is needed, or the last one</source>
+            <translation>не нужна или последняя</translation>
+        </message>
+        <message>
+            <source>Counted from 1.</source>
+            <translation>Счёт от 1.</translation>
+        </message>
+        <message>
+            <source>the last one of the stage</source>
+            <translation>последний на ступени</translation>
+        </message>
+        <message>
+            <source>Of the cycle, counted from 1.</source>
+            <translation>В цикле, счёт от 1.</translation>
+        </message>
+        <message>
+            <source>In a traverse cycle.</source>
+            <translation>При продольном шлифовании.</translation>
+        </message>
+        <message>
+            <source>Its path in a project file, as `/wheel/dullness` or `/cycle/stages/0/stock_mm`.</source>
+            <translation>Путь в файле проекта, например `/wheel/dullness` или `/cycle/stages/0/stock_mm`.</translation>
+        </message>
+        <message>
+            <source>Number</source>
+            <translation>Число</translation>
+        </message>
+        <message>
+            <source>the text</source>
+            <translation>текст</translation>
+        </message>
+        <message>
+            <source>In the unit of the input.</source>
+            <translation>В единице исходной величины.</translation>
+        </message>
+        <message>
+            <source>A choice by its key, or a name.</source>
+            <translation>Ключ из списка или название.</translation>
+        </message>
+        <message>
+            <source>In Russian</source>
+            <translation>По-русски</translation>
+        </message>
+        <message>
+            <source>With the tags of the help&apos;s pages that fetch nothing; formulas stand in `&lt;p class=&quot;formula&quot;&gt;`.</source>
+            <translation>С тегами страниц справки, которые ничего не загружают; формулы стоят в `&lt;p class=&quot;formula&quot;&gt;`.</translation>
+        </message>
+        <message>
+            <source>In English</source>
+            <translation>По-английски</translation>
+        </message>
+        <message>
+            <source>The same. Where one language is missing, the other is shown.</source>
+            <translation>То же. Если одного языка нет, показывается другой.</translation>
+        </message>
+        <message>
+            <source>Question</source>
+            <translation>Вопрос</translation>
+        </message>
+        <message>
+            <source>Answer</source>
+            <translation>Ответ</translation>
+        </message>
+        <message>
+            <source>What students often get wrong, and what to say to it.</source>
+            <translation>В чём студенты часто ошибаются и что на это сказать.</translation>
+        </message>
+        <message>
+            <source>Time norm</source>
+            <translation>Норма времени</translation>
+        </message>
+        <message>
+            <source>Of the whole work, by a student.</source>
+            <translation>На всю работу, для студента.</translation>
+        </message>
+        <message>
+            <source>Control questions</source>
+            <translation>Контрольные вопросы</translation>
+        </message>
+        <message>
+            <source>For the defence of the work.</source>
+            <translation>К защите работы.</translation>
+        </message>
+        <message>
+            <source>Typical mistakes</source>
+            <translation>Типичные ошибки</translation>
+        </message>
+        <message>
+            <source>A view by its name for `--view`, or a panel or command.</source>
+            <translation>Вид по имени для `--view`, панель или команда.</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>
@@ -8639,6 +9159,94 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Operation card</source>
             <translation>Операционная карта</translation>
         </message>
+        <message>
+            <source>Access to an input</source>
+            <translation>Доступ к исходной величине</translation>
+        </message>
+        <message>
+            <source>Hint</source>
+            <translation>Подсказка</translation>
+        </message>
+        <message>
+            <source>Moment shown</source>
+            <translation>Показываемый момент</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>Шаг</translation>
+        </message>
+        <message>
+            <source>Lesson</source>
+            <translation>Лабораторная работа</translation>
+        </message>
+        <message>
+            <source>Requirements hold</source>
+            <translation>Требования выполнены</translation>
+        </message>
+        <message>
+            <source>Quick enough</source>
+            <translation>Время цикла</translation>
+        </message>
+        <message>
+            <source>Figure has a value</source>
+            <translation>Величина равна заданной</translation>
+        </message>
+        <message>
+            <source>Number predicted</source>
+            <translation>Прогноз числа</translation>
+        </message>
+        <message>
+            <source>Curve predicted</source>
+            <translation>Прогноз кривой</translation>
+        </message>
+        <message>
+            <source>Order predicted</source>
+            <translation>Прогноз порядка</translation>
+        </message>
+        <message>
+            <source>Option</source>
+            <translation>Ответ</translation>
+        </message>
+        <message>
+            <source>Right ones chosen</source>
+            <translation>Выбраны верные</translation>
+        </message>
+        <message>
+            <source>Answer in words</source>
+            <translation>Ответ словами</translation>
+        </message>
+        <message>
+            <source>Goal</source>
+            <translation>Цель</translation>
+        </message>
+        <message>
+            <source>Figure</source>
+            <translation>Величина</translation>
+        </message>
+        <message>
+            <source>Value of an input</source>
+            <translation>Значение исходной величины</translation>
+        </message>
+        <message>
+            <source>Text in both languages</source>
+            <translation>Текст на двух языках</translation>
+        </message>
+        <message>
+            <source>Control question</source>
+            <translation>Контрольный вопрос</translation>
+        </message>
+        <message>
+            <source>Typical mistake</source>
+            <translation>Типичная ошибка</translation>
+        </message>
+        <message>
+            <source>Guide for the teacher</source>
+            <translation>Указания преподавателю</translation>
+        </message>
+        <message>
+            <source>What is hidden</source>
+            <translation>Что скрыто</translation>
+        </message>
     </context>
     <context>
         <name>StudiesShown</name>
@@ -9667,6 +10275,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>N/mm²</source>
             <translation>Н/мм²</translation>
         </message>
+        <message>
+            <source>points</source>
+            <translation>балл.</translation>
+        </message>
     </context>
     <context>
         <name>VerdictText</name>
@@ -10213,6 +10825,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>&amp;Mark works…</source>
             <translation>П&amp;роверить работы…</translation>
+        </message>
+        <message>
+            <source>&amp;Edit a work…</source>
+            <translation>С&amp;оставить работу…</translation>
         </message>
     </context>
     <context>
@@ -16645,6 +17261,10 @@ good</source>
             <source>Add, move and remove surfaces</source>
             <translation>Добавить, переставить, удалить поверхности</translation>
         </message>
+        <message>
+            <source>Surface %1: %2</source>
+            <translation>Поверхность %1: %2</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::PartModel</name>
@@ -20469,6 +21089,10 @@ s</source>
             <source>“%1” is open in another window or on another computer.</source>
             <translation>«%1» открыт в другом окне или на другом компьютере.</translation>
         </message>
+        <message>
+            <source>trial</source>
+            <translation>проба</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::LessonPanel</name>
@@ -20559,6 +21183,10 @@ s</source>
         <message>
             <source>Take a hint</source>
             <translation>Взять подсказку</translation>
+        </message>
+        <message>
+            <source>Views that show what other steps ask you to predict open once those predictions are given.</source>
+            <translation>Виды, показывающие то, что просят спрогнозировать другие шаги, откроются, когда эти прогнозы будут даны.</translation>
         </message>
     </context>
     <context>
@@ -20829,6 +21457,10 @@ s</source>
             <source>Tables (*.csv)</source>
             <translation>Таблицы (*.csv)</translation>
         </message>
+        <message>
+            <source>Export &amp;XLSX…</source>
+            <translation>Э&amp;кспорт XLSX…</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::MarksModel</name>
@@ -20867,6 +21499,10 @@ s</source>
         <message>
             <source>Remarks</source>
             <translation>Замечания</translation>
+        </message>
+        <message>
+            <source>Step %1</source>
+            <translation>Шаг %1</translation>
         </message>
     </context>
     <context>
@@ -20981,6 +21617,312 @@ s</source>
         <message>
             <source>Worst part, no. %1</source>
             <translation>Худшая деталь, № %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::LessonDraft</name>
+        <message>
+            <source>Project</source>
+            <translation>Проект</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::StructForm</name>
+        <message>
+            <source>Kind of goal</source>
+            <translation>Вид цели</translation>
+        </message>
+        <message>
+            <source>the one in front</source>
+            <translation>открытый</translation>
+        </message>
+        <message>
+            <source>Add: %1</source>
+            <translation>Добавить: %1</translation>
+        </message>
+        <message>
+            <source>Up</source>
+            <translation>Выше</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>Удалить</translation>
+        </message>
+        <message>
+            <source>numbers with spaces between them</source>
+            <translation>здесь нужны числа через пробел</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::AccessPage</name>
+        <message>
+            <source>as the inputs around them</source>
+            <translation>как у данных вокруг</translation>
+        </message>
+        <message>
+            <source>Search the inputs</source>
+            <translation>Поиск исходных данных</translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation>Исходные данные</translation>
+        </message>
+        <message>
+            <source>Input</source>
+            <translation>Исходная величина</translation>
+        </message>
+        <message>
+            <source>For the student</source>
+            <translation>Для студента</translation>
+        </message>
+        <message>
+            <source>Inputs that are not named</source>
+            <translation>Неназванные исходные данные</translation>
+        </message>
+        <message>
+            <source>Selected inputs</source>
+            <translation>Выделенные</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::TextPreview</name>
+        <message>
+            <source>Language of the preview</source>
+            <translation>Язык просмотра</translation>
+        </message>
+        <message>
+            <source>As the student reads it</source>
+            <translation>Как это читает студент</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::LessonPage</name>
+        <message>
+            <source>Title, aim, theory</source>
+            <translation>Название, цель, теория</translation>
+        </message>
+        <message>
+            <source>For the teacher</source>
+            <translation>Преподавателю</translation>
+        </message>
+        <message>
+            <source>Task</source>
+            <translation>Задание</translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation>Данные</translation>
+        </message>
+        <message>
+            <source>Values</source>
+            <translation>Значения</translation>
+        </message>
+        <message>
+            <source>Hidden</source>
+            <translation>Скрыто</translation>
+        </message>
+        <message>
+            <source>Goal</source>
+            <translation>Цель</translation>
+        </message>
+        <message>
+            <source>Hints</source>
+            <translation>Подсказки</translation>
+        </message>
+        <message>
+            <source>Moment</source>
+            <translation>Момент</translation>
+        </message>
+        <message>
+            <source>Views, panels and commands that the step hides</source>
+            <translation>Виды, панели и команды, скрытые на шаге</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::LessonEditor</name>
+        <message>
+            <source>Lessons (*%1)</source>
+            <translation>Лабораторные работы (*%1)</translation>
+        </message>
+        <message>
+            <source>&amp;New</source>
+            <translation>&amp;Новая</translation>
+        </message>
+        <message>
+            <source>A new laboratory work about the project in the window</source>
+            <translation>Новая лабораторная работа по проекту в окне</translation>
+        </message>
+        <message>
+            <source>&amp;Open…</source>
+            <translation>&amp;Открыть…</translation>
+        </message>
+        <message>
+            <source>Open a laboratory work</source>
+            <translation>Открыть лабораторную работу</translation>
+        </message>
+        <message>
+            <source>&amp;Copy of…</source>
+            <translation>По об&amp;разцу…</translation>
+        </message>
+        <message>
+            <source>A new laboratory work after one that there is</source>
+            <translation>Новая работа по образцу имеющейся</translation>
+        </message>
+        <message>
+            <source>&amp;Save</source>
+            <translation>&amp;Сохранить</translation>
+        </message>
+        <message>
+            <source>Save the laboratory work</source>
+            <translation>Сохранить лабораторную работу</translation>
+        </message>
+        <message>
+            <source>Save &amp;as…</source>
+            <translation>Сохранить &amp;как…</translation>
+        </message>
+        <message>
+            <source>Save the laboratory work in another file</source>
+            <translation>Сохранить лабораторную работу в другой файл</translation>
+        </message>
+        <message>
+            <source>&amp;Undo</source>
+            <translation>О&amp;тменить</translation>
+        </message>
+        <message>
+            <source>Take the last change back</source>
+            <translation>Отменить последнее изменение</translation>
+        </message>
+        <message>
+            <source>&amp;Redo</source>
+            <translation>&amp;Повторить</translation>
+        </message>
+        <message>
+            <source>Make the change again</source>
+            <translation>Вернуть отменённое изменение</translation>
+        </message>
+        <message>
+            <source>Take the &amp;project</source>
+            <translation>&amp;Взять проект</translation>
+        </message>
+        <message>
+            <source>The project in the window becomes that of the laboratory work</source>
+            <translation>Проект в окне становится проектом работы</translation>
+        </message>
+        <message>
+            <source>S&amp;how the project</source>
+            <translation>Показать про&amp;ект</translation>
+        </message>
+        <message>
+            <source>The project of the laboratory work comes into the window, to be changed</source>
+            <translation>Проект работы открывается в окне, чтобы его изменить</translation>
+        </message>
+        <message>
+            <source>&amp;Try as a student</source>
+            <translation>&amp;Испытать</translation>
+        </message>
+        <message>
+            <source>Do the laboratory work in the window, from the step in front on</source>
+            <translation>Выполнить работу в окне, как студент, с открытого шага</translation>
+        </message>
+        <message>
+            <source>A&amp;dd a step</source>
+            <translation>&amp;Добавить шаг</translation>
+        </message>
+        <message>
+            <source>A step after the one in front</source>
+            <translation>Шаг после открытого</translation>
+        </message>
+        <message>
+            <source>Dup&amp;licate</source>
+            <translation>Ду&amp;блировать</translation>
+        </message>
+        <message>
+            <source>The same step once more</source>
+            <translation>Такой же шаг ещё раз</translation>
+        </message>
+        <message>
+            <source>Earl&amp;ier</source>
+            <translation>Р&amp;аньше</translation>
+        </message>
+        <message>
+            <source>Before the step above</source>
+            <translation>Перед шагом, который выше</translation>
+        </message>
+        <message>
+            <source>Lat&amp;er</source>
+            <translation>По&amp;зже</translation>
+        </message>
+        <message>
+            <source>After the step below</source>
+            <translation>После шага, который ниже</translation>
+        </message>
+        <message>
+            <source>Re&amp;move</source>
+            <translation>&amp;Удалить</translation>
+        </message>
+        <message>
+            <source>Remove the step</source>
+            <translation>Удалить шаг</translation>
+        </message>
+        <message>
+            <source>The file was not opened</source>
+            <translation>Файл не открыт</translation>
+        </message>
+        <message>
+            <source>The laboratory work has faults</source>
+            <translation>В работе есть ошибки</translation>
+        </message>
+        <message>
+            <source>They are listed below the pages; a double click leads to each of them.</source>
+            <translation>Они перечислены внизу; двойной щелчок ведёт к каждой.</translation>
+        </message>
+        <message>
+            <source>The laboratory work is not saved</source>
+            <translation>Лабораторная работа не сохранена</translation>
+        </message>
+        <message>
+            <source>Unsaved changes</source>
+            <translation>Несохранённые изменения</translation>
+        </message>
+        <message>
+            <source>The laboratory work “%1” has changes that are not saved.</source>
+            <translation>В лабораторной работе «%1» есть несохранённые изменения.</translation>
+        </message>
+        <message>
+            <source>&amp;Discard</source>
+            <translation>&amp;Не сохранять</translation>
+        </message>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>О&amp;тмена</translation>
+        </message>
+        <message>
+            <source>not saved yet</source>
+            <translation>ещё не сохранена</translation>
+        </message>
+        <message>
+            <source>The work as a whole</source>
+            <translation>Работа в целом</translation>
+        </message>
+        <message>
+            <source>Step %1. %2</source>
+            <translation>Шаг %1. %2</translation>
+        </message>
+        <message>
+            <source>Laboratory work: %1[*]</source>
+            <translation>Лабораторная работа: %1[*]</translation>
+        </message>
+        <message>
+            <source>No faults: the laboratory work can be saved and tried.</source>
+            <translation>Ошибок нет: работу можно сохранить и испытать.</translation>
+        </message>
+        <message>
+            <source>The work and its steps</source>
+            <translation>Работа и её шаги</translation>
+        </message>
+        <message>
+            <source>Faults of the laboratory work</source>
+            <translation>Ошибки лабораторной работы</translation>
         </message>
     </context>
 </TS>

@@ -344,32 +344,38 @@ std::span<const Choice> choicesOf<FigureName>() {
 
 template <>
 std::span<const Choice> choicesOf<Step>() {
-    static constexpr std::array choices{Choice{"whole", "the whole double stroke"},
-                                        Choice{"E1", "E1"},
-                                        Choice{"E2", "E2"},
-                                        Choice{"E3", "E3"},
-                                        Choice{"E4", "E4"},
-                                        Choice{"E5", "E5"}};
+    static constexpr std::array choices{
+        Choice{"whole", SPARKOUT_NOOP("Choice", "the whole double stroke")},
+        Choice{"E1", "E1"},
+        Choice{"E2", "E2"},
+        Choice{"E3", "E3"},
+        Choice{"E4", "E4"},
+        Choice{"E5", "E5"}};
     return choices;
 }
 
 template <>
 const StructInfo& tableOf<Figure>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Figure, name, .label = "Figure", .required = conditions::always,
-                       .hint = "By its name; the unit is in it."),
-        SPARKOUT_FIELD(Figure, place, .label = "Zone or section", .hard = {0, 100000},
-                       .nullMeaning = "none is needed",
-                       .hint = "A section by its number from 0, as in a project file."),
-        SPARKOUT_FIELD(Figure, stage, .label = "Stage", .hard = {1, 1000},
-                       .nullMeaning = "none is needed, or the last one", .hint = "Counted from 1."),
-        SPARKOUT_FIELD(Figure, count, .label = "Double stroke or revolution", .hard = {1, 10000000},
-                       .nullMeaning = "the last one of the stage",
-                       .hint = "Of the cycle, counted from 1."),
-        SPARKOUT_FIELD(Figure, step, .label = "Step of the double stroke", .sparse = true,
-                       .hint = "In a traverse cycle."),
+        SPARKOUT_FIELD(Figure, name, .label = SPARKOUT_NOOP("Input", "Figure"),
+                       .required = conditions::always,
+                       .hint = SPARKOUT_NOOP("Input", "By its name; the unit is in it.")),
+        SPARKOUT_FIELD(Figure, place, .label = SPARKOUT_NOOP("Input", "Zone or section"),
+                       .hard = {0, 100000}, .nullMeaning = SPARKOUT_NOOP("Input", "none is needed"),
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "A section by its number from 0, as in a project file.")),
+        SPARKOUT_FIELD(Figure, stage, .label = SPARKOUT_NOOP("Input", "Stage"), .hard = {1, 1000},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "none is needed, or the last one"),
+                       .hint = SPARKOUT_NOOP("Input", "Counted from 1.")),
+        SPARKOUT_FIELD(Figure, count,
+                       .label = SPARKOUT_NOOP("Input", "Double stroke or revolution"),
+                       .hard = {1, 10000000},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "the last one of the stage"),
+                       .hint = SPARKOUT_NOOP("Input", "Of the cycle, counted from 1.")),
+        SPARKOUT_FIELD(Figure, step, .label = SPARKOUT_NOOP("Input", "Step of the double stroke"),
+                       .sparse = true, .hint = SPARKOUT_NOOP("Input", "In a traverse cycle.")),
     };
-    static const StructInfo info = makeTable<Figure>("Figure", rows);
+    static const StructInfo info = makeTable<Figure>(SPARKOUT_NOOP("Struct", "Figure"), rows);
     return info;
 }
 

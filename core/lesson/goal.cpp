@@ -2,6 +2,7 @@
 #include "core/lesson/goal.h"
 
 #include "core/project/conditions.h"
+#include "core/text.h"
 
 #include <array>
 
@@ -56,154 +57,201 @@ const char* goalKey(GoalKind kind) {
 
 template <>
 std::span<const Choice> choicesOf<CurveAlong>() {
-    static constexpr std::array choices{Choice{"count", "double strokes or revolutions"},
-                                        Choice{"stage", "stages"},
-                                        Choice{"place", "zones or sections"}};
+    static constexpr std::array choices{
+        Choice{"count", SPARKOUT_NOOP("Choice", "double strokes or revolutions")},
+        Choice{"stage", SPARKOUT_NOOP("Choice", "stages")},
+        Choice{"place", SPARKOUT_NOOP("Choice", "zones or sections")}};
     return choices;
 }
 
 template <>
 const StructInfo& tableOf<RequirementsGoal>() {
     static const std::array rows{
-        SPARKOUT_FIELD(RequirementsGoal, least_margin_percent, .label = "Least margin", .unit = "%",
-                       .hard = {0, 100},
-                       .hint = "The relative margin that the worst requirement is to have left."),
+        SPARKOUT_FIELD(
+            RequirementsGoal, least_margin_percent, .label = SPARKOUT_NOOP("Input", "Least margin"),
+            .unit = "%", .hard = {0, 100},
+            .hint = SPARKOUT_NOOP(
+                "Input", "The relative margin that the worst requirement is to have left.")),
     };
-    static const StructInfo info = makeTable<RequirementsGoal>("Requirements hold", rows);
+    static const StructInfo info =
+        makeTable<RequirementsGoal>(SPARKOUT_NOOP("Struct", "Requirements hold"), rows);
     return info;
 }
 
 template <>
 const StructInfo& tableOf<TimeGoal>() {
     static const std::array rows{
-        SPARKOUT_FIELD(TimeGoal, below_min, .label = "Below", .unit = "min",
+        SPARKOUT_FIELD(TimeGoal, below_min, .label = SPARKOUT_NOOP("Input", "Below"), .unit = "min",
                        .hard = {0, 100000, true},
-                       .nullMeaning = "it follows from the proved best of each variant"),
-        SPARKOUT_FIELD(TimeGoal, within_percent_of_best, .label = "Within so much of the best",
-                       .unit = "%", .hard = {0, 1000}, .nullMeaning = "a time is given",
-                       .hint = "Of the quickest cycle of the project's grid that holds every "
-                               "requirement, as the search proves it for each variant."),
-        SPARKOUT_FIELD(TimeGoal, requirements_hold, .label = "Every requirement holds as well"),
+                       .nullMeaning = SPARKOUT_NOOP(
+                           "Input", "it follows from the proved best of each variant")),
+        SPARKOUT_FIELD(TimeGoal, within_percent_of_best,
+                       .label = SPARKOUT_NOOP("Input", "Within so much of the best"), .unit = "%",
+                       .hard = {0, 1000}, .nullMeaning = SPARKOUT_NOOP("Input", "a time is given"),
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Of the quickest cycle of the project's grid that holds every "
+                                    "requirement, as the search proves it for each variant.")),
+        SPARKOUT_FIELD(TimeGoal, requirements_hold,
+                       .label = SPARKOUT_NOOP("Input", "Every requirement holds as well")),
     };
-    static const StructInfo info = makeTable<TimeGoal>("Quick enough", rows);
+    static const StructInfo info =
+        makeTable<TimeGoal>(SPARKOUT_NOOP("Struct", "Quick enough"), rows);
     return info;
 }
 
 template <>
 const StructInfo& tableOf<FigureGoal>() {
     static const std::array rows{
-        SPARKOUT_FIELD(FigureGoal, figure, .label = "Figure"),
-        SPARKOUT_FIELD(FigureGoal, value, .label = "Value", .hard = {-largest, largest},
-                       .required = conditions::always, .hint = "In the unit of the figure."),
-        SPARKOUT_FIELD(FigureGoal, tolerance, .label = "Tolerance", .hard = {0, largest, true},
-                       .required = conditions::always, .hint = "Either way."),
+        SPARKOUT_FIELD(FigureGoal, figure, .label = SPARKOUT_NOOP("Input", "Figure")),
+        SPARKOUT_FIELD(FigureGoal, value, .label = SPARKOUT_NOOP("Input", "Value"),
+                       .hard = {-largest, largest}, .required = conditions::always,
+                       .hint = SPARKOUT_NOOP("Input", "In the unit of the figure.")),
+        SPARKOUT_FIELD(FigureGoal, tolerance, .label = SPARKOUT_NOOP("Input", "Tolerance"),
+                       .hard = {0, largest, true}, .required = conditions::always,
+                       .hint = SPARKOUT_NOOP("Input", "Either way.")),
     };
-    static const StructInfo info = makeTable<FigureGoal>("Figure has a value", rows);
+    static const StructInfo info =
+        makeTable<FigureGoal>(SPARKOUT_NOOP("Struct", "Figure has a value"), rows);
     return info;
 }
 
 template <>
 const StructInfo& tableOf<NumberPrediction>() {
     static const std::array rows{
-        SPARKOUT_FIELD(NumberPrediction, figure, .label = "Figure"),
-        SPARKOUT_FIELD(NumberPrediction, tolerance, .label = "Tolerance", .hard = {0, largest},
-                       .hint = "Either way, in the unit of the figure."),
-        SPARKOUT_FIELD(NumberPrediction, tolerance_percent, .label = "Tolerance, relative",
-                       .unit = "%", .hard = {0, 100},
-                       .hint = "Of the engine's value. The greater of both tolerances holds."),
-        SPARKOUT_FIELD(NumberPrediction, after_run, .label = "Read off the run", .sparse = true,
-                       .hint = "Else it is said before the run, and nothing is shown until then."),
+        SPARKOUT_FIELD(NumberPrediction, figure, .label = SPARKOUT_NOOP("Input", "Figure")),
+        SPARKOUT_FIELD(NumberPrediction, tolerance, .label = SPARKOUT_NOOP("Input", "Tolerance"),
+                       .hard = {0, largest},
+                       .hint = SPARKOUT_NOOP("Input", "Either way, in the unit of the figure.")),
+        SPARKOUT_FIELD(
+            NumberPrediction, tolerance_percent,
+            .label = SPARKOUT_NOOP("Input", "Tolerance, relative"), .unit = "%", .hard = {0, 100},
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Of the engine's value. The greater of both tolerances holds.")),
+        SPARKOUT_FIELD(
+            NumberPrediction, after_run, .label = SPARKOUT_NOOP("Input", "Read off the run"),
+            .sparse = true,
+            .hint = SPARKOUT_NOOP(
+                "Input", "Else it is said before the run, and nothing is shown until then.")),
     };
-    static const StructInfo info = makeTable<NumberPrediction>("Number predicted", rows);
+    static const StructInfo info =
+        makeTable<NumberPrediction>(SPARKOUT_NOOP("Struct", "Number predicted"), rows);
     return info;
 }
 
 template <>
 const StructInfo& tableOf<CurvePrediction>() {
     static const std::array rows{
-        SPARKOUT_FIELD(CurvePrediction, figure, .label = "Figure"),
-        SPARKOUT_FIELD(CurvePrediction, along, .label = "Along"),
-        SPARKOUT_FIELD(CurvePrediction, at, .label = "At", .hard = {0, 10000000},
-                       .required = conditions::always, .whole = true,
-                       .hint = "Where the drawn curve is compared: double strokes, revolutions and "
-                               "stages from 1, sections from 0, zones as 0, 1, 2."),
-        SPARKOUT_FIELD(CurvePrediction, tolerance, .label = "Tolerance", .hard = {0, largest},
-                       .hint = "Either way, in the unit of the figure."),
-        SPARKOUT_FIELD(CurvePrediction, tolerance_percent, .label = "Tolerance, relative",
-                       .unit = "%", .hard = {0, 100},
-                       .hint = "Of the engine's value. The greater of both tolerances holds."),
-        SPARKOUT_FIELD(CurvePrediction, least_share_percent, .label = "Share within it",
-                       .unit = "%", .hard = {1, 100},
-                       .hint = "Of the places where it is compared."),
+        SPARKOUT_FIELD(CurvePrediction, figure, .label = SPARKOUT_NOOP("Input", "Figure")),
+        SPARKOUT_FIELD(CurvePrediction, along, .label = SPARKOUT_NOOP("Input", "Along")),
+        SPARKOUT_FIELD(CurvePrediction, at, .label = SPARKOUT_NOOP("Input", "At"),
+                       .hard = {0, 10000000}, .required = conditions::always, .whole = true,
+                       .hint = SPARKOUT_NOOP(
+                           "Input",
+                           "Where the drawn curve is compared: double strokes, revolutions and "
+                           "stages from 1, sections from 0, zones as 0, 1, 2.")),
+        SPARKOUT_FIELD(CurvePrediction, tolerance, .label = SPARKOUT_NOOP("Input", "Tolerance"),
+                       .hard = {0, largest},
+                       .hint = SPARKOUT_NOOP("Input", "Either way, in the unit of the figure.")),
+        SPARKOUT_FIELD(
+            CurvePrediction, tolerance_percent,
+            .label = SPARKOUT_NOOP("Input", "Tolerance, relative"), .unit = "%", .hard = {0, 100},
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Of the engine's value. The greater of both tolerances holds.")),
+        SPARKOUT_FIELD(CurvePrediction, least_share_percent,
+                       .label = SPARKOUT_NOOP("Input", "Share within it"), .unit = "%",
+                       .hard = {1, 100},
+                       .hint = SPARKOUT_NOOP("Input", "Of the places where it is compared.")),
     };
-    static const StructInfo info = makeTable<CurvePrediction>("Curve predicted", rows);
+    static const StructInfo info =
+        makeTable<CurvePrediction>(SPARKOUT_NOOP("Struct", "Curve predicted"), rows);
     return info;
 }
 
 template <>
 const StructInfo& tableOf<OrderPrediction>() {
     static const std::array rows{
-        SPARKOUT_FIELD(OrderPrediction, figure, .label = "Figure"),
-        SPARKOUT_FIELD(OrderPrediction, alike, .label = "Alike within", .hard = {0, largest},
-                       .hint = "Places whose values are no further apart may stand in either "
-                               "order."),
+        SPARKOUT_FIELD(OrderPrediction, figure, .label = SPARKOUT_NOOP("Input", "Figure")),
+        SPARKOUT_FIELD(OrderPrediction, alike, .label = SPARKOUT_NOOP("Input", "Alike within"),
+                       .hard = {0, largest},
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Places whose values are no further apart may stand in either "
+                                    "order.")),
     };
-    static const StructInfo info = makeTable<OrderPrediction>("Order predicted", rows);
+    static const StructInfo info =
+        makeTable<OrderPrediction>(SPARKOUT_NOOP("Struct", "Order predicted"), rows);
     return info;
 }
 
 template <>
 const StructInfo& tableOf<ChoiceOption>() {
     static const std::array rows{
-        SPARKOUT_FIELD(ChoiceOption, text, .label = "Text"),
-        SPARKOUT_FIELD(ChoiceOption, right, .label = "Right", .sparse = true),
+        SPARKOUT_FIELD(ChoiceOption, text, .label = SPARKOUT_NOOP("Input", "Text")),
+        SPARKOUT_FIELD(ChoiceOption, right, .label = SPARKOUT_NOOP("Input", "Right"),
+                       .sparse = true),
     };
-    static const StructInfo info = makeTable<ChoiceOption>("Option", rows);
+    static const StructInfo info = makeTable<ChoiceOption>(SPARKOUT_NOOP("Struct", "Option"), rows);
     return info;
 }
 
 template <>
 const StructInfo& tableOf<ChoiceGoal>() {
     static const std::array rows{
-        SPARKOUT_FIELD(ChoiceGoal, options, .label = "Options", .hard = {2, 20},
-                       .required = conditions::always,
-                       .hint = "A student's file does not say which of them are right."),
+        SPARKOUT_FIELD(ChoiceGoal, options, .label = SPARKOUT_NOOP("Input", "Options"),
+                       .hard = {2, 20}, .required = conditions::always,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "A student's file does not say which of them are right.")),
     };
-    static const StructInfo info = makeTable<ChoiceGoal>("Right ones chosen", rows);
+    static const StructInfo info =
+        makeTable<ChoiceGoal>(SPARKOUT_NOOP("Struct", "Right ones chosen"), rows);
     return info;
 }
 
 template <>
 const StructInfo& tableOf<TextGoal>() {
     static const std::array rows{
-        SPARKOUT_FIELD(TextGoal, least_letters, .label = "Least length", .hard = {1, 10000},
-                       .hint = "Letters that an answer is to have."),
+        SPARKOUT_FIELD(TextGoal, least_letters, .label = SPARKOUT_NOOP("Input", "Least length"),
+                       .hard = {1, 10000},
+                       .hint = SPARKOUT_NOOP("Input", "Letters that an answer is to have.")),
     };
-    static const StructInfo info = makeTable<TextGoal>("Answer in words", rows);
+    static const StructInfo info =
+        makeTable<TextGoal>(SPARKOUT_NOOP("Struct", "Answer in words"), rows);
     return info;
 }
 
 template <>
 const StructInfo& tableOf<Goal>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Goal, requirements, .label = "Requirements hold", .nullMeaning = "not asked",
-                       .hint = "The cycle ends by itself and every requirement holds."),
-        SPARKOUT_FIELD(Goal, time, .label = "Quick enough", .nullMeaning = "not asked",
-                       .hint = "The cycle takes less than a time."),
-        SPARKOUT_FIELD(Goal, figure, .label = "Figure", .nullMeaning = "not asked",
-                       .hint = "A figure of the run has a value, within a tolerance."),
-        SPARKOUT_FIELD(Goal, prediction, .label = "Number predicted", .nullMeaning = "not asked",
-                       .hint = "A figure is said before the run."),
-        SPARKOUT_FIELD(Goal, curve, .label = "Curve predicted", .nullMeaning = "not asked",
-                       .hint = "A curve is drawn before the run."),
-        SPARKOUT_FIELD(Goal, order, .label = "Order predicted", .nullMeaning = "not asked",
-                       .hint = "Zones or sections are put in order before the run."),
-        SPARKOUT_FIELD(Goal, choice, .label = "Choice", .nullMeaning = "not asked",
-                       .hint = "All right options are chosen and no other."),
-        SPARKOUT_FIELD(Goal, text, .label = "Answer in words", .nullMeaning = "not asked",
-                       .hint = "It is kept for the teacher, who gives the points."),
+        SPARKOUT_FIELD(Goal, requirements, .label = SPARKOUT_NOOP("Input", "Requirements hold"),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not asked"),
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "The cycle ends by itself and every requirement holds.")),
+        SPARKOUT_FIELD(Goal, time, .label = SPARKOUT_NOOP("Input", "Quick enough"),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not asked"),
+                       .hint = SPARKOUT_NOOP("Input", "The cycle takes less than a time.")),
+        SPARKOUT_FIELD(
+            Goal, figure, .label = SPARKOUT_NOOP("Input", "Figure"),
+            .nullMeaning = SPARKOUT_NOOP("Input", "not asked"),
+            .hint = SPARKOUT_NOOP("Input", "A figure of the run has a value, within a tolerance.")),
+        SPARKOUT_FIELD(Goal, prediction, .label = SPARKOUT_NOOP("Input", "Number predicted"),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not asked"),
+                       .hint = SPARKOUT_NOOP("Input", "A figure is said before the run.")),
+        SPARKOUT_FIELD(Goal, curve, .label = SPARKOUT_NOOP("Input", "Curve predicted"),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not asked"),
+                       .hint = SPARKOUT_NOOP("Input", "A curve is drawn before the run.")),
+        SPARKOUT_FIELD(
+            Goal, order, .label = SPARKOUT_NOOP("Input", "Order predicted"),
+            .nullMeaning = SPARKOUT_NOOP("Input", "not asked"),
+            .hint = SPARKOUT_NOOP("Input", "Zones or sections are put in order before the run.")),
+        SPARKOUT_FIELD(Goal, choice, .label = SPARKOUT_NOOP("Input", "Choice"),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not asked"),
+                       .hint =
+                           SPARKOUT_NOOP("Input", "All right options are chosen and no other.")),
+        SPARKOUT_FIELD(
+            Goal, text, .label = SPARKOUT_NOOP("Input", "Answer in words"),
+            .nullMeaning = SPARKOUT_NOOP("Input", "not asked"),
+            .hint = SPARKOUT_NOOP("Input", "It is kept for the teacher, who gives the points.")),
     };
-    static const StructInfo info = makeTable<Goal>("Goal", rows);
+    static const StructInfo info = makeTable<Goal>(SPARKOUT_NOOP("Struct", "Goal"), rows);
     return info;
 }
 

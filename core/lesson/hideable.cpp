@@ -2,6 +2,7 @@
 #include "core/lesson/hideable.h"
 
 #include "core/project/conditions.h"
+#include "core/text.h"
 
 namespace sparkout {
 
@@ -22,26 +23,26 @@ std::optional<Hideable> viewNamed(std::string_view key) {
 template <>
 std::span<const Choice> choicesOf<Hideable>() {
     static constexpr std::array choices{
-        Choice{"overview", "Overview"},
-        Choice{"feeds", "Feeds by stage"},
-        Choice{"profiles", "Profiles"},
-        Choice{"constraints", "Constraints"},
-        Choice{"compliance", "Compliance"},
-        Choice{"layers", "Layers"},
-        Choice{"batch", "Batch"},
-        Choice{"sweep", "Sweep"},
-        Choice{"optimise", "Optimise"},
-        Choice{"compare", "Compare"},
-        Choice{"measured", "Measurements"},
-        Choice{"verdict", "Verdict"},
-        Choice{"remedies", "Remedies"},
-        Choice{"formulas", "Formulas of the step"},
-        Choice{"messages", "Messages"},
-        Choice{"kept_runs", "Kept runs"},
-        Choice{"calibrate", "Calibrate from measurements"},
-        Choice{"examples", "Examples"},
-        Choice{"reports", "Reports"},
-        Choice{"export_results", "Export results"},
+        Choice{"overview", SPARKOUT_NOOP("Choice", "Overview")},
+        Choice{"feeds", SPARKOUT_NOOP("Choice", "Feeds by stage")},
+        Choice{"profiles", SPARKOUT_NOOP("Choice", "Profiles")},
+        Choice{"constraints", SPARKOUT_NOOP("Choice", "Constraints")},
+        Choice{"compliance", SPARKOUT_NOOP("Choice", "Compliance")},
+        Choice{"layers", SPARKOUT_NOOP("Choice", "Layers")},
+        Choice{"batch", SPARKOUT_NOOP("Choice", "Batch")},
+        Choice{"sweep", SPARKOUT_NOOP("Choice", "Sweep")},
+        Choice{"optimise", SPARKOUT_NOOP("Choice", "Optimise")},
+        Choice{"compare", SPARKOUT_NOOP("Choice", "Compare")},
+        Choice{"measured", SPARKOUT_NOOP("Choice", "Measurements")},
+        Choice{"verdict", SPARKOUT_NOOP("Choice", "Verdict")},
+        Choice{"remedies", SPARKOUT_NOOP("Choice", "Remedies")},
+        Choice{"formulas", SPARKOUT_NOOP("Choice", "Formulas of the step")},
+        Choice{"messages", SPARKOUT_NOOP("Choice", "Messages")},
+        Choice{"kept_runs", SPARKOUT_NOOP("Choice", "Kept runs")},
+        Choice{"calibrate", SPARKOUT_NOOP("Choice", "Calibrate from measurements")},
+        Choice{"examples", SPARKOUT_NOOP("Choice", "Examples")},
+        Choice{"reports", SPARKOUT_NOOP("Choice", "Reports")},
+        Choice{"export_results", SPARKOUT_NOOP("Choice", "Export results")},
     };
     static_assert(choices.size() == static_cast<std::size_t>(Hideable::count_));
     return choices;
@@ -50,10 +51,13 @@ std::span<const Choice> choicesOf<Hideable>() {
 template <>
 const StructInfo& tableOf<HiddenThing>() {
     static const std::array rows{
-        SPARKOUT_FIELD(HiddenThing, name, .label = "Name", .required = conditions::always,
-                       .hint = "A view by its name for `--view`, or a panel or command."),
+        SPARKOUT_FIELD(HiddenThing, name, .label = SPARKOUT_NOOP("Input", "Name"),
+                       .required = conditions::always,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "A view by its name for `--view`, or a panel or command.")),
     };
-    static const StructInfo info = makeTable<HiddenThing>("What is hidden", rows);
+    static const StructInfo info =
+        makeTable<HiddenThing>(SPARKOUT_NOOP("Struct", "What is hidden"), rows);
     return info;
 }
 

@@ -6,6 +6,7 @@
 #include "core/project/number_input.h"
 #include "core/setup/setup.h"
 #include "core/setup/shared_members.h"
+#include "core/text.h"
 
 #include <utility>
 
@@ -54,15 +55,19 @@ bool putInput(Setup& setup, std::size_t surface, const InputValue& value) {
 template <>
 const StructInfo& tableOf<InputValue>() {
     static const std::array rows{
-        SPARKOUT_FIELD(InputValue, path, .label = "Input", .required = conditions::always,
-                       .hint = "Its path in a project file, as `/wheel/dullness` or "
-                               "`/cycle/stages/0/stock_mm`."),
-        SPARKOUT_FIELD(InputValue, number, .label = "Number", .hard = {-1e9, 1e9},
-                       .nullMeaning = "the text", .hint = "In the unit of the input."),
-        SPARKOUT_FIELD(InputValue, text, .label = "Text", .sparse = true,
-                       .hint = "A choice by its key, or a name."),
+        SPARKOUT_FIELD(InputValue, path, .label = SPARKOUT_NOOP("Input", "Input"),
+                       .required = conditions::always,
+                       .hint = SPARKOUT_NOOP("Input",
+                                             "Its path in a project file, as `/wheel/dullness` or "
+                                             "`/cycle/stages/0/stock_mm`.")),
+        SPARKOUT_FIELD(InputValue, number, .label = SPARKOUT_NOOP("Input", "Number"),
+                       .hard = {-1e9, 1e9}, .nullMeaning = SPARKOUT_NOOP("Input", "the text"),
+                       .hint = SPARKOUT_NOOP("Input", "In the unit of the input.")),
+        SPARKOUT_FIELD(InputValue, text, .label = SPARKOUT_NOOP("Input", "Text"), .sparse = true,
+                       .hint = SPARKOUT_NOOP("Input", "A choice by its key, or a name.")),
     };
-    static const StructInfo info = makeTable<InputValue>("Value of an input", rows);
+    static const StructInfo info =
+        makeTable<InputValue>(SPARKOUT_NOOP("Struct", "Value of an input"), rows);
     return info;
 }
 

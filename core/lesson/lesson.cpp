@@ -4,6 +4,7 @@
 #include "core/project/conditions.h"
 #include "core/project/leaves.h"
 #include "core/project/measured.h"
+#include "core/text.h"
 
 #include <algorithm>
 #include <array>
@@ -146,92 +147,117 @@ std::vector<std::string> forbiddenChanges(const Lesson& lesson, std::size_t step
 
 template <>
 std::span<const Choice> choicesOf<Access>() {
-    static constexpr std::array choices{Choice{"locked", "shown, not changed"},
-                                        Choice{"free", "changed by the student"},
-                                        Choice{"hidden", "not shown"}};
+    static constexpr std::array choices{
+        Choice{"locked", SPARKOUT_NOOP("Choice", "shown, not changed")},
+        Choice{"free", SPARKOUT_NOOP("Choice", "changed by the student")},
+        Choice{"hidden", SPARKOUT_NOOP("Choice", "not shown")}};
     return choices;
 }
 
 template <>
 const StructInfo& tableOf<InputAccess>() {
     static const std::array rows{
-        SPARKOUT_FIELD(InputAccess, path, .label = "Input", .required = conditions::always,
-                       .hint = "Path of an input, or of all below it, as `/wheel/dullness` or "
-                               "`/cycle`. Of several that name an input the longest holds."),
-        SPARKOUT_FIELD(InputAccess, access, .label = "Access", .required = conditions::always),
+        SPARKOUT_FIELD(InputAccess, path, .label = SPARKOUT_NOOP("Input", "Input"),
+                       .required = conditions::always,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Path of an input, or of all below it, as `/wheel/dullness` or "
+                                    "`/cycle`. Of several that name an input the longest holds.")),
+        SPARKOUT_FIELD(InputAccess, access, .label = SPARKOUT_NOOP("Input", "Access"),
+                       .required = conditions::always),
     };
-    static const StructInfo info = makeTable<InputAccess>("Access to an input", rows);
+    static const StructInfo info =
+        makeTable<InputAccess>(SPARKOUT_NOOP("Struct", "Access to an input"), rows);
     return info;
 }
 
 template <>
 const StructInfo& tableOf<Hint>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Hint, text, .label = "Text"),
-        SPARKOUT_FIELD(Hint, price, .label = "Price", .unit = "points", .hard = {0, 1000},
-                       .hint = "What a student who takes it loses of the points of the step."),
+        SPARKOUT_FIELD(Hint, text, .label = SPARKOUT_NOOP("Input", "Text")),
+        SPARKOUT_FIELD(
+            Hint, price, .label = SPARKOUT_NOOP("Input", "Price"),
+            .unit = SPARKOUT_NOOP("Unit", "points"), .hard = {0, 1000},
+            .hint = SPARKOUT_NOOP("Input",
+                                  "What a student who takes it loses of the points of the step.")),
     };
-    static const StructInfo info = makeTable<Hint>("Hint", rows);
+    static const StructInfo info = makeTable<Hint>(SPARKOUT_NOOP("Struct", "Hint"), rows);
     return info;
 }
 
 template <>
 const StructInfo& tableOf<ShownMoment>() {
     static const std::array rows{
-        SPARKOUT_FIELD(ShownMoment, view, .label = "View", .sparse = true,
-                       .hint = "By its name for `--view`; not given: the one in front stays."),
-        SPARKOUT_FIELD(ShownMoment, place, .label = "Zone or section", .hard = {0, 100000},
-                       .nullMeaning = "as it is"),
-        SPARKOUT_FIELD(ShownMoment, stage, .label = "Stage", .hard = {1, 1000},
-                       .nullMeaning = "as it is"),
-        SPARKOUT_FIELD(ShownMoment, count, .label = "Double stroke or revolution",
-                       .hard = {1, 10000000}, .nullMeaning = "as it is"),
-        SPARKOUT_FIELD(ShownMoment, step, .label = "Step of the double stroke", .sparse = true),
+        SPARKOUT_FIELD(
+            ShownMoment, view, .label = SPARKOUT_NOOP("Input", "View"), .sparse = true,
+            .hint = SPARKOUT_NOOP("Input",
+                                  "By its name for `--view`; not given: the one in front stays.")),
+        SPARKOUT_FIELD(ShownMoment, place, .label = SPARKOUT_NOOP("Input", "Zone or section"),
+                       .hard = {0, 100000}, .nullMeaning = SPARKOUT_NOOP("Input", "as it is")),
+        SPARKOUT_FIELD(ShownMoment, stage, .label = SPARKOUT_NOOP("Input", "Stage"),
+                       .hard = {1, 1000}, .nullMeaning = SPARKOUT_NOOP("Input", "as it is")),
+        SPARKOUT_FIELD(ShownMoment, count,
+                       .label = SPARKOUT_NOOP("Input", "Double stroke or revolution"),
+                       .hard = {1, 10000000}, .nullMeaning = SPARKOUT_NOOP("Input", "as it is")),
+        SPARKOUT_FIELD(ShownMoment, step,
+                       .label = SPARKOUT_NOOP("Input", "Step of the double stroke"),
+                       .sparse = true),
     };
-    static const StructInfo info = makeTable<ShownMoment>("Moment shown", rows);
+    static const StructInfo info =
+        makeTable<ShownMoment>(SPARKOUT_NOOP("Struct", "Moment shown"), rows);
     return info;
 }
 
 template <>
 const StructInfo& tableOf<LessonStep>() {
     static const std::array rows{
-        SPARKOUT_FIELD(LessonStep, task, .label = "Task"),
-        SPARKOUT_FIELD(LessonStep, surface, .label = "Surface", .hard = {1, 20}, .sparse = true,
-                       .hint = "The one that the step is about, from 1."),
-        SPARKOUT_FIELD(LessonStep, values, .label = "Values", .hard = {0, 100}, .sparse = true,
-                       .hint = "What is put into the project as the step begins."),
-        SPARKOUT_FIELD(LessonStep, others, .label = "Other inputs",
-                       .hint = "What a student may do with inputs that are not named."),
-        SPARKOUT_FIELD(LessonStep, inputs, .label = "Inputs", .hard = {0, 1000}),
-        SPARKOUT_FIELD(LessonStep, hidden, .label = "Hidden", .hard = {0, 100}, .sparse = true,
-                       .hint = "Views, panels and commands that are not there in this step."),
-        SPARKOUT_FIELD(LessonStep, goal, .label = "Goal", .required = conditions::always,
-                       .hint = "Exactly one kind."),
-        SPARKOUT_FIELD(LessonStep, points, .label = "Points", .hard = {0, 1000}),
-        SPARKOUT_FIELD(LessonStep, hints, .label = "Hints", .hard = {0, 20}, .sparse = true,
-                       .hint = "In the order in which they may be taken."),
-        SPARKOUT_FIELD(LessonStep, moment, .label = "Moment shown",
-                       .nullMeaning = "the window stays as it is"),
+        SPARKOUT_FIELD(LessonStep, task, .label = SPARKOUT_NOOP("Input", "Task")),
+        SPARKOUT_FIELD(LessonStep, surface, .label = SPARKOUT_NOOP("Input", "Surface"),
+                       .hard = {1, 20}, .sparse = true,
+                       .hint = SPARKOUT_NOOP("Input", "The one that the step is about, from 1.")),
+        SPARKOUT_FIELD(
+            LessonStep, values, .label = SPARKOUT_NOOP("Input", "Values"), .hard = {0, 100},
+            .sparse = true,
+            .hint = SPARKOUT_NOOP("Input", "What is put into the project as the step begins.")),
+        SPARKOUT_FIELD(LessonStep, others, .label = SPARKOUT_NOOP("Input", "Other inputs"),
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "What a student may do with inputs that are not named.")),
+        SPARKOUT_FIELD(LessonStep, inputs, .label = SPARKOUT_NOOP("Input", "Inputs"),
+                       .hard = {0, 1000}),
+        SPARKOUT_FIELD(LessonStep, hidden, .label = SPARKOUT_NOOP("Input", "Hidden"),
+                       .hard = {0, 100}, .sparse = true,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Views, panels and commands that are not there in this step.")),
+        SPARKOUT_FIELD(LessonStep, goal, .label = SPARKOUT_NOOP("Input", "Goal"),
+                       .required = conditions::always,
+                       .hint = SPARKOUT_NOOP("Input", "Exactly one kind.")),
+        SPARKOUT_FIELD(LessonStep, points, .label = SPARKOUT_NOOP("Input", "Points"),
+                       .hard = {0, 1000}),
+        SPARKOUT_FIELD(LessonStep, hints, .label = SPARKOUT_NOOP("Input", "Hints"), .hard = {0, 20},
+                       .sparse = true,
+                       .hint = SPARKOUT_NOOP("Input", "In the order in which they may be taken.")),
+        SPARKOUT_FIELD(LessonStep, moment, .label = SPARKOUT_NOOP("Input", "Moment shown"),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "the window stays as it is")),
     };
-    static const StructInfo info = makeTable<LessonStep>("Step", rows);
+    static const StructInfo info = makeTable<LessonStep>(SPARKOUT_NOOP("Struct", "Step"), rows);
     return info;
 }
 
 template <>
 const StructInfo& tableOf<LessonSheet>() {
     static const std::array rows{
-        SPARKOUT_FIELD(LessonSheet, title, .label = "Title"),
-        SPARKOUT_FIELD(LessonSheet, aim, .label = "Aim"),
-        SPARKOUT_FIELD(LessonSheet, theory, .label = "Theory"),
-        SPARKOUT_FIELD(LessonSheet, steps, .label = "Steps", .hard = {1, 100},
-                       .required = conditions::always),
-        SPARKOUT_FIELD(LessonSheet, variants, .label = "Variants",
-                       .nullMeaning = "all students have the same project",
-                       .hint = "In the teacher's file alone."),
-        SPARKOUT_FIELD(LessonSheet, guide, .label = "Guide for the teacher",
-                       .nullMeaning = "none is printed", .hint = "In the teacher's file alone."),
+        SPARKOUT_FIELD(LessonSheet, title, .label = SPARKOUT_NOOP("Input", "Title")),
+        SPARKOUT_FIELD(LessonSheet, aim, .label = SPARKOUT_NOOP("Input", "Aim")),
+        SPARKOUT_FIELD(LessonSheet, theory, .label = SPARKOUT_NOOP("Input", "Theory")),
+        SPARKOUT_FIELD(LessonSheet, steps, .label = SPARKOUT_NOOP("Input", "Steps"),
+                       .hard = {1, 100}, .required = conditions::always),
+        SPARKOUT_FIELD(LessonSheet, variants, .label = SPARKOUT_NOOP("Input", "Variants"),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "all students have the same project"),
+                       .hint = SPARKOUT_NOOP("Input", "In the teacher's file alone.")),
+        SPARKOUT_FIELD(LessonSheet, guide, .label = SPARKOUT_NOOP("Input", "Guide for the teacher"),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "none is printed"),
+                       .hint = SPARKOUT_NOOP("Input", "In the teacher's file alone.")),
     };
-    static const StructInfo info = makeTable<LessonSheet>("Lesson", rows);
+    static const StructInfo info = makeTable<LessonSheet>(SPARKOUT_NOOP("Struct", "Lesson"), rows);
     return info;
 }
 

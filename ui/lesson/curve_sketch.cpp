@@ -111,6 +111,13 @@ double CurveSketch::tick() const {
     return roundTick((top() - bottom()) / ticks);
 }
 
+/// What the curve is of, in as many lines as that takes.
+int CurveSketch::headHeight() const {
+    return fontMetrics()
+        .boundingRect(QRect(0, 0, width() - metrics::tight, height()), Qt::TextWordWrap, m_value)
+        .height();
+}
+
 QRectF CurveSketch::area() const {
     const QFontMetrics text = fontMetrics();
     int widest = 0;
@@ -118,8 +125,8 @@ QRectF CurveSketch::area() const {
         widest = std::max(widest, text.horizontalAdvance(printedNumber(at)));
     }
     const int line = text.height();
-    return QRectF(rect()).adjusted(widest + metrics::margin, line * 2.4, -metrics::wide,
-                                   -2.2 * line);
+    return QRectF(rect()).adjusted(widest + metrics::margin, headHeight() + 1.4 * line,
+                                   -metrics::wide, -2.2 * line);
 }
 
 QPointF CurveSketch::pointAt(std::size_t place, double value) const {
@@ -180,8 +187,8 @@ void CurveSketch::drawAxes(QPainter& painter) const {
     }
     painter.drawText(QRectF(in.left(), height() - line - 1, in.width(), line), Qt::AlignCenter,
                      m_along);
-    painter.drawText(QRectF(metrics::hair, 0, width() - metrics::tight, line), Qt::AlignLeft,
-                     fontMetrics().elidedText(m_value, Qt::ElideRight, width() - metrics::tight));
+    painter.drawText(QRectF(metrics::hair, 0, width() - metrics::tight, headHeight()),
+                     Qt::AlignLeft | Qt::TextWordWrap, m_value);
 }
 
 /// What was said is drawn through, with discs; what was found is dashed, with squares.
@@ -215,14 +222,15 @@ void CurveSketch::drawCurve(QPainter& painter, const Values& values, bool isFoun
 
 void CurveSketch::drawNames(QPainter& painter) const {
     const int line = fontMetrics().height();
+    const double below = headHeight() + 0.2 * line;
     double x = area().left();
     const auto name = [&](const QString& text, Tone colour, Qt::PenStyle style) {
         constexpr int sample = 22;
         painter.setPen(QPen(tone(colour, palette()), 2, style));
-        const double y = line * 1.2 + line / 2.0;
+        const double y = below + line / 2.0;
         painter.drawLine(QPointF(x, y), QPointF(x + sample, y));
         painter.setPen(palette().color(QPalette::Text));
-        painter.drawText(QPointF(x + sample + metrics::tight, line * 1.2 + fontMetrics().ascent()),
+        painter.drawText(QPointF(x + sample + metrics::tight, below + fontMetrics().ascent()),
                          text);
         x += sample + metrics::wide + fontMetrics().horizontalAdvance(text);
     };

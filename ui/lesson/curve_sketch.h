@@ -45,6 +45,7 @@ protected:
     void focusOutEvent(QFocusEvent* event) override;
 
 private:
+    [[nodiscard]] int headHeight() const;
     [[nodiscard]] QRectF area() const;
     [[nodiscard]] double bottom() const;
     [[nodiscard]] double tick() const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lesson/hidden_things.h"
 
+#include "ui/session/lesson_run.h"
+
 #include <QAction>
 
 #include <algorithm>
@@ -51,6 +53,50 @@ HiddenThings::Things HiddenThings::of(const LessonStep& step) {
         things.insert(Hideable::calibrate);
     }
     return things;
+}
+
+HiddenThings::Things HiddenThings::telling(const Figure& figure) {
+    switch (rowOf(figure.name).scope) {
+    case FigureScope::cycle:
+        switch (figure.name) {
+        case FigureName::equivalentDiameter:
+        case FigureName::shearCoefficient:
+        case FigureName::flatCoefficient: return {Hideable::formulas};
+        case FigureName::burnFreeFeed: return {Hideable::formulas, Hideable::constraints};
+        default: break;
+        }
+        break;
+    case FigureScope::place:
+        if (figure.name == FigureName::compliance) {
+            return {Hideable::compliance, Hideable::formulas};
+        }
+        break;
+    case FigureScope::stage:
+        return {Hideable::feeds, Hideable::overview, Hideable::constraints, Hideable::compare,
+                Hideable::sweep};
+    case FigureScope::step: {
+        Things things{Hideable::feeds, Hideable::layers, Hideable::formulas, Hideable::compare};
+        if (figure.name == FigureName::runoutAfter) {
+            things.insert(Hideable::profiles);
+        }
+        return things;
+    }
+    case FigureScope::batch:
+    case FigureScope::batchPlace: return {Hideable::batch, Hideable::overview};
+    case FigureScope::search: return {Hideable::optimise};
+    }
+    return {Hideable::overview, Hideable::profiles, Hideable::constraints, Hideable::verdict,
+            Hideable::compare,  Hideable::batch,    Hideable::sweep};
+}
+
+HiddenThings::Things HiddenThings::of(const LessonRun& run) {
+    LessonStep step = run.current();
+    for (const std::size_t open : run.openPredictions()) {
+        for (const Hideable thing : telling(*run.lesson().steps[open].goal.asked())) {
+            step.hidden.push_back({thing});
+        }
+    }
+    return of(step);
 }
 
 void HiddenThings::hide(const Things& things) {

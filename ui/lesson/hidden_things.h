@@ -13,6 +13,8 @@ class QAction;
 
 namespace sparkout {
 
+class LessonRun;
+
 /// What of the window a step of a lesson takes away: each view, panel and command is entered once
 /// with the things whose absence takes it away, and comes back when none of them is hidden.
 class HiddenThings : public QObject {
@@ -30,6 +32,11 @@ public:
     /// views and the verdict do, remedies stand in the verdict; reports, formulas and compared runs
     /// state inputs that are hidden.
     [[nodiscard]] static Things of(const LessonStep& step);
+    /// The same of the step in front of a work, and what tells what other steps of it ask to
+    /// predict.
+    [[nodiscard]] static Things of(const LessonRun& run);
+    /// Where a figure is to be read, or seen.
+    [[nodiscard]] static Things telling(const Figure& figure);
     void hide(const Things& things);
     [[nodiscard]] bool isHidden(Hideable thing) const { return m_hidden.contains(thing); }
 

@@ -100,7 +100,8 @@ LessonDesk::~LessonDesk() {
 }
 
 void LessonDesk::protect(const QString& stateFolder) {
-    m_run.keepDraftsIn(stateFolder + QStringLiteral("/lessons"));
+    m_drafts = stateFolder + QStringLiteral("/lessons");
+    m_run.keepDraftsIn(m_drafts);
 }
 
 bool LessonDesk::isOfLesson(const QString& path) {
@@ -121,6 +122,20 @@ void LessonDesk::choose() {
     if (dialog.exec() == QDialog::Accepted && !dialog.chosen().isEmpty() && mayLeave()) {
         openLesson(dialog.chosen());
     }
+}
+
+bool LessonDesk::tryOut(const Lesson& lesson, std::size_t step) {
+    auto work = makeWork(lesson, 1, tr("trial"), {});
+    auto trial = std::make_unique<Trial>();
+    if (!work || !trial->folder.isValid()) {
+        return false;
+    }
+    trial->base = lesson.base;
+    m_trial = std::move(trial);
+    m_run.keepDraftsIn({});
+    start(std::move(*work), m_trial->folder.filePath(tr("trial") + workEnding), true);
+    showStep(step);
+    return true;
 }
 
 void LessonDesk::markWorks() {
@@ -259,7 +274,9 @@ void LessonDesk::start(Work work, const QString& path, bool isNew) {
     m_notices.remove(changedNotice);
     m_run.start(std::move(work), absolute, isNew);
     ProgramLog::note(tr("Opened: %1").arg(printableText(absolute)));
-    emit opened(absolute);
+    if (!m_trial) {
+        emit opened(absolute);
+    }
     putStep();
 }
 
@@ -297,7 +314,7 @@ void LessonDesk::putStep() {
     const LessonStep& step = m_run.current();
     m_moment = step.moment;
     m_isOwn = true;
-    m_hidden.hide(HiddenThings::of(step));
+    m_hidden.hide(HiddenThings::of(m_run));
     m_document.startUntitled(m_run.setupFor(m_run.step()));
     m_document.showSurface(static_cast<std::size_t>(step.surface) - 1);
     m_document.setGate([this](const SetupState& after) { return allows(after); });
@@ -329,6 +346,7 @@ void LessonDesk::handIn(Answer answer) {
     m_draft.stop();
     m_run.handIn(std::move(answer));
     if (wasCovered && !isCovered()) {
+        m_hidden.hide(HiddenThings::of(m_run));
         emit limitsChanged();
         emit uncovered();
     }
@@ -387,8 +405,9 @@ bool LessonDesk::mayLeave() {
 
 void LessonDesk::leave() {
     if (isRunning() && mayLeave()) {
+        const Setup next = m_trial ? m_trial->base : plainSetup(newProject());
         finish();
-        m_document.startUntitled(newProject());
+        m_document.startUntitled(next);
     }
 }
 
@@ -400,6 +419,11 @@ void LessonDesk::finish() {
     m_lock.release();
     m_hidden.hide({});
     emit limitsChanged();
+    if (m_trial) {
+        m_trial.reset();
+        m_run.keepDraftsIn(m_drafts);
+        emit tried();
+    }
 }
 
 void LessonDesk::takeOutcome(bool ran) {

@@ -9,9 +9,11 @@
 #include "ui/session/setup_state.h"
 
 #include <QObject>
+#include <QTemporaryDir>
 #include <QTimer>
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 class QWidget;
@@ -38,6 +40,7 @@ public:
     [[nodiscard]] const LessonRun& run() const { return m_run; }
     [[nodiscard]] LessonPanel& panel() { return *m_panel; }
     [[nodiscard]] HiddenThings& hidden() { return m_hidden; }
+    [[nodiscard]] const HiddenThings& hidden() const { return m_hidden; }
     [[nodiscard]] bool isRunning() const { return m_run.isRunning(); }
     [[nodiscard]] bool isCovered() const { return m_run.isCovered(); }
 
@@ -49,7 +52,9 @@ public:
     [[nodiscard]] static bool isOfLesson(const QString& path); ///< by its ending
     void open(const QString& path); ///< a lesson or a work; what is wrong with it is said
     void choose();                  ///< one of the shipped lessons
-    void markWorks();               ///< shows the window that does
+    /// A lesson as a student has it, from a step on; nothing of it is kept. False: not begun.
+    bool tryOut(const Lesson& lesson, std::size_t step);
+    void markWorks(); ///< shows the window that does
     void save();
     void saveAs();
     void leave(); ///< to a new project
@@ -68,6 +73,7 @@ signals:
     void uncovered();     ///< the result may be shown now
     void momentWanted(const sparkout::ShownMoment& moment);
     void opened(const QString& path); ///< a work
+    void tried();                     ///< a trial is over
     void reported(const QString& text);
 
 private:
@@ -98,6 +104,13 @@ private:
     std::optional<ShownMoment> m_moment; ///< to be gone to with the next outcome
     FileLock m_lock;                     ///< of the work: one window writes it
     QTimer m_draft;
+    /// A lesson that is tried out, and where its work is till then.
+    struct Trial {
+        QTemporaryDir folder;
+        Setup base;
+    };
+    std::unique_ptr<Trial> m_trial;
+    QString m_drafts;     ///< their folder
     bool m_isOwn = false; ///< the document is being replaced by a step
 };
 

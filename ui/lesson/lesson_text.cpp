@@ -29,6 +29,12 @@ QString withDecimals(double value, int digits) {
     return printedNumber(std::round(value * scale) / scale);
 }
 
+/// A number stays on the line of its sign, its tolerance and its per cent.
+QString bound(QString text) {
+    return text.replace(QStringLiteral(" %"), QStringLiteral("\u00a0%"))
+        .replace(QStringLiteral(" ± "), QStringLiteral("\u00a0±\u00a0"));
+}
+
 QString failingNames(const GoalResult& result) {
     QStringList names;
     for (const ConstraintKind kind : result.failing) {
@@ -40,7 +46,7 @@ QString failingNames(const GoalResult& result) {
 } // namespace
 
 QString LessonText::of(const Bilingual& text) {
-    return harmlessText(QString::fromStdString(text.in(speaksRussian())));
+    return bound(harmlessText(QString::fromStdString(text.in(speaksRussian()))));
 }
 
 QString LessonText::markup(const Bilingual& text) {
@@ -61,7 +67,7 @@ QString LessonText::figure(const Figure& figure, const Project& project) {
     const QString name = QCoreApplication::translate("Figure", rowOf(figure.name).choice.label);
     QStringList where;
     if (figure.place.isGiven()) {
-        where += place(project, figure.place.index());
+        where += Names::inSentence(place(project, figure.place.index()));
     }
     if (figure.stage) {
         where += tr("stage %1").arg(*figure.stage);
@@ -117,13 +123,13 @@ QString LessonText::asked(const Goal& goal, const Project& project) {
                     : tr("Checked: cycle time at most %1 min."))
             .arg(withDecimals(*goal.time->below_min, cycleTimeDigits));
     case GoalKind::figure:
-        return tr("Checked: %1 is %2 ± %3.")
-            .arg(Names::inSentence(figure(goal.figure->figure, project)),
-                 printedNumber(goal.figure->value),
-                 printedNumber(goal.figure->tolerance)
-                     + (unit(goal.figure->figure).isEmpty()
-                            ? QString()
-                            : u'\u00a0' + unit(goal.figure->figure)));
+        return bound(tr("Checked: %1 is %2 ± %3.")
+                         .arg(Names::inSentence(figure(goal.figure->figure, project)),
+                              printedNumber(goal.figure->value),
+                              printedNumber(goal.figure->tolerance)
+                                  + (unit(goal.figure->figure).isEmpty()
+                                         ? QString()
+                                         : u'\u00a0' + unit(goal.figure->figure))));
     case GoalKind::prediction:
     case GoalKind::curve:
     case GoalKind::order:

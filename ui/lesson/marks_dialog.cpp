@@ -8,6 +8,7 @@
 #include "core/lesson/lesson_file.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/dialogs/save_dialog.h"
+#include "ui/dialogs/table_file.h"
 #include "ui/kit/file_dialog.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
@@ -123,6 +124,10 @@ void MarksDialog::build() {
         setBusy(false);
     });
     m_export = button(tr("&Export CSV…"), "marksExport", [this] { exportCsv(); });
+    m_book = button(tr("Export &XLSX…"), "marksBook", [this] {
+        saveTable(this, &m_settings, {{m_lessonName, tr("marks")}, m_model->table()},
+                  TableFormat::xlsx);
+    });
     auto* layout = new QVBoxLayout(this);
     layout->setSpacing(metrics::margin);
     layout->addWidget(m_inputs);
@@ -157,6 +162,7 @@ void MarksDialog::setBusy(bool busy) {
     m_mark->setVisible(!busy);
     m_mark->setEnabled(m_lesson && (!m_works.isEmpty() || !m_wish.group.empty()));
     m_export->setEnabled(!busy && !m_model->works().empty());
+    m_book->setEnabled(m_export->isEnabled());
 }
 
 void MarksDialog::addFile(const QString& path, QStringList& faults) {

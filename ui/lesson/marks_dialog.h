@@ -65,7 +65,7 @@ private:
     MarksModel* m_model;
     QLabel* m_inputs;
     QPushButton* m_mark = nullptr;
-    QPushButton* m_export = nullptr;
+    QPushButton *m_export = nullptr, *m_book = nullptr; ///< as CSV, as a workbook
     QPushButton* m_stop = nullptr;
     QProgressBar* m_progress;
     QTableView* m_table;

@@ -77,6 +77,48 @@ QString MarksModel::text(const GradedWork& work, int column) const {
                                      : QStringLiteral("—");
 }
 
+CsvCell MarksModel::value(const GradedWork& work, int column) const {
+    const auto ofTime = [](const std::optional<double>& time_min) {
+        return time_min ? CsvCell(*time_min) : CsvCell();
+    };
+    if (column == variant) {
+        return work.variant > 0 ? CsvCell(double(work.variant)) : CsvCell();
+    }
+    const int step = column - firstStep;
+    if (step < 0) {
+        return text(work, column);
+    }
+    if (step < steps()) {
+        const auto index = static_cast<std::size_t>(step);
+        return index < work.steps.size() ? CsvCell(work.steps[index].points) : CsvCell();
+    }
+    switch (static_cast<After>(step - steps())) {
+    case After::points: return work.points;
+    case After::most: return work.most;
+    case After::pending: return work.pending;
+    case After::time: return ofTime(work.time_min);
+    case After::remarks:
+    case After::count_: break;
+    }
+    return remarks(work);
+}
+
+CsvTable MarksModel::table() const {
+    CsvTable table;
+    for (int column = 0; column < columnsShown(); ++column) {
+        const int step = column - firstStep;
+        table.header += step >= 0 && step < steps() ? tr("Step %1").arg(step + 1)
+                                                    : head(column, Qt::DisplayRole).toString();
+    }
+    for (const GradedWork& work : m_works) {
+        auto& row = table.rows.emplace_back();
+        for (int column = 0; column < columnsShown(); ++column) {
+            row.push_back(value(work, column));
+        }
+    }
+    return table;
+}
+
 QVariant MarksModel::cell(int row, int column, int role) const {
     const GradedWork& work = m_works[static_cast<std::size_t>(row)];
     const bool isText = column == name || column == group || column == columnsShown() - 1;

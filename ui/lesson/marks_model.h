@@ -3,6 +3,7 @@
 
 #include "core/course/grading.h"
 #include "core/lesson/lesson.h"
+#include "ui/tables/csv_table.h"
 #include "ui/tables/table_model.h"
 
 #include <vector>
@@ -19,6 +20,8 @@ public:
     void setMarks(const Lesson& lesson, std::vector<GradedWork> works);
     [[nodiscard]] const std::vector<GradedWork>& works() const { return m_works; }
     [[nodiscard]] const Lesson& lesson() const { return m_lesson; }
+    /// As it stands here, its numbers as numbers, for a spreadsheet.
+    [[nodiscard]] CsvTable table() const;
     /// What is to be looked at in a work, in one line.
     [[nodiscard]] static QString remarks(const GradedWork& work);
 
@@ -35,6 +38,7 @@ private:
     [[nodiscard]] int steps() const { return static_cast<int>(m_lesson.steps.size()); }
     [[nodiscard]] QString text(const GradedWork& work, int column) const;
     [[nodiscard]] static QString after(const GradedWork& work, After column);
+    [[nodiscard]] CsvCell value(const GradedWork& work, int column) const;
 
     Lesson m_lesson;
     std::vector<GradedWork> m_works;

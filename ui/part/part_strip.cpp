@@ -78,6 +78,14 @@ void PartStrip::setActions(const QList<QAction*>& actions) {
     m_menu->menu()->addActions(actions);
 }
 
+void PartStrip::tellResults(bool tells) {
+    if (m_tells != tells) {
+        m_tells = tells;
+        m_whole->setVisible(tells);
+        showStatuses();
+    }
+}
+
 void PartStrip::follow() {
     const int count = static_cast<int>(m_document.surfaceCount());
     setVisible(count > 1);
@@ -104,6 +112,9 @@ QString PartStrip::tip(std::size_t surface) const {
     lines += tr("⌀%1 × %2 mm, from %3 mm")
                  .arg(printedNumber(part.diameter_mm), printedNumber(part.length_mm),
                       printedNumber(part.shaft.ground_from_mm));
+    if (!m_tells) {
+        return lines.join(u'\n');
+    }
     lines += statusText(status);
     if (const QString worst = worstText(status); !worst.isEmpty()) {
         lines += worst;
@@ -122,9 +133,12 @@ void PartStrip::showStatuses() {
         const SurfaceStatus& status = m_runs.statuses()[i];
         const int tab = static_cast<int>(i);
         const QString name = printableText(SurfaceEdits::nameOf(m_document.state(), i));
-        m_tabs->setTabIcon(tab, statusPixmap(status, metrics::iconSmall, devicePixelRatioF()));
+        m_tabs->setTabIcon(
+            tab, m_tells ? QIcon(statusPixmap(status, metrics::iconSmall, devicePixelRatioF()))
+                         : QIcon());
         m_tabs->setAccessibleTabName(
-            tab, tr("Surface %1: %2, %3").arg(i + 1).arg(name, statusText(status)));
+            tab, m_tells ? tr("Surface %1: %2, %3").arg(i + 1).arg(name, statusText(status))
+                         : tr("Surface %1: %2").arg(i + 1).arg(name));
         tips += tip(i);
         m_tabs->setTabToolTip(tab, tips.back());
         holding += status.holds();

@@ -26,7 +26,8 @@ public:
 
     void setActions(const QList<QAction*>& actions); ///< of the menu at its end
     void retranslate();
-    void follow(); ///< the document
+    void follow();                ///< the document
+    void tellResults(bool tells); ///< lights, margins and times, or names alone
     [[nodiscard]] QTabBar& tabs() { return *m_tabs; }
     [[nodiscard]] PartDrawing& drawing() { return *m_drawing; }
 
@@ -52,6 +53,7 @@ private:
     QToolButton* m_whole; ///< time and verdict of the part
     QToolButton* m_menu;
     bool m_following = false;
+    bool m_tells = true; ///< what the runs said
 };
 
 } // namespace sparkout

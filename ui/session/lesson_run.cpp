@@ -88,6 +88,22 @@ bool LessonRun::isCovered() const {
     return m_work && isPrediction(current().goal) && !record(m_step).answer;
 }
 
+std::vector<std::size_t> LessonRun::openPredictions() const {
+    std::vector<std::size_t> open;
+    const Goal& goal = current().goal;
+    if (goal.prediction && goal.prediction->after_run) {
+        return open;
+    }
+    for (std::size_t i = 0; i < lesson().steps.size(); ++i) {
+        const LessonStep& step = lesson().steps[i];
+        if (i != m_step && isPrediction(step.goal) && step.surface == current().surface
+            && step.values == current().values && !record(i).answer) {
+            open.push_back(i);
+        }
+    }
+    return open;
+}
+
 const GoalResult* LessonRun::result(std::size_t step) const {
     const auto found = m_results.find(step);
     return found == m_results.end() ? nullptr : &found->second;

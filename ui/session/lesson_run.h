@@ -57,6 +57,9 @@ public:
     /// Whether a prediction is asked for in the step in front, and not given yet: till then nobody
     /// is to see a result.
     [[nodiscard]] bool isCovered() const;
+    /// Other steps that ask for a prediction of the set-up in front and have none yet: what they
+    /// ask is not to be read off in this one. None where the step in front is to read results.
+    [[nodiscard]] std::vector<std::size_t> openPredictions() const;
     [[nodiscard]] StepRecord record(std::size_t step) const;
     /// What the engine finds of the answer that counts; nothing while it is not known.
     [[nodiscard]] const GoalResult* result(std::size_t step) const;

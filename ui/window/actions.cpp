@@ -54,6 +54,7 @@ Actions::Actions(QMainWindow& window)
     , previousStep(make("previousStep", u"back", Qt::CTRL | Qt::ALT | Qt::Key_Left))
     , nextStep(make("nextStep", u"forward", Qt::CTRL | Qt::ALT | Qt::Key_Right))
     , leaveLesson(make("leaveLesson", u""))
+    , editLesson(make("editLesson", u""))
     , markWorks(make("markWorks", u""))
     , english(make("english", u""))
     , russian(make("russian", u""))
@@ -190,7 +191,7 @@ void Actions::buildLessonMenu(QMenuBar& bar) {
     m_lesson->addSeparator();
     m_lesson->addActions({previousStep, nextStep, leaveLesson});
     m_lesson->addSeparator();
-    m_lesson->addAction(markWorks);
+    m_lesson->addActions({editLesson, markWorks});
 }
 
 void Actions::followLesson(bool isRunning, bool isCovered) {
@@ -198,7 +199,7 @@ void Actions::followLesson(bool isRunning, bool isCovered) {
     for (QAction* action : {previousStep, nextStep, leaveLesson}) {
         action->setEnabled(isRunning);
     }
-    for (QAction* action : {standardTimes, dressing, earlierVersions, tour}) {
+    for (QAction* action : {standardTimes, dressing, earlierVersions, tour, editLesson}) {
         action->setEnabled(!isRunning);
     }
     for (QAction* action : {wholePart, keepRun, importMeasured, detach}) {
@@ -323,6 +324,7 @@ void Actions::retranslate() {
     previousStep->setText(tr("&Previous step"));
     nextStep->setText(tr("&Next step"));
     leaveLesson->setText(tr("&Leave the lesson"));
+    editLesson->setText(tr("&Edit a work…"));
     markWorks->setText(tr("&Mark works…"));
     addSurface->setText(tr("&Add a surface…"));
     duplicateSurface->setText(tr("&Duplicate the surface"));

@@ -88,6 +88,7 @@ public:
     QAction* previousStep;
     QAction* nextStep;
     QAction* leaveLesson;
+    QAction* editLesson; ///< a laboratory work is made, or changed
     QAction* markWorks;
     QAction* english;
     QAction* russian;

@@ -6,10 +6,13 @@
 #include "ui/inputs/inputs_panel.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
+#include "ui/lesson/edit/lesson_editor.h"
 #include "ui/lesson/lesson_desk.h"
 #include "ui/plot/view.h"
 #include "ui/session/cycle_cursor.h"
+#include "ui/session/document.h"
 #include "ui/window/actions.h"
+#include "ui/window/file_commands.h"
 #include "ui/window/remedy_offers.h"
 #include "ui/window/view_tabs.h"
 #include "ui/window/window_layout.h"
@@ -45,6 +48,7 @@ void LessonWiring::connectTo(const Parts& parts) {
     connect(&parts.desk, &LessonDesk::limitsChanged, this, [this, parts] { apply(parts); });
     LessonDesk& desk = parts.desk;
     connect(parts.actions.lessons, &QAction::triggered, &desk, &LessonDesk::choose);
+    connect(parts.actions.editLesson, &QAction::triggered, this, [this, parts] { edit(parts); });
     connect(parts.actions.markWorks, &QAction::triggered, &desk, &LessonDesk::markWorks);
     connect(parts.actions.leaveLesson, &QAction::triggered, &desk, &LessonDesk::leave);
     connect(parts.actions.previousStep, &QAction::triggered, &desk, [&desk] { desk.showNext(-1); });
@@ -91,14 +95,13 @@ void LessonWiring::apply(const Parts& parts) {
         parts.tabs.attachAll();
     }
     m_middle->setCurrentIndex(isCovered ? 1 : 0);
-    const auto step =
-        desk.isRunning() ? HiddenThings::of(desk.run().current()) : HiddenThings::Things();
+    const HiddenThings& step = desk.hidden(); // nothing where no lesson runs
     parts.layout.takeAway(WindowLayout::Panel::verdict,
-                          isCovered || step.contains(Hideable::verdict));
+                          isCovered || step.isHidden(Hideable::verdict));
     parts.layout.takeAway(WindowLayout::Panel::messages,
-                          isCovered || step.contains(Hideable::messages));
+                          isCovered || step.isHidden(Hideable::messages));
     parts.layout.takeAway(WindowLayout::Panel::sheet,
-                          isCovered || step.contains(Hideable::formulas));
+                          isCovered || step.isHidden(Hideable::formulas));
     parts.inputs.setAccess(desk.isRunning()
                                ? std::make_shared<const FormAccess>(desk.run().current(), isCovered)
                                : std::make_shared<const FormAccess>());
@@ -106,6 +109,32 @@ void LessonWiring::apply(const Parts& parts) {
     if (!desk.isRunning()) {
         parts.layout.showLesson(false);
     }
+}
+
+/// A lesson is edited beside the window, and tried in it: the editor comes back when that is over.
+void LessonWiring::edit(const Parts& parts) {
+    if (!m_editor) {
+        m_editor = new LessonEditor(parts.document, parts.settings, parts.window);
+        connect(m_editor, &LessonEditor::trialWanted, this,
+                [this, parts](const Lesson& lesson, std::size_t step) {
+                    if (parts.files.mayDiscard() && parts.desk.tryOut(lesson, step)) {
+                        m_editor->hide();
+                    }
+                });
+        connect(m_editor, &LessonEditor::projectWanted, this, [this, parts] {
+            if (parts.files.mayDiscard()) {
+                parts.document.startUntitled(m_editor->draft().lesson().base);
+            }
+        });
+        connect(&parts.desk, &LessonDesk::tried, m_editor, [this, parts] { edit(parts); });
+    }
+    m_editor->show();
+    m_editor->raise();
+    m_editor->activateWindow();
+}
+
+bool LessonWiring::mayClose() {
+    return !m_editor || m_editor->mayClose();
 }
 
 void LessonWiring::goTo(CycleCursor& cursor, const ShownMoment& moment) {
@@ -133,6 +162,9 @@ void LessonWiring::goTo(CycleCursor& cursor, const ShownMoment& moment) {
 void LessonWiring::retranslate() {
     m_cover->setText(tr("The views are covered until you have given your prediction in the panel "
                         "of the laboratory work. Then the result is shown beside it."));
+    if (m_editor) {
+        m_editor->retranslate();
+    }
 }
 
 } // namespace sparkout

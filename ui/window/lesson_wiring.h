@@ -13,9 +13,13 @@ namespace sparkout {
 
 class Actions;
 class CycleCursor;
+class Document;
+class FileCommands;
 class InputsPanel;
 class LessonDesk;
+class LessonEditor;
 class RemedyOffers;
+class Settings;
 class ViewTabs;
 class WindowLayout;
 
@@ -33,6 +37,10 @@ public:
         WindowLayout& layout;
         InputsPanel& inputs;
         RemedyOffers& remedies;
+        FileCommands& files;
+        Document& document;
+        Settings& settings;
+        QWidget* window;
     };
 
     /// `views`: what is covered.
@@ -41,6 +49,7 @@ public:
     [[nodiscard]] QWidget* middle() const; ///< the views, or their cover
     void connectTo(const Parts& parts);
     void retranslate();
+    [[nodiscard]] bool mayClose(); ///< a lesson being edited is saved, or given up
 
     /// To the moment a step shows.
     static void goTo(CycleCursor& cursor, const ShownMoment& moment);
@@ -49,9 +58,11 @@ private:
     void enter(const Parts& parts);
     void enterViews(const Parts& parts);
     void apply(const Parts& parts);
+    void edit(const Parts& parts);
 
     QStackedWidget* m_middle;
     QLabel* m_cover;
+    LessonEditor* m_editor = nullptr; ///< once it was asked for
 };
 
 } // namespace sparkout

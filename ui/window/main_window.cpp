@@ -546,10 +546,15 @@ void MainWindow::connectLesson() {
         if (m_partWindow && m_lesson->isRunning()) { // it tells the results of all surfaces
             m_partWindow->hide();
         }
+        m_strip->tellResults(!m_lesson->isCovered()
+                             && !m_lesson->hidden().isHidden(Hideable::verdict));
         m_actions->follow(m_document, !m_inputs->refusals().empty());
         showPlayback();
         showTitle();
     });
+    HiddenThings& hidden = m_lesson->hidden();
+    hidden.add({Hideable::keptRuns}, [this](bool away) { m_overview->offerKeeping(!away); });
+    hidden.add({Hideable::calibrate}, [this](bool away) { m_measured->offerCalibration(!away); });
     connect(m_keeper, &RunKeeper::kept, this, [this](const KeptRun& run) {
         if (m_lesson->isRunning()) {
             m_lesson->takeKeptRun(run);
@@ -557,7 +562,8 @@ void MainWindow::connectLesson() {
     });
     connect(this, &MainWindow::outcomeShown, m_lesson,
             [this] { m_lesson->takeOutcome(m_outcome->ran()); });
-    m_lessonWiring->connectTo({*m_lesson, *m_actions, *m_tabs, *m_layout, *m_inputs, *m_remedies});
+    m_lessonWiring->connectTo({*m_lesson, *m_actions, *m_tabs, *m_layout, *m_inputs, *m_remedies,
+                               *m_files, m_document, m_settings, this});
 }
 
 /// While a prediction is awaited nothing is run: what nobody has cannot be seen.
@@ -720,7 +726,7 @@ void MainWindow::changeEvent(QEvent* event) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     m_inputs->endTyping();
-    if (!m_files->mayClose()) {
+    if (!m_lessonWiring->mayClose() || !m_files->mayClose()) {
         event->ignore();
         return;
     }

@@ -102,6 +102,21 @@ private slots:
         QVERIFY(!student.part<QWidget>("predictedNumber")->isEnabled());
         QVERIFY(!student.part<QPushButton>("lessonHandIn")->isVisible());
         QCOMPARE(student.onDisk().entries.back().event, WorkEvent::prediction);
+        // Other predictions of this set-up are open: until they are given no view tells what they
+        // ask.
+        for (const std::size_t step : {2u, 3u}) {
+            QVERIFY(!student.bench.action("show-feeds")->isVisible());
+            student.show(0); // nor in the step before, which asks for no prediction
+            QVERIFY(!student.desk().isCovered());
+            QVERIFY(!student.bench.action("show-feeds")->isEnabled());
+            student.window.showView(QStringLiteral("feeds"));
+            QVERIFY(student.window.viewTabs().currentWidget()->objectName() != u"feeds");
+            QVERIFY(!student.bench.action("exportResults")->isEnabled());
+            QVERIFY(student.part<QLabel>("lessonNote")->isVisible());
+            student.show(step);
+            student.answer();
+            student.handIn();
+        }
         // The moment that the step shows.
         QCOMPARE(student.window.viewTabs().currentWidget()->objectName(), QStringLiteral("feeds"));
         QCOMPARE(student.window.cursor().stroke(), 20);
@@ -109,7 +124,7 @@ private slots:
 
     void whatAStepHidesIsReallyGone() {
         Seat student;
-        student.begin();
+        student.begin({1, 2, 3});
         student.show(4); // hides optimise, sweep, remedies, verdict, overview and profiles
         student.answer();
         student.handIn();
@@ -182,6 +197,14 @@ private slots:
         for (int i = 0; i < int(Hideable::count_); ++i) {
             QVERIFY(!isView(Hideable(i)) || named.contains(Hideable(i)));
         }
+        // Nor do views have buttons for commands that are away.
+        HiddenThings& hidden = bench.window->lesson().hidden();
+        const auto* calibrate =
+            bench.window->findChild<QPushButton*>(QStringLiteral("measuredCalibrate"));
+        hidden.hide({Hideable::calibrate});
+        QVERIFY(calibrate->isHidden());
+        hidden.hide({});
+        QVERIFY(!calibrate->isHidden());
     }
 
     void lockedInputsAreNotChangedByAnyMeans() {
@@ -457,6 +480,62 @@ private slots:
                     QString text = shown.text;
                     text.remove(QRegularExpression(QStringLiteral("<style>.*</style>|a+ b+")));
                     QVERIFY2(englishIn(text).isEmpty(), qPrintable(text));
+                }
+            }
+        }
+    }
+
+    void everyShippedWorkHasRoom_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QString>("path");
+        const QDir folder(QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/lessons"));
+        for (const QString& name : folder.entryList(QDir::Files, QDir::Name)) {
+            for (const char* language : {"ru", "en"}) {
+                QTest::addRow("%s %s", language, qPrintable(name.left(2)))
+                    << QString::fromUtf8(language) << folder.filePath(name);
+            }
+        }
+    }
+
+    /// Every step as it is found and, where it asks for a prediction, once that is given.
+    void everyShippedWorkHasRoom() {
+        if (!qEnvironmentVariableIsSet("SPARKOUT_LONG")) {
+            QSKIP("with SPARKOUT_LONG alone");
+        }
+        QFETCH(QString, language);
+        QFETCH(QString, path);
+        const QString pictures = qEnvironmentVariable("SPARKOUT_LESSON_PICTURES");
+        const bool isRussian = language == u"ru";
+        static const QRegularExpression cyrillic(QStringLiteral("[А-Яа-яЁё]"));
+        Seat student(language, Theme::light, path);
+        student.begin();
+        for (std::size_t step = 0; step < student.run().lesson().steps.size(); ++step) {
+            student.show(step);
+            for (const bool isAnswered : {false, true}) {
+                if (isAnswered) {
+                    if (!student.desk().isCovered()) {
+                        break;
+                    }
+                    student.answer();
+                    student.handIn();
+                }
+                if (!pictures.isEmpty()) {
+                    student.window.grab().save(
+                        QStringLiteral("%1/%2-%3-%4%5.png")
+                            .arg(pictures, QFileInfo(path).fileName().left(2), language)
+                            .arg(step + 1, 2, 10, QChar(u'0'))
+                            .arg(isAnswered ? u"b" : u"a"));
+                }
+                const QStringList cut = textsWithoutRoom(
+                    *student.window.findChild<QDockWidget*>(QStringLiteral("lesson")));
+                QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
+                for (const ShownText& shown : textsOf(student.panel())) {
+                    QString text = shown.text;
+                    text.remove(QRegularExpression(QStringLiteral("<style>.*</style>|Студент 1")))
+                        .remove(QStringLiteral("ТМ-31"));
+                    const bool isForeign =
+                        isRussian ? !englishIn(text).isEmpty() : text.contains(cyrillic);
+                    QVERIFY2(!isForeign, qPrintable(text));
                 }
             }
         }

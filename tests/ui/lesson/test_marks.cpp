@@ -5,6 +5,7 @@
 #include "tests/registry.h"
 #include "tests/ui/lesson/lesson_bench.h"
 #include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/xlsx_reader.h"
 #include "ui/lesson/marks_dialog.h"
 #include "ui/lesson/marks_model.h"
 #include "ui/text/language.h"
@@ -76,12 +77,28 @@ private slots:
         QVERIFY(wanted[0].points > wanted[1].points);
         // The file that is exported is the command line's, byte for byte.
         const QString csv = all.folder.filePath(QStringLiteral("marks.csv"));
-        DialogAnswers answers({QStringLiteral("file:") + csv});
-        QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("marksExport")),
-                          Qt::LeftButton);
-        QCOMPARE(answers.fault(), QString());
+        {
+            DialogAnswers answers({QStringLiteral("file:") + csv});
+            QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("marksExport")),
+                              Qt::LeftButton);
+            QCOMPARE(answers.fault(), QString());
+        }
         QCOMPARE(std::get<std::string>(readFile(csv.toStdString(), 1u << 20)),
                  gradesCsv(all.lesson, wanted));
+        // A workbook has the same numbers as numbers.
+        const QString book = all.folder.filePath(QStringLiteral("marks.xlsx"));
+        DialogAnswers bookAnswers({QStringLiteral("file:") + book});
+        QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("marksBook")),
+                          Qt::LeftButton);
+        QCOMPARE(bookAnswers.fault(), QString());
+        const XlsxReader xlsx(book);
+        QCOMPARE(xlsx.fault(), QString());
+        QCOMPARE(xlsx.rows(0), 6); // names and units above the works
+        QCOMPARE(xlsx.text(0, 0, 3), QStringLiteral("Step 1"));
+        for (int work = 0; work < 3; ++work) {
+            const auto& of = wanted[std::size_t(work)];
+            QCOMPARE(xlsx.number(0, work + 2, 3 + int(of.steps.size())), std::optional(of.points));
+        }
         // The steps of the work in front, with the words that no engine reads.
         const QString detail =
             dialog.findChild<QTextBrowser*>(QStringLiteral("marksDetail"))->toPlainText();

@@ -469,6 +469,19 @@ private slots:
         }
     }
 
+    void theStripKeepsWhatALessonHides() {
+        Desk desk;
+        PartStrip* const strip = &desk.strip();
+        QTRY_VERIFY(strip->tabs().tabToolTip(0).count(u'\n') > 2);
+        QVERIFY(!strip->tabs().tabIcon(0).isNull());
+        strip->tellResults(false);
+        QVERIFY(strip->tabs().tabIcon(0).isNull());
+        QCOMPARE(strip->tabs().tabToolTip(0).count(u'\n'), 1); // name and size
+        QVERIFY(!strip->findChild<QToolButton*>(QStringLiteral("wholePart"))->isVisible());
+        strip->tellResults(true);
+        QVERIFY(!strip->tabs().tabIcon(0).isNull());
+    }
+
     void theWholePartIsListedWithItsTimes() {
         Desk desk;
         desk.press("wholePart");

@@ -342,6 +342,10 @@ QString MeasuredView::keptText() const {
                : tr("The inputs are refused; the prediction is that of the last accepted ones.");
 }
 
+void MeasuredView::offerCalibration(bool offers) {
+    m_calibrate->setVisible(offers);
+}
+
 QString MeasuredView::recordedText() const {
     const OptionalShared<Measured>& measured = good()->result.project.measured;
     if (!measured || measured->traces.empty()) {

@@ -43,6 +43,8 @@ public:
     /// Of the inputs that were measured, run whole; null: none, or of other inputs.
     [[nodiscard]] BatchOutcomePtr prediction() const;
 
+    void offerCalibration(bool offers); ///< the button that calibrates
+
     [[nodiscard]] QString title() const override;
 
 signals:

@@ -253,6 +253,11 @@ std::vector<RunBars> OverviewView::shownRuns() const {
     return shown;
 }
 
+void OverviewView::offerKeeping(bool offers) {
+    m_offersKeeping = offers;
+    showRuns();
+}
+
 void OverviewView::showRuns() {
     if (!good()) {
         return;
@@ -261,7 +266,7 @@ void OverviewView::showRuns() {
     if (m_kept.count() == 0) {
         tile(runs)->setEmpty(tr("No run is kept yet: here will be its time and margin beside those "
                                 "of the present run."),
-                             tr("Keep this run"));
+                             m_offersKeeping ? tr("Keep this run") : QString());
     } else {
         tile(runs)->setChart(OverviewCharts::runs(shownRuns(), m_kept.count()));
         tile(runs)->plot()->setAccessibleDescription({}); // names are the user's own words

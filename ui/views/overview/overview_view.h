@@ -32,6 +32,8 @@ public:
     [[nodiscard]] std::optional<OverviewChart> enlarged() const { return m_alone; }
     [[nodiscard]] int columns() const { return m_columns; }
 
+    void offerKeeping(bool offers); ///< the button that keeps the present run
+
     [[nodiscard]] QString title() const override;
 
 signals:
@@ -74,6 +76,7 @@ private:
     int m_columns = 0;
     std::optional<OverviewChart> m_alone;
     BatchOutcomePtr m_batch;
+    bool m_offersKeeping = true;
     bool m_runsChanged = true, m_batchChanged = true; ///< while it was hidden
 };
 

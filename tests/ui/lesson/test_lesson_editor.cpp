@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A teacher makes a laboratory work in the window, by mouse and keys, tries it and saves it; what
+// the editor does not show is kept as it is.
+#include "core/project/wheel.h"
+#include "tests/registry.h"
+#include "tests/ui/lesson/lesson_bench.h"
+#include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/text_checks.h"
+#include "ui/kit/font_size.h"
+#include "ui/lesson/edit/lesson_editor.h"
+#include "ui/lesson/lessons_dialog.h"
+
+#include <QGroupBox>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QPlainTextEdit>
+#include <QScopeGuard>
+#include <QTabWidget>
+#include <QTextBrowser>
+#include <QTreeWidget>
+
+#include <nlohmann/json.hpp>
+
+namespace test_lesson_editor {
+
+using namespace lesson_bench;
+
+namespace {
+
+std::string contentOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
+}
+
+/// A window with an example, and the editor that is opened from its menu.
+struct Desk {
+    explicit Desk(const QString& language = QStringLiteral("en")) : bench(language) {
+        bench.settings.setLastFolder(folder.path());
+        QVERIFY(bench.open(examplePaths().constFirst()));
+        bench.action("editLesson")->trigger();
+        editor = bench.window->findChild<LessonEditor*>();
+        QVERIFY(editor && editor->isVisible());
+        bench.settle();
+    }
+    ~Desk() { editor->draft().history().setClean(); }
+
+    template <typename Widget>
+    [[nodiscard]] Widget* part(const QString& name) const {
+        auto* found = editor->findChild<Widget*>(name);
+        if (!found) {
+            qWarning("no %s", qPrintable(name));
+        }
+        return found;
+    }
+    void press(const char* name) const {
+        QTest::mouseClick(part<QPushButton>(QString::fromLatin1(name)), Qt::LeftButton);
+        QTest::qWait(1); // what was left goes
+    }
+    void type(const char* name, const QString& text) const {
+        auto* box = part<QWidget>(QString::fromLatin1(name));
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_A, Qt::ControlModifier);
+        for (const QChar letter : text) { // of any alphabet
+            QTest::sendKeyEvent(QTest::Click, box, Qt::Key_unknown, QString(letter),
+                                Qt::NoModifier);
+        }
+    }
+    void choose(const char* name, const QString& text) const {
+        auto* combo = part<QComboBox>(QString::fromLatin1(name));
+        const int index = combo->findText(text);
+        QVERIFY2(index >= 0, qPrintable(text));
+        combo->setFocus();
+        while (combo->currentIndex() != index) {
+            const int before = combo->currentIndex();
+            QTest::keyClick(combo, before < index ? Qt::Key_Down : Qt::Key_Up);
+            combo = part<QComboBox>(QString::fromLatin1(name)); // it may have been made anew
+            QVERIFY(combo->currentIndex() != before);
+        }
+    }
+    void tab(int index) const {
+        part<QTabWidget>(QStringLiteral("editPage"))->setCurrentIndex(index);
+    }
+    [[nodiscard]] QStringList faults() const {
+        QTest::qWait(400); // after a pause in typing
+        QStringList lines;
+        const auto* list = part<QListWidget>(QStringLiteral("editFaults"));
+        for (int i = 0; i < list->count(); ++i) {
+            lines += list->item(i)->text();
+        }
+        return lines;
+    }
+    [[nodiscard]] const Lesson& lesson() const { return editor->draft().lesson(); }
+
+    QTemporaryDir folder;
+    Bench bench;
+    LessonEditor* editor = nullptr;
+};
+
+enum Tab { task, inputs, values, hidden, goal, hints, moment };
+
+} // namespace
+
+class TestLessonEditor : public QObject {
+    Q_OBJECT
+
+private slots:
+    void whatIsNotChangedIsKept() {
+        const Desk desk;
+        for (const QString& path : LessonsDialog::paths()) {
+            const std::string before = contentOf(path);
+            QVERIFY2(desk.editor->openLesson(path), qPrintable(path));
+            auto* pages = desk.part<QListWidget>(QStringLiteral("editPages"));
+            QCOMPARE(pages->count(), int(desk.lesson().steps.size()) + 1);
+            const bool isWhole = path == LessonsDialog::paths()[6]; // all of its pages and tabs
+            for (int page = 0; page < (isWhole ? pages->count() : 2); ++page) {
+                pages->setCurrentRow(page);
+                auto* tabs = desk.part<QTabWidget>(QStringLiteral("editPage"));
+                for (int i = 0; i < tabs->count(); ++i) {
+                    tabs->setCurrentIndex(i);
+                }
+            }
+            QVERIFY(!desk.editor->draft().isChanged());
+            QCOMPARE(desk.editor->draft().text(), before);
+            // One thing is changed: that alone is another one.
+            pages->setCurrentRow(0);
+            desk.type("/title/en", QStringLiteral("Another title"));
+            nlohmann::json wanted = nlohmann::json::parse(before);
+            wanted["title"]["en"] = "Another title";
+            QCOMPARE(nlohmann::json::parse(desk.editor->draft().text()), wanted);
+            while (desk.editor->draft().history().canUndo()) {
+                desk.press("editUndo");
+            }
+            QCOMPARE(desk.editor->draft().text(), before);
+        }
+    }
+
+    void aWorkIsMadeTriedAndSaved() {
+        const Desk desk;
+        MainWindow& window = *desk.bench.window;
+        desk.type("/title/ru", QStringLiteral("Работа 11"));
+        desk.type("/title/en", QStringLiteral("Work 11"));
+        desk.type("/theory/en", QStringLiteral("<p class=\"formula\"><i>a = b</i></p>"));
+        QVERIFY(desk.part<QTextBrowser>(QStringLiteral("lessonPreview"))
+                    ->toPlainText()
+                    .contains(QStringLiteral("a = b")));
+        // The first step: the wheel's dullness is free, three requirements hold.
+        desk.part<QListWidget>(QStringLiteral("editPages"))->setCurrentRow(1);
+        QVERIFY(desk.faults().join(u'\n').contains(QStringLiteral("Step 1 › Task")));
+        desk.type("/steps/0/task/en", QStringLiteral("Bring the cycle below the time."));
+        desk.tab(inputs);
+        desk.type("inputSearch", QStringLiteral("dullness"));
+        auto* tree = desk.part<QTreeWidget>(QStringLiteral("inputTree"));
+        const auto found =
+            tree->findItems(QStringLiteral("dullness"), Qt::MatchContains | Qt::MatchRecursive);
+        QVERIFY(!found.empty() && !found.first()->isHidden());
+        tree->setCurrentItem(found.first());
+        desk.choose("inputAccess", QStringLiteral("changed by the student"));
+        QCOMPARE(desk.lesson().steps[0].inputs.size(), std::size_t(1));
+        QVERIFY(desk.lesson().steps[0].inputs[0].path.find("dullness") != std::string::npos);
+        desk.press("editUndo");
+        QVERIFY(desk.lesson().steps[0].inputs.empty());
+        desk.press("editRedo");
+        desk.tab(hidden);
+        auto* things = desk.part<QListWidget>(QStringLiteral("hiddenThings"));
+        things->setFocus();
+        things->setCurrentRow(int(Hideable::optimise));
+        QTest::keyClick(things, Qt::Key_Space);
+        QCOMPARE(desk.lesson().steps[0].hidden, std::vector{HiddenThing{Hideable::optimise}});
+        desk.tab(goal);
+        desk.choose("/steps/0/goal/kind", QStringLiteral("Quick enough"));
+        QVERIFY(desk.faults().join(u'\n').contains(QStringLiteral("Below")));
+        desk.type("/steps/0/goal/time/below_min", QStringLiteral("1000"));
+        QTest::mouseClick(
+            desk.part<QCheckBox>(QStringLiteral("/steps/0/goal/time/requirements_hold")),
+            Qt::LeftButton, {}, QPoint(8, 8));
+        QCOMPARE(desk.lesson().steps[0].goal.time->below_min, std::optional(1000.0));
+        QVERIFY(!desk.lesson().steps[0].goal.time->requirements_hold);
+        desk.tab(hints);
+        desk.press("/steps/0/hints/add");
+        desk.type("/steps/0/hints/0/text/en", QStringLiteral("Look at the time."));
+        desk.type("/steps/0/hints/0/price", QStringLiteral("5"));
+        // The price is above the points, which is said by name, value and range.
+        const QStringList faults = desk.faults();
+        QCOMPARE(faults.size(), 1);
+        QVERIFY2(faults[0].contains(QStringLiteral("Price"))
+                     && faults[0].contains(QStringLiteral("5")) && faults[0].contains(u'1'),
+                 qPrintable(faults[0]));
+        desk.type("/steps/0/hints/0/price", QStringLiteral("0.5"));
+        // Another step, after the first; then before it.
+        desk.press("stepAdd");
+        desk.type("/steps/1/task/ru", QStringLiteral("Что тупит круг?"));
+        desk.tab(goal);
+        desk.choose("/steps/1/goal/kind", QStringLiteral("Choice"));
+        desk.type("/steps/1/goal/choice/options/0/text/ru", QStringLiteral("Работа"));
+        desk.type("/steps/1/goal/choice/options/1/text/ru", QStringLiteral("Отдых"));
+        QTest::mouseClick(
+            desk.part<QCheckBox>(QStringLiteral("/steps/1/goal/choice/options/0/right")),
+            Qt::LeftButton, {}, QPoint(8, 8));
+        desk.press("stepUp");
+        QVERIFY(desk.lesson().steps[0].goal.choice && desk.lesson().steps[1].goal.time);
+        QCOMPARE(desk.faults().size(), 1);
+        QVERIFY2(desk.editor->draft().faults().empty(), qPrintable(desk.faults()[0]));
+        // Tried as a student; the editor comes back as it was.
+        const std::string before = desk.editor->draft().text();
+        desk.part<QListWidget>(QStringLiteral("editPages"))->setCurrentRow(2);
+        desk.press("editTry");
+        QVERIFY(!desk.editor->isVisible() && window.lesson().isRunning());
+        QCOMPARE(window.lesson().run().step(), std::size_t(1));
+        QVERIFY(!desk.bench.action("show-optimise")->isVisible());
+        QVERIFY(!desk.bench.action("editLesson")->isEnabled());
+        QVERIFY(QTest::qWaitFor([&] { return !window.runs().running(); }, 30'000));
+        auto* handIn =
+            window.lesson().panel().findChild<QPushButton*>(QStringLiteral("lessonHandIn"));
+        QTest::mouseClick(handIn, Qt::LeftButton);
+        LessonRun& run = window.lesson().run();
+        QVERIFY(QTest::qWaitFor([&] { return run.mark(1) != LessonRun::Mark::checked; }, 30'000));
+        QCOMPARE(run.mark(1), LessonRun::Mark::passed);
+        desk.bench.action("leaveLesson")->trigger();
+        QVERIFY(desk.editor->isVisible() && !window.lesson().isRunning());
+        QCOMPARE(desk.editor->draft().text(), before);
+        QVERIFY(desk.editor->draft().isChanged());
+        QVERIFY(
+            sameProject(window.document().project(), desk.lesson().base.surfaces.front().project));
+        // Saved, it is what is read.
+        const QString path = desk.folder.filePath(QStringLiteral("eleven.sparkout-lesson"));
+        DialogAnswers saved({QStringLiteral("file:") + path});
+        desk.press("editSave");
+        QCOMPARE(saved.fault(), QString());
+        QVERIFY(!desk.editor->draft().isChanged());
+        const ReadLesson read = readLesson(contentOf(path));
+        QVERIFY(read.lesson && read.issues.empty());
+        QCOMPARE(read.lesson->title.ru, std::string("Работа 11"));
+        QCOMPARE(read.lesson->steps[1].hints[0].price, 0.5);
+        QCOMPARE(contentOf(path), before);
+    }
+
+    void changesAreAskedFor() {
+        const Desk desk;
+        desk.type("/title/en", QStringLiteral("Work 12"));
+        {
+            DialogAnswers stay({QStringLiteral("Escape")});
+            QTest::keyClick(desk.editor, Qt::Key_Escape);
+            QCOMPARE(stay.fault(), QString());
+            QVERIFY(stay.text().contains(QStringLiteral("Work 12")));
+        }
+        QVERIFY(desk.editor->isVisible() && desk.lesson().title.en == "Work 12");
+        {
+            DialogAnswers close({QStringLiteral("Escape")});
+            desk.bench.window->close(); // nor does the window go over it
+            QCOMPARE(close.fault(), QString());
+        }
+        QVERIFY(desk.bench.window->isVisible());
+        DialogAnswers leave({QStringLiteral("discardLesson")});
+        QTest::keyClick(desk.editor, Qt::Key_Escape);
+        QCOMPARE(leave.fault(), QString());
+        QVERIFY(!desk.editor->isVisible());
+    }
+
+    void itHasRoomInBothLanguages_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<int>("percent");
+        QTest::newRow("en 130") << QStringLiteral("en") << 130;
+        QTest::newRow("ru 130") << QStringLiteral("ru") << 130;
+    }
+
+    void itHasRoomInBothLanguages() {
+        QFETCH(QString, language);
+        QFETCH(int, percent);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        applyFontSize(percent);
+        const Desk desk(language);
+        QVERIFY(desk.editor->openLesson(LessonsDialog::paths()[1]));
+        const QString pictures = qEnvironmentVariable("SPARKOUT_LESSON_PICTURES");
+        for (const int page : {0, 4}) {
+            desk.part<QListWidget>(QStringLiteral("editPages"))->setCurrentRow(page);
+            auto* tabs = desk.part<QTabWidget>(QStringLiteral("editPage"));
+            for (int i = 0; i < tabs->count(); ++i) {
+                tabs->setCurrentIndex(i);
+                desk.bench.settle();
+                if (!pictures.isEmpty()) {
+                    desk.editor->grab().save(QStringLiteral("%1/editor-%2-%3-%4-%5.png")
+                                                 .arg(pictures, language)
+                                                 .arg(percent)
+                                                 .arg(page)
+                                                 .arg(i));
+                }
+                const QStringList cut = textsWithoutRoom(*desk.editor);
+                QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
+            }
+        }
+        QVERIFY(desk.editor->width() <= 1366 && desk.editor->height() <= 728);
+        if (language == u"ru") {
+            QStringList written; // by the lesson's author
+            for (const auto* box : desk.editor->findChildren<QPlainTextEdit*>()) {
+                written += box->toPlainText();
+            }
+            for (const ShownText& shown : textsOf(*desk.editor)) {
+                QVERIFY2(written.contains(shown.text) || englishIn(shown.text).isEmpty(),
+                         qPrintable(shown.text));
+            }
+        }
+    }
+};
+
+} // namespace test_lesson_editor
+
+SPARKOUT_TEST(test_lesson_editor, TestLessonEditor)
+#include "test_lesson_editor.moc"

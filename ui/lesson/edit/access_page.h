@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lesson/lesson.h"
+
+#include <QWidget>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+class QComboBox;
+class QLineEdit;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace sparkout {
+
+class LessonDraft;
+
+/// What a student may do with the inputs in a step: a tree of all of them by the names of the
+/// forms, with a search; what is chosen is given to the selected ones, and holds below them.
+class AccessPage : public QWidget {
+    Q_OBJECT
+
+public:
+    AccessPage(LessonDraft& draft, std::size_t step, QWidget* parent = nullptr);
+
+private:
+    [[nodiscard]] const LessonStep* now() const; ///< null: the step is gone
+    void fill();
+    void addInput(const std::string& path);
+    void show();
+    void search(const QString& text);
+    void give(std::optional<Access> access);
+    void change(const std::string& key, const std::function<void(LessonStep& step)>& change);
+
+    LessonDraft& m_draft;
+    std::size_t m_step;
+    QComboBox* m_others;
+    QLineEdit* m_search;
+    QTreeWidget* m_tree;
+    QComboBox* m_access; ///< of the selected ones
+    std::map<std::string, QTreeWidgetItem*> m_items;
+};
+
+} // namespace sparkout

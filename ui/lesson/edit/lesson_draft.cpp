@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lesson/edit/lesson_draft.h"
+
+#include "core/lesson/lesson_file.h"
+#include "ui/text/texts.h"
+
+#include <QUndoCommand>
+
+#include <algorithm>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+constexpr int stepsOfHistory = 200;
+
+} // namespace
+
+class LessonDraft::Edit : public QUndoCommand {
+public:
+    Edit(LessonDraft& draft, std::string key, LessonPtr after)
+        : m_draft(draft)
+        , m_key(std::move(key))
+        , m_before(draft.m_lesson)
+        , m_after(std::move(after)) {}
+
+    void undo() override { show(m_before); }
+    void redo() override { show(m_after); }
+    int id() const override { return m_key.empty() ? -1 : 1; }
+    bool mergeWith(const QUndoCommand* next) override {
+        const auto* edit = static_cast<const Edit*>(next); // of this id
+        if (edit->m_key != m_key) {
+            return false;
+        }
+        m_after = edit->m_after;
+        return true;
+    }
+
+private:
+    void show(const LessonPtr& lesson) {
+        m_draft.m_lesson = lesson;
+        emit m_draft.changed();
+    }
+
+    LessonDraft& m_draft;
+    std::string m_key;
+    LessonPtr m_before, m_after;
+};
+
+LessonDraft::LessonDraft(QObject* parent)
+    : QObject(parent), m_lesson(std::make_shared<const Lesson>()) {
+    m_history.setUndoLimit(stepsOfHistory);
+}
+
+Lesson LessonDraft::about(Setup base) {
+    for (GroundSurface& surface : base.surfaces) {
+        surface.project.runs.clear(); // a teacher's own
+    }
+    Lesson lesson;
+    lesson.base = std::move(base);
+    lesson.steps.emplace_back();
+    lesson.steps.front().goal.text.emplace();
+    return lesson;
+}
+
+void LessonDraft::begin(Lesson lesson, const QString& path) {
+    m_lesson = std::make_shared<const Lesson>(std::move(lesson));
+    m_path = path;
+    m_history.clear();
+    emit replaced();
+}
+
+std::string LessonDraft::text() const {
+    return writeLesson(*m_lesson);
+}
+
+Issues LessonDraft::faults() const {
+    Issues issues = readLesson(text()).issues;
+    std::erase_if(issues, [](const Issue& issue) { return issue.severity != Severity::error; });
+    return issues;
+}
+
+const Project& LessonDraft::projectOf(std::size_t step) const {
+    const auto& surfaces = m_lesson->base.surfaces;
+    const int wanted = step < m_lesson->steps.size() ? m_lesson->steps[step].surface : 1;
+    return surfaces
+        [static_cast<std::size_t>(std::clamp(wanted, 1, static_cast<int>(surfaces.size()))) - 1]
+            .project;
+}
+
+void LessonDraft::edit(const std::string& key, const std::function<void(Lesson& lesson)>& change) {
+    auto after = std::make_shared<Lesson>(*m_lesson);
+    change(*after);
+    m_history.push(new Edit(*this, key, std::move(after)));
+}
+
+void LessonDraft::markSaved(const QString& path) {
+    m_path = path;
+    m_history.setClean();
+    emit changed();
+}
+
+QString LessonDraft::location(const std::string& path) {
+    QStringList words;
+    const StructInfo* table = &tableOf<LessonSheet>();
+    const Field* list = nullptr;
+    const QStringList keys = QString::fromStdString(path).split(u'/', Qt::SkipEmptyParts);
+    for (qsizetype i = 0; i < keys.size(); ++i) {
+        const Field* field = table ? table->find(keys[i].toStdString()) : nullptr;
+        bool isIndex = false;
+        const int index = keys[i].toInt(&isIndex);
+        if (i == 0 && keys[i] == u"project") {
+            words += tr("Project");
+            words += inputLocation(path.substr(std::string_view("/project").size()));
+            break;
+        }
+        if (isIndex && list && list->nested) {
+            words += QStringLiteral("%1 %2").arg(structText(list->nested->name)).arg(index + 1);
+        } else if (!field) { // an input, where values of a step break a rule of the project
+            words += inputLocation('/' + keys.mid(i).join(u'/').toStdString());
+            break;
+        } else {
+            if (field->kind != Kind::objectList || i + 1 == keys.size()) {
+                words += inputText(field->label); // else each of them says what it is
+            }
+            table = field->nested;
+            list = field;
+        }
+    }
+    words.removeAll(QString());
+    return words.join(QStringLiteral(" › "));
+}
+
+} // namespace sparkout

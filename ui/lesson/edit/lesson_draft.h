@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/issue.h"
+#include "core/lesson/lesson.h"
+
+#include <QCoreApplication>
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace sparkout {
+
+/// A laboratory work while its teacher edits it: the whole lesson, so that what no page shows is
+/// kept as it is, its file and its history. A step of the history holds the lesson before and
+/// after.
+class LessonDraft : public QObject {
+    Q_OBJECT
+
+public:
+    explicit LessonDraft(QObject* parent = nullptr);
+
+    /// Another lesson; an empty path: it has no file yet.
+    void begin(Lesson lesson, const QString& path);
+    /// The least lesson about a set-up: without texts, of one step that asks for words.
+    [[nodiscard]] static Lesson about(Setup base);
+
+    [[nodiscard]] const Lesson& lesson() const { return *m_lesson; }
+    [[nodiscard]] const QString& path() const { return m_path; }
+    [[nodiscard]] bool isChanged() const { return !m_history.isClean(); }
+    [[nodiscard]] QUndoStack& history() { return m_history; }
+    [[nodiscard]] std::string text() const; ///< of its file
+    /// What the strict reader of lessons says of it: errors alone.
+    [[nodiscard]] Issues faults() const;
+    /// The project that a step is about, as it stands in the lesson.
+    [[nodiscard]] const Project& projectOf(std::size_t step) const;
+
+    /// Changes it; in a row with the same key that is one step of the history.
+    void edit(const std::string& key, const std::function<void(Lesson& lesson)>& change);
+    void markSaved(const QString& path);
+
+    /// A place of a lesson in words: "Step 2 › Goal › Choice › Option 3".
+    [[nodiscard]] static QString location(const std::string& path);
+
+signals:
+    void changed();  ///< another value
+    void replaced(); ///< another lesson
+
+private:
+    using LessonPtr = std::shared_ptr<const Lesson>;
+    class Edit;
+
+    LessonPtr m_lesson;
+    QString m_path;
+    QUndoStack m_history;
+};
+
+} // namespace sparkout

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/lesson/edit/lesson_draft.h"
+
+#include <QDialog>
+#include <QTimer>
+
+class QListWidget;
+class QPushButton;
+class QVBoxLayout;
+
+namespace sparkout {
+
+class Document;
+class LessonPage;
+class Settings;
+
+/// Where a teacher makes a laboratory work, without a line of code: the work and its steps on the
+/// left, the page of one of them beside them, what the reader of lessons finds wrong below. The
+/// project comes from the window and goes there; the work is tried in it as a student has it.
+class LessonEditor : public QDialog {
+    Q_OBJECT
+
+public:
+    LessonEditor(Document& document, Settings& settings, QWidget* window);
+
+    [[nodiscard]] LessonDraft& draft() { return m_draft; }
+    bool
+    openLesson(const QString& path); ///< a file, or a shipped lesson as a new one; false: refused
+    /// Asks what to do with unsaved changes; false: the teacher wants to stay.
+    [[nodiscard]] bool mayClose();
+    void retranslate();
+
+signals:
+    /// As a student has it, from a step on.
+    void trialWanted(const sparkout::Lesson& lesson, std::size_t step);
+    void projectWanted(); ///< that of the lesson is to be shown in the window
+
+protected:
+    void reject() override;
+
+private:
+    enum Move { moveUp = -1, moveDown = 1 };
+
+    void build();
+    void beginAbout(); ///< the project in the window
+    void chooseFile();
+    void chooseShipped();
+    bool save();
+    bool saveAs();
+    bool write(const QString& path);
+    void tryOut();
+    void takeProject();
+    void showPage();
+    void showState();
+    void showFaults();
+    void goTo(const std::string& path);
+    void addStep(bool copies);
+    void moveStep(Move by);
+    void removeStep();
+    [[nodiscard]] int step() const; ///< in front, from 0; −1: the work as a whole
+    [[nodiscard]] bool isWhole();   ///< without faults, which are shown
+    [[nodiscard]] QString fileName() const;
+
+    Document& m_document;
+    Settings& m_settings;
+    LessonDraft m_draft;
+    QTimer m_check; ///< the faults, after a pause
+    QListWidget* m_pages;
+    QVBoxLayout* m_place; ///< of the page in front
+    LessonPage* m_page = nullptr;
+    int m_shown = -1; ///< the step that it is of
+    QListWidget* m_faults;
+    struct Button {
+        QPushButton* button;
+        QString (*text)();
+        QString (*tip)();
+    };
+    std::vector<Button> m_buttons;
+    QPushButton *m_undo = nullptr, *m_redo = nullptr;
+    std::vector<QPushButton*> m_ofSteps; ///< what is done with the step in front
+};
+
+} // namespace sparkout

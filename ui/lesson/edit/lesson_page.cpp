@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lesson/edit/lesson_page.h"
+
+#include "ui/kit/metrics.h"
+#include "ui/lesson/edit/access_page.h"
+#include "ui/lesson/edit/lesson_draft.h"
+#include "ui/lesson/edit/struct_form.h"
+#include "ui/lesson/edit/text_preview.h"
+#include "ui/text/texts.h"
+
+#include <QListWidget>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+/// A form, and the preview of its text with the room that is left.
+QWidget* formPage(StructForm* form, TextPreview* preview = nullptr) {
+    auto* page = new QWidget;
+    auto* layout = new QVBoxLayout(page);
+    layout->setSpacing(metrics::margin);
+    layout->addWidget(form);
+    if (preview) {
+        layout->addWidget(preview, 1);
+    } else {
+        layout->addStretch(1);
+    }
+    return page;
+}
+
+StructForm::Subject ofWork(std::vector<std::string_view> keys) {
+    return {tableOf<LessonSheet>(),
+            {},
+            [](Lesson& lesson) -> void* { return static_cast<LessonSheet*>(&lesson); },
+            std::move(keys)};
+}
+
+StructForm::Subject ofStep(std::size_t step, std::vector<std::string_view> keys) {
+    return {tableOf<LessonStep>(), "/steps/" + std::to_string(step),
+            [step](Lesson& lesson) -> void* {
+                return step < lesson.steps.size() ? &lesson.steps[step] : nullptr;
+            },
+            std::move(keys), step};
+}
+
+} // namespace
+
+LessonPage::LessonPage(LessonDraft& draft, QWidget* parent) : QTabWidget(parent) {
+    add(formPage(new StructForm(draft, ofWork({"title", "aim", "theory"})),
+                 new TextPreview(draft, [](const Lesson& lesson) { return lesson.theory; })),
+        tr("Title, aim, theory"), {"/title", "/aim", "/theory"});
+    add(formPage(new StructForm(draft, ofWork({"guide"}))), tr("For the teacher"), {"/guide"});
+}
+
+LessonPage::LessonPage(LessonDraft& draft, std::size_t step, QWidget* parent) : QTabWidget(parent) {
+    const std::string at = "/steps/" + std::to_string(step);
+    add(formPage(new StructForm(draft, ofStep(step, {"task", "points", "surface"})),
+                 new TextPreview(draft,
+                                 [step](const Lesson& lesson) {
+                                     return step < lesson.steps.size() ? lesson.steps[step].task
+                                                                       : Bilingual();
+                                 })),
+        tr("Task"), {at + "/task", at + "/points", at + "/surface"});
+    add(new AccessPage(draft, step), tr("Inputs"), {at + "/inputs", at + "/others"});
+    add(formPage(new StructForm(draft, ofStep(step, {"values"}))), tr("Values"), {at + "/values"});
+    add(hiddenThings(draft, step), tr("Hidden"), {at + "/hidden"});
+    add(formPage(new StructForm(draft, {tableOf<Goal>(),
+                                        at + "/goal",
+                                        [step](Lesson& lesson) -> void* {
+                                            return step < lesson.steps.size()
+                                                       ? &lesson.steps[step].goal
+                                                       : nullptr;
+                                        },
+                                        {},
+                                        step})),
+        tr("Goal"), {at + "/goal"});
+    add(formPage(new StructForm(draft, ofStep(step, {"hints"}))), tr("Hints"), {at + "/hints"});
+    add(formPage(new StructForm(draft, ofStep(step, {"moment"}))), tr("Moment"), {at + "/moment"});
+}
+
+void LessonPage::add(QWidget* page, const QString& title, std::vector<std::string> shows) {
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(page);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus); // what stands in it has it
+    addTab(scroll, title);
+    m_shown.push_back(std::move(shows));
+}
+
+/// Views, panels and commands, each to be taken away.
+QWidget* LessonPage::hiddenThings(LessonDraft& draft, std::size_t step) {
+    auto* list = new QListWidget;
+    list->setObjectName(QStringLiteral("hiddenThings"));
+    list->setAccessibleName(tr("Views, panels and commands that the step hides"));
+    for (const Choice& choice : choicesOf<Hideable>()) {
+        auto* item = new QListWidgetItem(choiceText(choice.label), list);
+        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+    }
+    const auto show = [list, &draft, step] {
+        if (step >= draft.lesson().steps.size()) {
+            return;
+        }
+        const QSignalBlocker quiet(list);
+        const auto& hidden = draft.lesson().steps[step].hidden;
+        for (int i = 0; i < list->count(); ++i) {
+            const HiddenThing thing{static_cast<Hideable>(i)};
+            list->item(i)->setCheckState(std::ranges::count(hidden, thing) > 0 ? Qt::Checked
+                                                                               : Qt::Unchecked);
+        }
+        list->viewport()->update();
+    };
+    show();
+    connect(&draft, &LessonDraft::changed, list, show);
+    connect(list, &QListWidget::itemChanged, list, [list, &draft, step](QListWidgetItem* item) {
+        const HiddenThing thing{static_cast<Hideable>(list->row(item))};
+        const bool isHidden = item->checkState() == Qt::Checked;
+        draft.edit({}, [&](Lesson& lesson) {
+            auto& hidden = lesson.steps[step].hidden;
+            std::erase(hidden, thing);
+            if (isHidden) {
+                hidden.push_back(thing);
+            }
+        });
+    });
+    return list;
+}
+
+void LessonPage::goTo(const std::string& path) {
+    for (std::size_t tab = 0; tab < m_shown.size(); ++tab) {
+        if (std::ranges::any_of(m_shown[tab], [&path](const std::string& each) {
+                return path.starts_with(each);
+            })) {
+            setCurrentIndex(static_cast<int>(tab));
+        }
+    }
+    for (std::string at = path; !at.empty(); at.resize(at.rfind('/'))) {
+        if (auto* widget = currentWidget()->findChild<QWidget*>(QString::fromStdString(at))) {
+            widget->setFocus();
+            static_cast<QScrollArea*>(currentWidget())->ensureWidgetVisible(widget);
+            return;
+        }
+    }
+}
+
+} // namespace sparkout
