@@ -117,9 +117,9 @@ void LessonDesk::open(const QString& path) {
     }
 }
 
-void LessonDesk::choose() {
+void LessonDesk::choose(const std::function<bool()>& mayDiscard) {
     LessonsDialog dialog(m_settings.folder(), m_window);
-    if (dialog.exec() == QDialog::Accepted && !dialog.chosen().isEmpty() && mayLeave()) {
+    if (dialog.exec() == QDialog::Accepted && !dialog.chosen().isEmpty() && mayDiscard()) {
         openLesson(dialog.chosen());
     }
 }

@@ -51,7 +51,8 @@ public:
 
     [[nodiscard]] static bool isOfLesson(const QString& path); ///< by its ending
     void open(const QString& path); ///< a lesson or a work; what is wrong with it is said
-    void choose();                  ///< one of the shipped lessons
+    /// One of the lessons on a list; `mayDiscard` asks whether what is open may go.
+    void choose(const std::function<bool()>& mayDiscard);
     /// A lesson as a student has it, from a step on; nothing of it is kept. False: not begun.
     bool tryOut(const Lesson& lesson, std::size_t step);
     void markWorks(); ///< shows the window that does

@@ -47,7 +47,8 @@ void LessonWiring::connectTo(const Parts& parts) {
     connect(&parts.desk.run(), &LessonRun::started, this, [&layout] { layout.showLesson(true); });
     connect(&parts.desk, &LessonDesk::limitsChanged, this, [this, parts] { apply(parts); });
     LessonDesk& desk = parts.desk;
-    connect(parts.actions.lessons, &QAction::triggered, &desk, &LessonDesk::choose);
+    connect(parts.actions.lessons, &QAction::triggered, &desk,
+            [parts] { parts.desk.choose([parts] { return parts.files.mayDiscard(); }); });
     connect(parts.actions.editLesson, &QAction::triggered, this, [this, parts] { edit(parts); });
     connect(parts.actions.markWorks, &QAction::triggered, &desk, &LessonDesk::markWorks);
     connect(parts.actions.leaveLesson, &QAction::triggered, &desk, &LessonDesk::leave);

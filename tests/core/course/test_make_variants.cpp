@@ -105,7 +105,7 @@ private slots:
         const MadeVariants made = makeVariants(lesson, 4, 1);
         QCOMPARE(made.tries, 4LL);
         const VariantLevels counts = levelCounts(lesson);
-        QVERIFY((counts == VariantLevels{9, 9, 6, 4}));
+        QVERIFY((counts == VariantLevels{9, 9, 8, 4}));
         for (std::size_t i = 0; i < made.variants.size(); ++i) {
             for (std::size_t k = 0; k < counts.size(); ++k) {
                 const std::uint64_t bits =

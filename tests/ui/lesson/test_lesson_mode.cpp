@@ -255,6 +255,17 @@ private slots:
                  *before.cycle->stages[1].radial_feed_mm);
     }
 
+    void aSparkOutIsTypedWhereItAloneIsFree() {
+        Seat student(QStringLiteral("en"), Theme::light,
+                     QStringLiteral(SPARKOUT_SOURCE_DIR
+                                    "/resources/lessons/05-out-of-round.sparkout-lesson"));
+        student.begin();
+        student.show(7);
+        QCOMPARE(accessTo(student.run().current(), "/cycle/stages/1/spark_out"), Access::free);
+        student.typeStage(1, "spark_out", 15);
+        QCOMPARE(student.window.document().project().cycle->stages.back().spark_out.count, 15);
+    }
+
     void hintsAreTakenForTheirPrice() {
         Seat student;
         student.begin();
@@ -408,6 +419,19 @@ private slots:
         QCOMPARE(read.work->group, std::string("TM-31"));
         QCOMPARE(read.work->variant, 3);
         QVERIFY(!brokenSeal(*read.work));
+    }
+
+    void aLessonOfTheListAsksForWhatIsOpen() {
+        const Seat student;
+        const DialogAnswers answers({QStringLiteral("Enter")});
+        int asked = 0;
+        student.desk().choose([&] {
+            ++asked;
+            return false;
+        });
+        QCOMPARE(answers.fault(), QString());
+        QCOMPARE(asked, 1);
+        QVERIFY(!student.run().isRunning());
     }
 
     void anotherDocumentEndsTheLesson() {

@@ -71,11 +71,11 @@ void StageModel::setSparkOut(const QModelIndex& index, Stage edited) {
     Project project = document().project();
     Stage& to = project.cycle->stages[std::size_t(index.row())];
     const Stage before = std::exchange(to, std::move(edited));
-    if (!to.feeds()) { // a spark-out feeds nothing
+    if (!to.feeds() && before.feeds()) { // a spark-out feeds nothing
         to.radial_feed_mm.reset();
         to.radial_feed_mm_min.reset();
         to.continuous_feed_mm_min.reset();
-    } else if (!before.feeds()) {
+    } else if (to.feeds() && !before.feeds()) {
         const auto& started =
             document().beforeEditsOf(QString::fromStdString(path(index))).cycle->stages;
         if (std::size_t(index.row()) < started.size()) { // what this edit took away
