@@ -40,9 +40,13 @@ QString LimitNames::percent(double share) {
     QLocale numbers;
     numbers.setNumberOptions(QLocale::OmitGroupSeparator);
     const double percent = 100 * share;
-    return percent > mostPercent || std::isnan(percent)
-               ? tr(">%1 %").arg(numbers.toString(mostPercent, 'f', 0))
-               : tr("%1 %").arg(numbers.toString(percent, 'f', percent < 10 ? 1 : 0));
+    if (percent > mostPercent || std::isnan(percent)) {
+        return tr(">%1 %").arg(numbers.toString(mostPercent, 'f', 0));
+    }
+    if (percent > 100 && percent < 101) { // no limit that is broken reads as one just reached
+        return tr("%1 %").arg(numbers.toString(std::max(percent, 100.1), 'f', 1));
+    }
+    return tr("%1 %").arg(numbers.toString(percent, 'f', percent < 10 ? 1 : 0));
 }
 
 std::vector<OffLimit> LimitNames::off(const Project& project) {

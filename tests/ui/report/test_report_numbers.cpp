@@ -101,6 +101,16 @@ private slots:
         QCOMPARE(printedNumber(2.5), QStringLiteral("2") + point + u'5');
     }
 
+    void aWheelThatOtherSurfacesWoreIsGivenInAFewDigits() {
+        const QLocale before;
+        QLocale::setDefault(QLocale::c());
+        Project project = fixtures::traverseProject();
+        project.wheel->dullness = 0.015010761285053022;
+        const QString dullness = report::inputFact(project, "/wheel/dullness").second;
+        QLocale::setDefault(before);
+        QCOMPARE(dullness, QStringLiteral("0.0150108"));
+    }
+
     void theCardGivesEachZoneItsOwnDeviationsAndRoughness() {
         const Outcome outcome = unlikeZones();
         const report::Table table = CycleCard::accuracy(outcome);

@@ -56,6 +56,8 @@ private slots:
                 QVERIFY2(!shown.contains(parted), text.constData());
             }
             QVERIFY(LimitNames::percent(0.42).endsWith(QStringLiteral("42\u00a0%")));
+            QVERIFY(LimitNames::percent(1.0002).contains(
+                QRegularExpression(QStringLiteral("100[.,]1"))));
         }
     }
 

@@ -64,9 +64,13 @@ std::pair<QString, QString> inputFact(const Project& project, const char* path) 
         return {name, choiceText(field.choices[chosen].label)};
     }
     const std::optional<double> value = ShownScale::of(field).shown(numberIn(field, member.owner));
-    return {name, !value        ? cell({})
-                  : *field.unit ? withUnit(printedNumber(*value), field.unit)
-                                : printedNumber(*value)};
+    if (!value) {
+        return {name, cell({})};
+    }
+    constexpr int digits =
+        6; // what the surfaces before have left of the wheel has all of a double's
+    const QString printed = printedNumber(*value, digits);
+    return {name, *field.unit ? withUnit(printed, field.unit) : printed};
 }
 
 } // namespace sparkout::report

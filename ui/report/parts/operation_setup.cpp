@@ -51,7 +51,7 @@ Facts OperationSetup::settings(const Outcome& outcome) {
     const Wheel& wheel = *project.wheel;
     Facts facts{{{tr("Grinding wheel, marking"), cell(oneLine(wheel.marking))},
                  {tr("Wheel diameter × width"),
-                  withUnit(printedNumber(wheel.diameter_mm) + QStringLiteral(" × ")
+                  withUnit(printedNumber(wheel.diameter_mm, 6) + QStringLiteral(" × ")
                                + printedNumber(wheel.width_mm),
                            "mm")},
                  inputFact(project, dullnessPath(wheel)),
