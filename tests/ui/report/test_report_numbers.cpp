@@ -10,6 +10,7 @@
 #include "ui/charts/result_tables.h"
 #include "ui/report/documents/capability_chart.h"
 #include "ui/report/documents/cycle_card.h"
+#include "ui/report/documents/passport_inputs.h"
 #include "ui/report/documents/passport_prediction.h"
 #include "ui/report/documents/passport_verdict.h"
 #include "ui/report/parts/cell_text.h"
@@ -107,8 +108,13 @@ private slots:
         Project project = fixtures::traverseProject();
         project.wheel->dullness = 0.015010761285053022;
         const QString dullness = report::inputFact(project, "/wheel/dullness").second;
+        QStringList all;
+        for (const QStringList& row : report::PassportInputs::inputs(project).rows) {
+            all += row.at(1);
+        }
         QLocale::setDefault(before);
         QCOMPARE(dullness, QStringLiteral("0.0150108"));
+        QVERIFY(all.contains(QStringLiteral("0.0150107613")));
     }
 
     void theCardGivesEachZoneItsOwnDeviationsAndRoughness() {

@@ -77,6 +77,13 @@ bool isOtherForm(const Leaf& leaf, bool isNumber) {
                   : leaf.field->kind == sparkout::Kind::optionalInteger;
 }
 
+/// What is typed stays as it is; a wheel that other surfaces wore has all the digits of a double.
+QString inNineDigits(double value) {
+    constexpr qsizetype typed = 12;
+    const QString exact = printedNumber(value);
+    return exact.size() > typed ? printedNumber(value, 9) : exact;
+}
+
 } // namespace
 
 Facts PassportInputs::drawing(const Project& project) {
@@ -194,7 +201,7 @@ Table PassportInputs::inputs(const Project& project) {
         if (isOtherForm(leaf, number.has_value())) {
             continue;
         }
-        const QString value = number ? printedNumber(*number)
+        const QString value = number ? inNineDigits(*number)
                               : field.kind == sparkout::Kind::text
                                   ? oneLine(field.as<std::string>(leaf.owner))
                                   : fieldText(field, leaf.owner);
