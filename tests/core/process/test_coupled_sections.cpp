@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace test_coupled_sections {
@@ -164,6 +166,23 @@ std::optional<std::vector<double>> bruteForce(const System& s, const std::vector
     return std::nullopt;
 }
 
+/// Whether random systems of so many sections, of `mostProducts(sections)` products or fewer, are
+/// solved to their conditions.
+bool areSolved(const std::string& name, std::pair<int, int> sections,
+               int (*mostProducts)(int sections)) {
+    return rc::check(name, [=] {
+        const int count = *rc::gen::inRange(sections.first, sections.second + 1);
+        const int most = mostProducts(count);
+        const System system =
+            randomSystem(static_cast<std::size_t>(count),
+                         static_cast<std::size_t>(*rc::gen::inRange(1, most + 1)));
+        const std::vector<double> h = randomLags(static_cast<std::size_t>(count));
+        const Solution solution = solve(system, h);
+        RC_ASSERT(solution.outcome.converged);
+        RC_ASSERT(system.fault(solution.u, h) < 1e-12);
+    });
+}
+
 } // namespace
 
 class TestCoupledSections : public QObject {
@@ -253,31 +272,13 @@ private slots:
     }
 
     void everySystemIsSolvedToItsConditions() {
-        const bool held = rc::check("conditions", [] {
-            const auto J = static_cast<std::size_t>(*rc::gen::inRange(1, 25));
-            const auto rank = static_cast<std::size_t>(*rc::gen::inRange(1, int(J) + 3));
-            const System system = randomSystem(J, rank);
-            const std::vector<double> h = randomLags(J);
-            const Solution solution = solve(system, h);
-            RC_ASSERT(solution.outcome.converged);
-            RC_ASSERT(system.fault(solution.u, h) < 1e-12);
-        });
-        QVERIFY(held);
+        QVERIFY(areSolved("conditions", {1, 24}, [](int count) { return count + 2; }));
     }
 
     // Where G is a sum of few products, a step of few columns stands for Newton's, sections that
     // barely touch or let go included.
     void manySectionsOfFewProductsAreSolvedToTheirConditions() {
-        const bool held = rc::check("few products", [] {
-            const auto J = static_cast<std::size_t>(*rc::gen::inRange(32, 70));
-            const auto rank = static_cast<std::size_t>(*rc::gen::inRange(1, 20));
-            const System system = randomSystem(J, rank);
-            const std::vector<double> h = randomLags(J);
-            const Solution solution = solve(system, h);
-            RC_ASSERT(solution.outcome.converged);
-            RC_ASSERT(system.fault(solution.u, h) < 1e-12);
-        });
-        QVERIFY(held);
+        QVERIFY(areSolved("few products", {32, 69}, [](int) { return 19; }));
     }
 
     // Revolution after revolution from the last one's roots, touch and spark-out included.
