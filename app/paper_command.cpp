@@ -11,8 +11,6 @@
 #include "core/lesson/lesson_file.h"
 #include "core/study/evaluate.h"
 #include "ui/report/course/course_papers.h"
-#include "ui/report/course/lab_report.h"
-#include "ui/report/course/methodical_guide.h"
 #include "ui/report/course/worksheet.h"
 #include "ui/report/format/report_text.h"
 #include "ui/session/project_io.h"
@@ -77,11 +75,9 @@ std::optional<report::Report> paperOfWork(const ReportRequest& request) {
     if (!work) {
         return std::nullopt;
     }
-    return *request.paper == report::Paper::labReport ? report::labReport(*work, wishOf(request))
-                                                      : report::worksheet(*work, wishOf(request));
+    return report::makePaper(*request.paper, *work, wishOf(request));
 }
 
-/// Of a lesson as it stands: a time that follows from the best is put in.
 std::optional<report::Report> paperOfLesson(const ReportRequest& request) {
     const auto content = contentOrSay(request.file);
     if (!content) {
@@ -92,18 +88,8 @@ std::optional<report::Report> paperOfLesson(const ReportRequest& request) {
         (void)refuse(read.issues);
         return std::nullopt;
     }
-    Lesson lesson = std::move(*read.lesson);
-    if (asksForBest(lesson)) {
-        const auto best = bestAnswer(lesson.base.surfaces[variedSurface(lesson)].project);
-        lesson =
-            withVariant(std::move(lesson), {}, best ? std::optional(best->time_min) : std::nullopt);
-    }
-    const report::PaperWish wish = wishOf(request);
-    switch (*request.paper) {
-    case report::Paper::worksheetKey: return report::worksheetKey(lesson, wish);
-    case report::Paper::guide: return report::methodicalGuide(lesson, wish);
-    default: return report::worksheet(lesson, wish);
-    }
+    return report::makePaper(*request.paper, withBestTimes(std::move(*read.lesson)),
+                             wishOf(request));
 }
 
 std::optional<report::Report> paperOfProject(const ReportRequest& request) {

@@ -10651,14 +10651,6 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>&amp;Запомнить текущий расчёт</translation>
         </message>
         <message>
-            <source>Print previe&amp;w…</source>
-            <translation>Предварительный прос&amp;мотр…</translation>
-        </message>
-        <message>
-            <source>&amp;Print…</source>
-            <translation>Пе&amp;чать…</translation>
-        </message>
-        <message>
             <source>&amp;Help on what is in focus</source>
             <translation>&amp;Справка по месту курсора</translation>
         </message>
@@ -10677,18 +10669,6 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>&amp;Log</source>
             <translation>&amp;Журнал</translation>
-        </message>
-        <message>
-            <source>Export P&amp;DF…</source>
-            <translation>Экспорт P&amp;DF…</translation>
-        </message>
-        <message>
-            <source>Export &amp;HTML…</source>
-            <translation>Экспорт &amp;HTML…</translation>
-        </message>
-        <message>
-            <source>Export &amp;Markdown…</source>
-            <translation>Экспорт &amp;Markdown…</translation>
         </message>
         <message>
             <source>Export resu&amp;lts…</source>
@@ -10721,10 +10701,6 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Company and si&amp;gnatures…</source>
             <translation>Организация и &amp;подписи…</translation>
-        </message>
-        <message>
-            <source>Export &amp;ODT…</source>
-            <translation>Экспорт &amp;ODT…</translation>
         </message>
         <message>
             <source>&amp;Part</source>
@@ -10799,10 +10775,6 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>&amp;Экспорт набора…</translation>
         </message>
         <message>
-            <source>Title page of la&amp;boratory reports…</source>
-            <translation>Титульный &amp;лист лабораторных отчётов…</translation>
-        </message>
-        <message>
             <source>&amp;Lesson</source>
             <translation>&amp;Практикум</translation>
         </message>
@@ -10829,6 +10801,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>&amp;Edit a work…</source>
             <translation>С&amp;оставить работу…</translation>
+        </message>
+        <message>
+            <source>&amp;Title page of laboratory reports…</source>
+            <translation>&amp;Титульный лист лабораторных отчётов…</translation>
         </message>
     </context>
     <context>
@@ -14736,48 +14712,12 @@ target, µm</source>
             <translation>По этим данным результата нет, поэтому отчёт составить не из чего. Что в них не так, сказано в сообщениях.</translation>
         </message>
         <message>
-            <source>Print preview: %1</source>
-            <translation>Предварительный просмотр: %1</translation>
-        </message>
-        <message>
-            <source>Print: %1</source>
-            <translation>Печать: %1</translation>
-        </message>
-        <message>
-            <source>PDF documents (*.pdf)</source>
-            <translation>Документы PDF (*.pdf)</translation>
-        </message>
-        <message>
-            <source>Web pages (*.html)</source>
-            <translation>Веб-страницы (*.html)</translation>
-        </message>
-        <message>
-            <source>Markdown texts (*.md)</source>
-            <translation>Тексты Markdown (*.md)</translation>
-        </message>
-        <message>
-            <source>Not printed</source>
-            <translation>Не напечатано</translation>
-        </message>
-        <message>
-            <source>The printer or the file did not take the pages.</source>
-            <translation>Принтер или файл не принял страницы.</translation>
-        </message>
-        <message>
             <source>Batch of the report</source>
             <translation>Партия для отчёта</translation>
         </message>
         <message>
             <source>The batch cannot be run:</source>
             <translation>Партию нельзя рассчитать:</translation>
-        </message>
-        <message>
-            <source>Export: %1</source>
-            <translation>Экспорт: %1</translation>
-        </message>
-        <message>
-            <source>OpenDocument texts (*.odt)</source>
-            <translation>Тексты OpenDocument (*.odt)</translation>
         </message>
     </context>
     <context>
@@ -21607,6 +21547,10 @@ s</source>
             <source>The views are covered until you have given your prediction in the panel of the laboratory work. Then the result is shown beside it.</source>
             <translation>Виды закрыты, пока вы не дали прогноз на панели лабораторной работы. Затем результат появится рядом с ним.</translation>
         </message>
+        <message>
+            <source>Best answer of the laboratory work</source>
+            <translation>Наилучший ответ лабораторной работы</translation>
+        </message>
     </context>
     <context>
         <name>RunName</name>
@@ -21923,6 +21867,99 @@ s</source>
         <message>
             <source>Faults of the laboratory work</source>
             <translation>Ошибки лабораторной работы</translation>
+        </message>
+        <message>
+            <source>Printin&amp;g</source>
+            <translation>Пе&amp;чать</translation>
+        </message>
+        <message>
+            <source>Worksheet, its key and the methodical guide of the laboratory work</source>
+            <translation>Рабочий лист, ключ к нему и методические указания к работе</translation>
+        </message>
+    </context>
+    <context>
+        <name>ReportActions</name>
+        <message>
+            <source>Print previe&amp;w…</source>
+            <translation>Предварительный прос&amp;мотр…</translation>
+        </message>
+        <message>
+            <source>&amp;Print…</source>
+            <translation>Пе&amp;чать…</translation>
+        </message>
+        <message>
+            <source>Export P&amp;DF…</source>
+            <translation>Экспорт P&amp;DF…</translation>
+        </message>
+        <message>
+            <source>Export &amp;HTML…</source>
+            <translation>Экспорт &amp;HTML…</translation>
+        </message>
+        <message>
+            <source>Export &amp;Markdown…</source>
+            <translation>Экспорт &amp;Markdown…</translation>
+        </message>
+        <message>
+            <source>Export &amp;ODT…</source>
+            <translation>Экспорт &amp;ODT…</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ReportOutput</name>
+        <message>
+            <source>Print preview: %1</source>
+            <translation>Предварительный просмотр: %1</translation>
+        </message>
+        <message>
+            <source>Print: %1</source>
+            <translation>Печать: %1</translation>
+        </message>
+        <message>
+            <source>PDF documents (*.pdf)</source>
+            <translation>Документы PDF (*.pdf)</translation>
+        </message>
+        <message>
+            <source>Web pages (*.html)</source>
+            <translation>Веб-страницы (*.html)</translation>
+        </message>
+        <message>
+            <source>Markdown texts (*.md)</source>
+            <translation>Тексты Markdown (*.md)</translation>
+        </message>
+        <message>
+            <source>OpenDocument texts (*.odt)</source>
+            <translation>Тексты OpenDocument (*.odt)</translation>
+        </message>
+        <message>
+            <source>Not printed</source>
+            <translation>Не напечатано</translation>
+        </message>
+        <message>
+            <source>The printer or the file did not take the pages.</source>
+            <translation>Принтер или файл не принял страницы.</translation>
+        </message>
+        <message>
+            <source>Export: %1</source>
+            <translation>Экспорт: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>Paper</name>
+        <message>
+            <source>Laboratory &amp;report</source>
+            <translation>От&amp;чёт по лабораторной работе</translation>
+        </message>
+        <message>
+            <source>Wor&amp;ksheet</source>
+            <translation>Ра&amp;бочий лист</translation>
+        </message>
+        <message>
+            <source>Key to the &amp;worksheet</source>
+            <translation>&amp;Ключ к рабочему листу</translation>
+        </message>
+        <message>
+            <source>Methodical &amp;guide</source>
+            <translation>&amp;Методические указания</translation>
         </message>
     </context>
 </TS>

@@ -54,6 +54,14 @@ std::size_t variedSurface(const Lesson& lesson) {
     return lesson.variants ? static_cast<std::size_t>(lesson.variants->surface) - 1 : 0;
 }
 
+Lesson withBestTimes(Lesson lesson, const std::stop_token& stop) {
+    if (!asksForBest(lesson)) {
+        return lesson;
+    }
+    const auto best = bestAnswer(lesson.base.surfaces[variedSurface(lesson)].project, stop);
+    return withVariant(std::move(lesson), {}, best ? std::optional(best->time_min) : std::nullopt);
+}
+
 double timeAllowed_min(double best_min, double within_percent) {
     constexpr double percent = 100, perMinute = 1000, lastBit = 1e-9;
     return std::ceil(best_min * (1 + within_percent / percent) * perMinute - lastBit) / perMinute;

@@ -42,6 +42,9 @@ struct BestAnswer {
 [[nodiscard]] Lesson withVariant(Lesson lesson, const VariantLevels& levels,
                                  const std::optional<double>& best_min);
 
+/// The lesson as it stands, without a variant: times that follow from the best are put in.
+[[nodiscard]] Lesson withBestTimes(Lesson lesson, const std::stop_token& stop = {});
+
 /// The greatest time that passes, from the best.
 [[nodiscard]] double timeAllowed_min(double best_min, double within_percent);
 

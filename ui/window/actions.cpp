@@ -4,6 +4,8 @@
 #include "ui/kit/keyboard.h"
 #include "ui/kit/theme_icon.h"
 #include "ui/plot/view.h"
+#include "ui/report/course/course_papers.h"
+#include "ui/report/documents/report_kinds.h"
 #include "ui/session/document.h"
 #include "ui/window/window_head.h"
 
@@ -93,7 +95,11 @@ Actions::Actions(QMainWindow& window)
         types->addAction(sizes[i]);
     }
     for (const report::KindRow& row : report::kinds()) {
-        reports.push_back(makeReport(row.kind));
+        reports.push_back(makeReportActions(row.key, &window));
+    }
+    reports.front().print->setShortcut(QKeySequence::Print); // what is printed day by day
+    for (const report::PaperRow& row : report::papersOfWorks()) {
+        papers.push_back(makeReportActions(row.key, &window));
     }
     window.setMenuWidget(m_head);
     buildMenus(m_head->menus());
@@ -112,25 +118,6 @@ QAction* Actions::make(const char* name, const char16_t* icon, const QKeySequenc
     return action;
 }
 
-ReportActions Actions::makeReport(report::Kind kind) {
-    const auto of = [this, kind](const char* command, const char16_t* icon) {
-        const QByteArray name = QByteArray(command) + '-' + report::rowOf(kind).key;
-        return make(name.constData(), icon);
-    };
-    ReportActions made{kind,
-                       nullptr,
-                       of("preview", u"report"),
-                       of("print", u"print"),
-                       of("pdf", u"export"),
-                       of("html", u""),
-                       of("markdown", u""),
-                       of("odt", u"")};
-    if (reports.empty()) { // the first kind is what is printed day by day
-        made.print->setShortcut(QKeySequence::Print);
-    }
-    return made;
-}
-
 void Actions::buildMenus(QMenuBar& bar) {
     m_file = bar.addMenu(QString());
     m_new = m_file->addMenu(themeIcon(u"new"), QString());
@@ -141,13 +128,10 @@ void Actions::buildMenus(QMenuBar& bar) {
     m_file->addSeparator();
     m_file->addAction(importMeasured);
     m_file->addSeparator();
-    for (ReportActions& report : reports) {
-        report.menu = m_file->addMenu(QString());
-        report.menu->addActions({report.preview, report.print});
-        report.menu->addSeparator();
-        report.menu->addActions({report.pdf, report.html, report.markdown, report.odt});
+    for (const ReportActions& report : reports) {
+        m_file->addMenu(report.menu);
     }
-    m_file->addActions({company, titlePage, exportResults});
+    m_file->addActions({company, exportResults});
     m_packs = m_file->addMenu(QString());
     m_packs->addActions({importPack, exportPack});
     m_file->addSeparator();
@@ -191,6 +175,11 @@ void Actions::buildLessonMenu(QMenuBar& bar) {
     m_lesson->addSeparator();
     m_lesson->addActions({previousStep, nextStep, leaveLesson});
     m_lesson->addSeparator();
+    for (const ReportActions& paper : papers) {
+        m_lesson->addMenu(paper.menu);
+    }
+    m_lesson->addAction(titlePage);
+    m_lesson->addSeparator();
     m_lesson->addActions({editLesson, markWorks});
 }
 
@@ -198,6 +187,12 @@ void Actions::followLesson(bool isRunning, bool isCovered) {
     m_isLesson = isRunning;
     for (QAction* action : {previousStep, nextStep, leaveLesson}) {
         action->setEnabled(isRunning);
+    }
+    for (const ReportActions& paper : papers) { // they show nothing that the work does not
+        paper.menu->menuAction()->setEnabled(isRunning);
+        for (QAction* action : paper.all()) {
+            action->setEnabled(isRunning);
+        }
     }
     for (QAction* action : {standardTimes, dressing, earlierVersions, tour, editLesson}) {
         action->setEnabled(!isRunning);
@@ -355,21 +350,18 @@ void Actions::retranslate() {
     saveAs->setText(tr("Save &as…"));
     earlierVersions->setText(tr("Earlier &versions…"));
     recoverWork->setText(tr("Re&cover work…"));
-    for (const ReportActions& report : reports) {
-        report.menu->setTitle(report::menuText(report.kind));
-        report.preview->setText(tr("Print previe&w…"));
-        report.print->setText(tr("&Print…"));
-        report.pdf->setText(tr("Export P&DF…"));
-        report.html->setText(tr("Export &HTML…"));
-        report.markdown->setText(tr("Export &Markdown…"));
-        report.odt->setText(tr("Export &ODT…"));
+    for (std::size_t i = 0; i < reports.size(); ++i) {
+        reports[i].name(report::menuText(report::kinds()[i].kind));
+    }
+    for (std::size_t i = 0; i < papers.size(); ++i) {
+        papers[i].name(report::menuText(report::papersOfWorks()[i].paper));
     }
     examples->setIconText(tr("Examples"));
     company->setText(tr("Company and si&gnatures…"));
     m_packs->setTitle(tr("Packs &for sharing"));
     importPack->setText(tr("&Import a pack…"));
     exportPack->setText(tr("&Export a pack…"));
-    titlePage->setText(tr("Title page of la&boratory reports…"));
+    titlePage->setText(tr("&Title page of laboratory reports…"));
     importMeasured->setText(tr("&Import measurements…"));
     exportResults->setText(tr("Export resu&lts…"));
     quit->setText(tr("&Quit"));

@@ -3,7 +3,7 @@
 
 #include "ui/kit/font_size.h"
 #include "ui/kit/theme.h"
-#include "ui/report/documents/report_kinds.h"
+#include "ui/window/reports/report_actions.h"
 
 #include <QAction>
 #include <QMenu>
@@ -20,15 +20,6 @@ namespace sparkout {
 class Document;
 class View;
 class WindowHead;
-
-/// The commands of one kind of report.
-struct ReportActions {
-    report::Kind kind;
-    QMenu* menu = nullptr;
-    QAction *preview, *print, *pdf, *html, *markdown, *odt;
-
-    [[nodiscard]] QList<QAction*> all() const { return {preview, print, pdf, html, markdown, odt}; }
-};
 
 /// The commands of the window, their menus and the tool bar.
 class Actions : public QObject {
@@ -62,6 +53,7 @@ public:
     QAction* earlierVersions;
     QAction* recoverWork;
     std::vector<ReportActions> reports; ///< in the order of the table of kinds
+    std::vector<ReportActions> papers;  ///< of a laboratory work, in the order of their table
     QAction* company;                   ///< and signatures, of their heads
     QAction* titlePage;                 ///< of laboratory reports
     QAction* importPack;
@@ -108,7 +100,6 @@ public:
 
 private:
     QAction* make(const char* name, const char16_t* icon, const QKeySequence& keys = {});
-    [[nodiscard]] ReportActions makeReport(report::Kind kind);
     void buildMenus(QMenuBar& bar);
     void buildPartMenu(QMenuBar& bar);
     void buildStudyMenu(QMenuBar& bar);

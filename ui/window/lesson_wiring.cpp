@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/lesson_wiring.h"
 
+#include "core/course/variant.h"
 #include "core/simulation/stroke_step.h"
+#include "ui/dialogs/watched_work.h"
 #include "ui/inputs/forms/form_access.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/kit/font_size.h"
@@ -9,20 +11,42 @@
 #include "ui/lesson/edit/lesson_editor.h"
 #include "ui/lesson/lesson_desk.h"
 #include "ui/plot/view.h"
+#include "ui/report/course/course_papers.h"
 #include "ui/session/cycle_cursor.h"
 #include "ui/session/document.h"
+#include "ui/session/settings.h"
 #include "ui/window/actions.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/remedy_offers.h"
+#include "ui/window/reports/report_output.h"
 #include "ui/window/view_tabs.h"
 #include "ui/window/window_layout.h"
 
+#include <QCoreApplication>
+#include <QDate>
+#include <QEventLoop>
 #include <QLabel>
 #include <QStackedWidget>
 
 #include <memory>
+#include <optional>
+#include <stop_token>
+#include <utility>
 
 namespace sparkout {
+
+namespace {
+
+report::PaperWish wishOf(const Settings& settings, const QString& file) {
+    report::PaperWish wish;
+    wish.institution = report::Institution::fromKept(settings.titlePage());
+    wish.file = file;
+    wish.date = QDate::currentDate();
+    wish.breathe = [] { QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents); };
+    return wish;
+}
+
+} // namespace
 
 LessonWiring::LessonWiring(QWidget* views, QObject* parent)
     : QObject(parent), m_middle(new QStackedWidget), m_cover(new QLabel) {
@@ -49,6 +73,7 @@ void LessonWiring::connectTo(const Parts& parts) {
     LessonDesk& desk = parts.desk;
     connect(parts.actions.lessons, &QAction::triggered, &desk,
             [parts] { parts.desk.choose([parts] { return parts.files.mayDiscard(); }); });
+    connectPapers(parts);
     connect(parts.actions.editLesson, &QAction::triggered, this, [this, parts] { edit(parts); });
     connect(parts.actions.markWorks, &QAction::triggered, &desk, &LessonDesk::markWorks);
     connect(parts.actions.leaveLesson, &QAction::triggered, &desk, &LessonDesk::leave);
@@ -115,23 +140,79 @@ void LessonWiring::apply(const Parts& parts) {
 /// A lesson is edited beside the window, and tried in it: the editor comes back when that is over.
 void LessonWiring::edit(const Parts& parts) {
     if (!m_editor) {
-        m_editor = new LessonEditor(parts.document, parts.settings, parts.window);
-        connect(m_editor, &LessonEditor::trialWanted, this,
-                [this, parts](const Lesson& lesson, std::size_t step) {
-                    if (parts.files.mayDiscard() && parts.desk.tryOut(lesson, step)) {
-                        m_editor->hide();
-                    }
-                });
-        connect(m_editor, &LessonEditor::projectWanted, this, [this, parts] {
-            if (parts.files.mayDiscard()) {
-                parts.document.startUntitled(m_editor->draft().lesson().base);
-            }
-        });
-        connect(&parts.desk, &LessonDesk::tried, m_editor, [this, parts] { edit(parts); });
+        openEditor(parts);
     }
     m_editor->show();
     m_editor->raise();
     m_editor->activateWindow();
+}
+
+void LessonWiring::openEditor(const Parts& parts) {
+    m_editor = new LessonEditor(parts.document, parts.settings, parts.window);
+    connect(m_editor, &LessonEditor::trialWanted, this,
+            [this, parts](const Lesson& lesson, std::size_t step) {
+                if (parts.files.mayDiscard() && parts.desk.tryOut(lesson, step)) {
+                    m_editor->hide();
+                }
+            });
+    connect(m_editor, &LessonEditor::projectWanted, this, [this, parts] {
+        if (parts.files.mayDiscard()) {
+            parts.document.startUntitled(m_editor->draft().lesson().base);
+        }
+    });
+    connect(&parts.desk, &LessonDesk::tried, m_editor, [this, parts] { edit(parts); });
+    connectPapersOfEditor(parts.settings);
+}
+
+void LessonWiring::connectPapersOfEditor(Settings& settings) {
+    auto* output = new ReportOutput(settings, m_editor);
+    for (const report::PaperRow& row : report::papersOfLessons()) {
+        m_papers.push_back(makeReportActions(row.key, m_editor));
+        m_editor->papers().addMenu(m_papers.back().menu);
+        output->connectTo(m_papers.back(),
+                          [this, &settings, paper = row.paper]() -> std::optional<report::Report> {
+                              if (!m_editor->isWhole()) {
+                                  return {};
+                              }
+                              Lesson lesson = m_editor->draft().lesson();
+                              std::stop_source stop;
+                              const bool isDone = runWatched(
+                                  m_editor, tr("Best answer of the laboratory work"),
+                                  [&](const KeepGoing&) {
+                                      lesson = withBestTimes(std::move(lesson), stop.get_token());
+                                  },
+                                  stop);
+                              return isDone ? std::optional(report::makePaper(
+                                         paper, lesson, wishOf(settings, m_editor->draft().path())))
+                                            : std::nullopt;
+                          });
+    }
+    namePapersOfEditor();
+}
+
+void LessonWiring::namePapersOfEditor() const {
+    const auto rows = report::papersOfLessons();
+    for (std::size_t i = 0; i < m_papers.size(); ++i) {
+        m_papers[i].name(report::menuText(rows[i].paper));
+    }
+}
+
+/// Of the work that runs, from what was handed in.
+void LessonWiring::connectPapers(const Parts& parts) {
+    auto* output = new ReportOutput(parts.settings, parts.window);
+    const auto rows = report::papersOfWorks();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        output->connectTo(parts.actions.papers[i],
+                          [&desk = parts.desk, &settings = parts.settings,
+                           paper = rows[i].paper]() -> std::optional<report::Report> {
+                              if (!desk.isRunning()) {
+                                  return {};
+                              }
+                              const Work work = desk.run().work();
+                              return report::makePaper(paper, work,
+                                                       wishOf(settings, desk.run().file()));
+                          });
+    }
 }
 
 bool LessonWiring::mayClose() {
@@ -165,6 +246,7 @@ void LessonWiring::retranslate() {
                         "of the laboratory work. Then the result is shown beside it."));
     if (m_editor) {
         m_editor->retranslate();
+        namePapersOfEditor();
     }
 }
 

@@ -2,8 +2,11 @@
 #pragma once
 
 #include "core/lesson/lesson.h"
+#include "ui/window/reports/report_actions.h"
 
 #include <QObject>
+
+#include <vector>
 
 class QLabel;
 class QStackedWidget;
@@ -58,11 +61,16 @@ private:
     void enter(const Parts& parts);
     void enterViews(const Parts& parts);
     void apply(const Parts& parts);
+    void connectPapers(const Parts& parts);
     void edit(const Parts& parts);
+    void openEditor(const Parts& parts); ///< for the first time
+    void connectPapersOfEditor(Settings& settings);
+    void namePapersOfEditor() const;
 
     QStackedWidget* m_middle;
     QLabel* m_cover;
-    LessonEditor* m_editor = nullptr; ///< once it was asked for
+    LessonEditor* m_editor = nullptr;    ///< once it was asked for
+    std::vector<ReportActions> m_papers; ///< of the editor, in the order of their table
 };
 
 } // namespace sparkout

@@ -39,7 +39,6 @@
 #include "ui/window/dialogs/company_dialog.h"
 #include "ui/window/dialogs/file_questions.h"
 #include "ui/window/dialogs/title_page_dialog.h"
-#include "ui/window/export_commands.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_desk.h"
 #include "ui/window/lesson_wiring.h"
@@ -48,7 +47,9 @@
 #include "ui/window/playback_bar.h"
 #include "ui/window/recent_files_menu.h"
 #include "ui/window/remedy_offers.h"
-#include "ui/window/report_commands.h"
+#include "ui/window/reports/export_commands.h"
+#include "ui/window/reports/report_commands.h"
+#include "ui/window/reports/report_output.h"
 #include "ui/window/run_keeper.h"
 #include "ui/window/status_line.h"
 #include "ui/window/studies_shown.h"
@@ -397,17 +398,12 @@ void MainWindow::connectReports() {
     connect(m_files, &FileCommands::packChosen, packs, &PackCommands::importFile);
     on(m_actions->titlePage, [this] { TitlePageDialog(m_settings, this).exec(); });
     on(m_actions->exportResults, [exports] { exports->exportResults(); });
-    for (const ReportActions& report : m_actions->reports) {
-        const report::Kind kind = report.kind;
-        const auto writes = [commands, kind](report::Format format) {
-            return [commands, kind, format] { commands->exportReport(kind, format); };
-        };
-        on(report.preview, [commands, kind] { commands->preview(kind); });
-        on(report.print, [commands, kind] { commands->print(kind); });
-        on(report.pdf, writes(report::Format::pdf));
-        on(report.html, writes(report::Format::html));
-        on(report.markdown, writes(report::Format::markdown));
-        on(report.odt, writes(report::Format::odt));
+    auto* output = new ReportOutput(m_settings, this);
+    for (std::size_t i = 0; i < m_actions->reports.size(); ++i) {
+        output->connectTo(m_actions->reports[i], [this, commands, kind = report::kinds()[i].kind] {
+            m_inputs->endTyping(); // first
+            return commands->reportOfNow(kind);
+        });
     }
 }
 

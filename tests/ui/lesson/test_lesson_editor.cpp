@@ -134,6 +134,30 @@ private slots:
         }
     }
 
+    void theTeacherPrintsTheWorksPapers() {
+        const Desk desk;
+        const auto paper = [&](const char* command, const QString& answer) {
+            DialogAnswers answers({answer});
+            desk.editor->findChild<QAction*>(QString::fromLatin1(command))->trigger();
+            return answers.fault();
+        };
+        QVERIFY(
+            desk.editor->openLesson(LessonsDialog::paths()[3])); // its time follows from the best
+        for (const auto& [command, title] :
+             {std::pair("markdown-worksheet", "# Worksheet"),
+              std::pair("markdown-worksheet-key", "# Key to the worksheet"),
+              std::pair("markdown-guide", "# Methodical guide")}) {
+            const QString path =
+                desk.folder.filePath(QString::fromLatin1(command) + QStringLiteral(".md"));
+            QCOMPARE(paper(command, QStringLiteral("file:") + path), QString());
+            const std::string text = contentOf(path);
+            QVERIFY2(text.starts_with(title), text.substr(0, 200).c_str());
+        }
+        desk.type("/title/ru", QString());
+        desk.type("/title/en", QString());
+        QCOMPARE(paper("markdown-guide", QStringLiteral("Escape")), QString()); // it has a fault
+    }
+
     void aWorkIsMadeTriedAndSaved() {
         const Desk desk;
         MainWindow& window = *desk.bench.window;

@@ -160,6 +160,10 @@ private slots:
         int reports = 0;
         for (const QAction* action : student.window.findChildren<QAction*>()) {
             const QString name = action->objectName();
+            if (name.endsWith(QStringLiteral("-lab-report"))
+                || name.endsWith(QStringLiteral("-worksheet"))) {
+                continue; // of the whole work, with nothing that it does not show
+            }
             if (name.startsWith(QStringLiteral("pdf-")) || name.startsWith(QStringLiteral("print-"))
                 || name.startsWith(QStringLiteral("preview-"))
                 || name.startsWith(QStringLiteral("html-"))
@@ -184,6 +188,41 @@ private slots:
         QVERIFY(student.window.showView(QStringLiteral("optimise")));
         QCOMPARE(tabs.currentView()->objectName(), QStringLiteral("optimise"));
         QVERIFY(!student.panel().isVisible());
+    }
+
+    void theStudentPrintsReportAndWorksheet() {
+        const Bench idle(QStringLiteral("en"));
+        QVERIFY(!idle.action("markdown-lab-report")->isEnabled());
+        Seat student;
+        QVariantMap title = student.bench.settings.titlePage();
+        title[QStringLiteral("university")] = QStringLiteral("University of the test");
+        student.bench.settings.setTitlePage(title);
+        student.begin();
+        int written = 0;
+        const auto paper = [&](const char* command) {
+            const QString path = student.folder.filePath(QStringLiteral("%1.md").arg(++written));
+            DialogAnswers answers({QStringLiteral("file:") + path});
+            student.bench.action(command)->trigger();
+            if (!answers.fault().isEmpty()) {
+                return answers.fault();
+            }
+            QFile file(path);
+            return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+        };
+        const QString name = QString::fromStdString(student.run().work().name);
+        // With predictions to come it has no results, also while one is awaited.
+        student.show(1);
+        QVERIFY(student.desk().isCovered());
+        const QString before = paper("markdown-lab-report");
+        QVERIFY2(before.contains(name) && before.contains(QStringLiteral("University of the test")),
+                 qPrintable(before.left(500)));
+        student.begin({1, 2, 3, 4});
+        const QString after = paper("markdown-lab-report");
+        QVERIFY2(after.size() > before.size() + 500, qPrintable(after.left(500)));
+        const QString sheet = paper("markdown-worksheet");
+        QVERIFY2(sheet.contains(name), qPrintable(sheet.left(500)));
+        student.desk().leave();
+        QVERIFY(!student.bench.action("markdown-lab-report")->isEnabled());
     }
 
     void everyViewCanBeHiddenByItsName() {

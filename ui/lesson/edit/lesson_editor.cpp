@@ -24,6 +24,7 @@
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QListWidget>
+#include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QShortcut>
@@ -63,7 +64,8 @@ LessonEditor::LessonEditor(Document& document, Settings& settings, QWidget* wind
     , m_settings(settings)
     , m_pages(new QListWidget(this))
     , m_place(new QVBoxLayout)
-    , m_faults(new QListWidget(this)) {
+    , m_faults(new QListWidget(this))
+    , m_papers(new QMenu(this)) {
     setObjectName(QStringLiteral("lessonEditor"));
     setHelpTopic(*this, QStringLiteral("lessons#edit"));
     setWindowFlag(Qt::WindowMaximizeButtonHint);
@@ -115,6 +117,12 @@ void LessonEditor::build() {
     files->addWidget(make(
         "editSaveAs", [] { return tr("Save &as…"); },
         [] { return tr("Save the laboratory work in another file"); }, [this] { saveAs(); }));
+    auto* papers = make(
+        "editPapers", [] { return tr("Printin&g"); },
+        [] { return tr("Worksheet, its key and the methodical guide of the laboratory work"); },
+        [] {});
+    papers->setMenu(m_papers);
+    files->addWidget(papers);
     files->addSpacing(metrics::wide);
     m_undo = make(
         "editUndo", [] { return tr("&Undo"); }, [] { return tr("Take the last change back"); },

@@ -7,6 +7,7 @@
 #include <QTimer>
 
 class QListWidget;
+class QMenu;
 class QPushButton;
 class QVBoxLayout;
 
@@ -28,6 +29,8 @@ public:
     [[nodiscard]] LessonDraft& draft() { return m_draft; }
     bool
     openLesson(const QString& path); ///< a file, or a shipped lesson as a new one; false: refused
+    [[nodiscard]] bool isWhole();    ///< without faults, which are shown
+    [[nodiscard]] QMenu& papers() const { return *m_papers; } ///< that are made of the work
     /// Asks what to do with unsaved changes; false: the teacher wants to stay.
     [[nodiscard]] bool mayClose();
     void retranslate();
@@ -60,7 +63,6 @@ private:
     void moveStep(Move by);
     void removeStep();
     [[nodiscard]] int step() const; ///< in front, from 0; −1: the work as a whole
-    [[nodiscard]] bool isWhole();   ///< without faults, which are shown
     [[nodiscard]] QString fileName() const;
 
     Document& m_document;
@@ -72,6 +74,7 @@ private:
     LessonPage* m_page = nullptr;
     int m_shown = -1; ///< the step that it is of
     QListWidget* m_faults;
+    QMenu* m_papers;
     struct Button {
         QPushButton* button;
         QString (*text)();

@@ -3,14 +3,12 @@
 
 #include "ui/report/course/course_papers.h"
 #include "ui/report/documents/report_kinds.h"
-#include "ui/report/format/report_text.h"
 
 #include <QObject>
 
 #include <functional>
 #include <optional>
 
-class QPrinter;
 class QWidget;
 
 namespace sparkout {
@@ -18,7 +16,7 @@ namespace sparkout {
 class CycleCursor;
 class Settings;
 
-/// The commands that print a report, show it before, or write it into a file.
+/// Makes the reports of what is in the window.
 class ReportCommands : public QObject {
     Q_OBJECT
 
@@ -36,13 +34,10 @@ public:
 
     ReportCommands(std::function<Subject()> subject, Settings& settings, QWidget* window);
 
-    void preview(report::Kind kind);
-    void print(report::Kind kind);
-    void exportReport(report::Kind kind, report::Format format);
-
-private:
     /// The report of now; nothing when there is no result, which is said, or its batch was stopped.
     [[nodiscard]] std::optional<report::Report> reportOfNow(report::Kind kind);
+
+private:
     /// Takes the batch that is shown, or runs one; false: none, and the user knows.
     [[nodiscard]] bool addBatch(report::Subject& subject, const BatchOutcomePtr& shown);
 

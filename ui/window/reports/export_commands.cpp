@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/export_commands.h"
+#include "ui/window/reports/export_commands.h"
 
 #include "ui/dialogs/save_dialog.h"
 #include "ui/text/example_texts.h"

@@ -1,28 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/report_commands.h"
+#include "ui/window/reports/report_commands.h"
 
 #include "core/adequacy/prediction.h"
 #include "core/project/batch.h"
 #include "core/setup/setup_run.h"
 #include "core/study/batch_edits.h"
-#include "ui/dialogs/save_dialog.h"
-#include "ui/kit/help_topic.h"
 #include "ui/report/course/worksheet.h"
 #include "ui/report/documents/batch_wait.h"
 #include "ui/report/documents/passport_measured.h"
-#include "ui/report/format/pages.h"
 #include "ui/session/background.h"
 #include "ui/session/settings.h"
 #include "ui/text/names.h"
 #include "ui/window/dialogs/handout_dialog.h"
 
-#include <QAction>
 #include <QCoreApplication>
 #include <QEventLoop>
 #include <QMessageBox>
-#include <QPrintDialog>
-#include <QPrintPreviewDialog>
-#include <QPrinter>
 
 #include <memory>
 #include <utility>
@@ -30,22 +23,6 @@
 namespace sparkout {
 
 namespace {
-
-void setUp(QPrinter& printer, const report::Report& report) {
-    report::setUpPaper(printer, report);
-    printer.setDocName(fileNameOf({report.title, report.subject}));
-    printer.setCreator(report.program);
-}
-
-constexpr const char* qtPageSetup = "Page setup"; ///< translated by Qt itself
-
-void hidePageSetup(QPrintPreviewDialog& dialog) {
-    for (QAction* action : dialog.findChildren<QAction*>()) {
-        if (action->text() == QCoreApplication::translate("QPrintPreviewDialog", qtPageSetup)) {
-            action->setVisible(false);
-        }
-    }
-}
 
 void say(QMessageBox::Icon icon, const QString& title, const QString& text, QWidget* window) {
     QMessageBox box(icon, title, text, QMessageBox::Ok, window);
@@ -161,90 +138,6 @@ bool ReportCommands::chooseHandout(report::Subject& subject, const CycleCursor& 
     subject.handout = dialog.options();
     paper = dialog.paper();
     return true;
-}
-
-void ReportCommands::preview(report::Kind kind) {
-    const auto report = reportOfNow(kind);
-    if (!report) {
-        return;
-    }
-    QPrinter printer(QPrinter::HighResolution);
-    setUp(printer, *report);
-    QPrintPreviewDialog dialog(&printer, m_window);
-    if (printer.outputFormat() != QPrinter::NativeFormat) {
-        hidePageSetup(dialog); // it is the printer's, and there is none; now, by its present name
-    }
-    dialog.setWindowTitle(tr("Print preview: %1").arg(report->title));
-    setHelpTopic(dialog, QStringLiteral("reports#print"));
-    std::optional<report::Pages> pages;
-    QSizeF area = report::areaOf(printer);
-    runAside([&] { pages.emplace(*report, area); });
-    connect(&dialog, &QPrintPreviewDialog::paintRequested, this, [&](QPrinter* target) {
-        if (report::areaOf(*target) != area) {
-            area = report::areaOf(*target);
-            pages.emplace(*report, area);
-        }
-        (void)report::printPages(*pages, *target);
-    });
-    dialog.resize(m_window->size() * 0.9);
-    dialog.exec();
-}
-
-void ReportCommands::print(report::Kind kind) {
-    const auto report = reportOfNow(kind);
-    if (!report) {
-        return;
-    }
-    QPrinter printer(QPrinter::HighResolution);
-    setUp(printer, *report);
-    QPrintDialog dialog(&printer, m_window);
-    dialog.setWindowTitle(tr("Print: %1").arg(report->title));
-    setHelpTopic(dialog, QStringLiteral("reports#print"));
-    if (dialog.exec() != QDialog::Accepted) {
-        return;
-    }
-    bool printed = false;
-    runAside([&] {
-        const report::Pages pages(*report, report::areaOf(printer));
-        printed = report::printPages(pages, printer);
-    });
-    if (!printed) {
-        say(QMessageBox::Critical, tr("Not printed"),
-            tr("The printer or the file did not take the pages."), m_window);
-    }
-}
-
-void ReportCommands::exportReport(report::Kind kind, report::Format format) {
-    const auto report = reportOfNow(kind);
-    if (!report) {
-        return;
-    }
-    SaveRequest request{
-        tr("Export: %1").arg(report->title),
-        fileNameOf({report->title, report->subject}),
-        {},
-        {},
-        {},
-        [&](const KeepGoing& keepGoing) { return bytesOf(*report, format, keepGoing); }};
-    switch (format) {
-    case report::Format::pdf:
-        request.suffix = QStringLiteral("pdf");
-        request.filter = tr("PDF documents (*.pdf)");
-        break;
-    case report::Format::html:
-        request.suffix = QStringLiteral("html");
-        request.filter = tr("Web pages (*.html)");
-        break;
-    case report::Format::markdown:
-        request.suffix = QStringLiteral("md");
-        request.filter = tr("Markdown texts (*.md)");
-        break;
-    case report::Format::odt:
-        request.suffix = QStringLiteral("odt");
-        request.filter = tr("OpenDocument texts (*.odt)");
-        break;
-    }
-    (void)saveWithDialog(m_window, &m_settings, request);
 }
 
 } // namespace sparkout

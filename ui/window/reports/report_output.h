@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/report/format/report.h"
+#include "ui/report/format/report_text.h"
+
+#include <QObject>
+
+#include <functional>
+#include <optional>
+
+class QWidget;
+
+namespace sparkout {
+
+class Settings;
+struct ReportActions;
+
+/// Prints reports, shows them before, and writes them into files.
+class ReportOutput : public QObject {
+    Q_OBJECT
+
+public:
+    /// Nothing: there is no report, and the user knows why.
+    using Make = std::function<std::optional<report::Report>()>;
+
+    ReportOutput(Settings& settings, QWidget* window);
+
+    /// Each of the commands has the report made, and puts it out in its way.
+    void connectTo(const ReportActions& actions, const Make& make);
+
+private:
+    void preview(const report::Report& report);
+    void print(const report::Report& report);
+    void exportReport(const report::Report& report, report::Format format);
+
+    Settings& m_settings;
+    QWidget* m_window;
+};
+
+} // namespace sparkout
