@@ -102,6 +102,8 @@ void CompliancePlot::setRun(OutcomePtr outcome) {
     m_gamma->show(m_outcome);
     if (!same) {
         fit();
+    } else {
+        refitValues();
     }
     emit contentChanged();
 }

@@ -171,6 +171,34 @@ private slots:
         QVERIFY(bench.plot().table().rows.size() > 100);
     }
 
+    /// The part is the same, what yields is another: the axis follows, but not where it was zoomed.
+    void anotherRunOfThePartIsInSight() {
+        Project project = projectOf(QStringLiteral("shaft-30h6-factory"));
+        Bench bench(evaluate(project, {}));
+        QCPAxis& axis = *bench.plot().curveRect()->axis(QCPAxis::atLeft);
+        const auto yieldTimes = [&](double factor) {
+            Project other = project;
+            auto& gamma = std::get<ZoneCompliance>(other.machine->compliance_mm_per_n);
+            for (double* zone : {&gamma.rz1, &gamma.nz, &gamma.rz2}) {
+                *zone *= factor;
+            }
+            bench.show(evaluate(other, {}));
+            bool found = false;
+            return bench.plot().gamma().used()->getValueRange(found);
+        };
+        for (const double factor : {2.4, 0.1, 1.0}) {
+            const QCPRange drawn = yieldTimes(factor);
+            QVERIFY2(axis.range().contains(drawn.upper) && axis.range().contains(drawn.lower)
+                         && drawn.upper > 0.3 * axis.range().upper,
+                     qPrintable(QString::number(factor)));
+        }
+        const QCPRange zoomed(100, 130);
+        axis.setRange(zoomed);
+        (void)yieldTimes(2.4);
+        QCOMPARE(axis.range().lower, zoomed.lower);
+        QCOMPARE(axis.range().upper, zoomed.upper);
+    }
+
     void aBoreYieldsAlikeAllAlong() {
         Bench bench(example("internal-plunge"));
         const QCPGraph& sum = *bench.plot().gamma().sum();
