@@ -91,9 +91,15 @@ HiddenThings::Things HiddenThings::telling(const Figure& figure) {
 
 HiddenThings::Things HiddenThings::of(const LessonRun& run) {
     LessonStep step = run.current();
+    // A step that is to read a result waits for the predictions before it, and later ones leave it
+    // what tells that result.
+    const bool reads = step.goal.prediction && step.goal.prediction->after_run;
+    const Things read = reads ? telling(*step.goal.asked()) : Things();
     for (const std::size_t open : run.openPredictions()) {
         for (const Hideable thing : telling(*run.lesson().steps[open].goal.asked())) {
-            step.hidden.push_back({thing});
+            if (open < run.step() || !read.contains(thing)) {
+                step.hidden.push_back({thing});
+            }
         }
     }
     return of(step);

@@ -90,10 +90,6 @@ bool LessonRun::isCovered() const {
 
 std::vector<std::size_t> LessonRun::openPredictions() const {
     std::vector<std::size_t> open;
-    const Goal& goal = current().goal;
-    if (goal.prediction && goal.prediction->after_run) {
-        return open;
-    }
     for (std::size_t i = 0; i < lesson().steps.size(); ++i) {
         const LessonStep& step = lesson().steps[i];
         if (i != m_step && isPrediction(step.goal) && step.surface == current().surface

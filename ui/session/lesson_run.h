@@ -58,7 +58,7 @@ public:
     /// is to see a result.
     [[nodiscard]] bool isCovered() const;
     /// Other steps that ask for a prediction of the set-up in front and have none yet: what they
-    /// ask is not to be read off in this one. None where the step in front is to read results.
+    /// ask is not to be read off in this one.
     [[nodiscard]] std::vector<std::size_t> openPredictions() const;
     [[nodiscard]] StepRecord record(std::size_t step) const;
     /// What the engine finds of the answer that counts; nothing while it is not known.

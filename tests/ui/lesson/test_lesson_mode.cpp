@@ -225,6 +225,31 @@ private slots:
         QVERIFY(!student.bench.action("markdown-lab-report")->isEnabled());
     }
 
+    /// Work 5: its fourth step reads what its third asks to predict, its fifth predicts again.
+    void whatIsReadWaitsForThePredictionsBeforeIt() {
+        Seat student(QStringLiteral("en"), Theme::light,
+                     QStringLiteral(SPARKOUT_SOURCE_DIR
+                                    "/resources/lessons/05-out-of-round.sparkout-lesson"));
+        student.begin();
+        const auto tells = [&](std::size_t step) {
+            return HiddenThings::telling(*student.run().lesson().steps[step].goal.asked());
+        };
+        const auto hidden = [&](const HiddenThings::Things& things) {
+            return std::ranges::count_if(
+                things, [&](Hideable each) { return student.desk().hidden().isHidden(each); });
+        };
+        student.show(3);
+        QCOMPARE(hidden(tells(2)), std::ptrdiff_t(tells(2).size()));
+        student.show(2);
+        student.answer();
+        student.handIn();
+        student.show(3);
+        QCOMPARE(hidden(tells(3)), std::ptrdiff_t(0)); // it can be read
+        for (const Hideable thing : tells(4)) {
+            QCOMPARE(student.desk().hidden().isHidden(thing), !tells(3).contains(thing));
+        }
+    }
+
     void everyViewCanBeHiddenByItsName() {
         const Bench bench(QStringLiteral("en"));
         std::set<Hideable> named;
