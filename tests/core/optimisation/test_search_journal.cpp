@@ -86,7 +86,9 @@ private slots:
         int cut = 0, found = 0;
         for (unsigned seed = 0; seed < static_cast<unsigned>(samples::sized(20, 6, 80)); ++seed) {
             Project p = smallCase(seed);
-            p.optimisation->adaptive = seed % 3 == 0; // several searches behind each other
+            // Several searches behind each other; of some later seeds the levels grow to grids of
+            // which it takes minutes to run every cycle.
+            p.optimisation->adaptive = seed % 3 == 0 && seed < 21;
             SearchJournal none;
             const GridSearchReport whole = searchGrid(p, full(none, 1));
             int pieces = 0;
