@@ -50,7 +50,8 @@ FaultsDialog::FaultsDialog(const QString& file, const Issues& issues, QWidget* p
     list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     const QStringList texts = lines(issues);
     for (qsizetype i = 0; i < texts.size(); ++i) {
-        new QListWidgetItem(markIcon(markOf(issues[std::size_t(i)].severity)), texts[i], list);
+        const bool isError = issues[std::size_t(i)].severity == Severity::error;
+        new QListWidgetItem(markIcon(isError ? Mark::error : Mark::warning), texts[i], list);
     }
     auto* buttons = new QDialogButtonBox(this);
     auto* copy = buttons->addButton(tr("&Copy the list"), QDialogButtonBox::ActionRole);

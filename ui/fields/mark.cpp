@@ -10,6 +10,7 @@ namespace sparkout {
 QColor markColor(Mark mark, const QPalette& palette) {
     switch (mark) {
     case Mark::error: return tone(Tone::error, palette);
+    case Mark::missing: return palette.color(QPalette::Link);
     case Mark::warning: return tone(Tone::warning, palette);
     case Mark::none: break;
     }
@@ -19,14 +20,17 @@ QColor markColor(Mark mark, const QPalette& palette) {
 QIcon markIcon(Mark mark) {
     switch (mark) {
     case Mark::error: return themeIcon(u"error");
+    case Mark::missing: return themeIcon(u"info");
     case Mark::warning: return themeIcon(u"warning");
     case Mark::none: break;
     }
     return {};
 }
 
-Mark markOf(Severity severity) {
-    return severity == Severity::error ? Mark::error : Mark::warning;
+Mark markOf(const Issue& issue) {
+    return issue.severity == Severity::warning   ? Mark::warning
+           : issue.code == IssueCode::missingKey ? Mark::missing
+                                                 : Mark::error;
 }
 
 namespace {
@@ -35,8 +39,8 @@ Remark worstOf(const Issues& issues, const std::string& path, bool below) {
     Remark worst;
     for (const Issue& issue : issues) {
         const bool here = issue.path == path || (below && issue.path.starts_with(path + "/"));
-        if (here && markOf(issue.severity) > worst.mark) {
-            worst = {markOf(issue.severity), issueText(issue)};
+        if (here && markOf(issue) > worst.mark) {
+            worst = {markOf(issue), issueText(issue)};
         }
     }
     return worst;

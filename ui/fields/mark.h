@@ -8,10 +8,15 @@
 #include <QPalette>
 #include <QString>
 
-/// How a value that was refused or is unusual is marked, everywhere in the inputs.
+/// How a value that was refused, is unusual or not given yet is marked, everywhere in the inputs.
 namespace sparkout {
 
-enum class Mark { none, warning, error };
+enum class Mark {
+    none,
+    warning,
+    missing, ///< not given yet, which is no fault of anybody
+    error
+};
 
 /// A mark and the sentence that gives its reason.
 struct Remark {
@@ -21,7 +26,7 @@ struct Remark {
 
 [[nodiscard]] QColor markColor(Mark mark, const QPalette& palette);
 [[nodiscard]] QIcon markIcon(Mark mark);
-[[nodiscard]] Mark markOf(Severity severity);
+[[nodiscard]] Mark markOf(const Issue& issue); ///< of a project that is being typed in
 
 /// The worst issue at a path or below it.
 [[nodiscard]] Remark remarkFor(const Issues& issues, const std::string& path);

@@ -273,7 +273,7 @@ void NumberField::updateRemark() {
         return;
     }
     m_shown = shown;
-    m_icon->setVisible(shown.mark != Mark::none);
+    m_icon->setVisible(shown.mark == Mark::warning || shown.mark == Mark::error);
     m_icon->setIcon(markIcon(shown.mark));
     m_icon->setToolTip(shown.reason);
     describe();
@@ -331,7 +331,8 @@ void NumberField::paintEvent(QPaintEvent* event) {
     if (mark != Mark::none) {
         QPainter painter(this);
         painter.setRenderHint(QPainter::Antialiasing);
-        painter.setPen(QPen(markColor(mark, palette()), 2));
+        painter.setPen(QPen(markColor(mark, palette()), 2,
+                            mark == Mark::missing ? Qt::DashLine : Qt::SolidLine));
         painter.drawRoundedRect(rect().adjusted(1, 1, -1, -1), 2, 2);
     }
 }

@@ -60,9 +60,9 @@ void MessagesPanel::fill() {
         addLine(Mark::error, refusal.path,
                 tr("%1; the last good value is used").arg(refusal.reason));
     }
-    for (const Mark mark : {Mark::error, Mark::warning}) {
+    for (const Mark mark : {Mark::error, Mark::missing, Mark::warning}) {
         for (const Issue& issue : m_outcome ? m_outcome->issues : Issues{}) {
-            if (markOf(issue.severity) == mark) {
+            if (markOf(issue) == mark) {
                 addLine(mark, issue.path, issueText(issue));
                 if (issue.code == IssueCode::stocksDoNotSumUp) {
                     addStockFit();

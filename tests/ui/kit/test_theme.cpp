@@ -267,6 +267,7 @@ private slots:
             verifyContrast("links", role(QPalette::Link), ground, textContrast);
             verifyContrast("captions", role(QPalette::PlaceholderText), ground, textContrast);
             verifyContrast("refused", markColor(Mark::error, p), ground, textContrast);
+            verifyContrast("missing", markColor(Mark::missing, p), ground, textContrast);
             verifyContrast("unusual", markColor(Mark::warning, p), ground, textContrast);
             verifyContrast("outlines", tone(Tone::outline, p), ground, graphContrast);
             verifyContrast("focus", role(QPalette::Highlight), ground, graphContrast);

@@ -40,14 +40,16 @@ QStringList ofTheProgram(QStringList warned) {
 }
 
 /// Which widget it is, over restarts of the window. The editors of the rows of a file that is read
-/// are one for each column, however many rows it has; those of a view are the same in a window of
-/// its own.
+/// are one for each column, and those of a list in the inputs one, however many rows it has; those
+/// of a view are the same in a window of its own.
 QString identityOf(const QWidget& widget) {
     static const QRegularExpression row(QStringLiteral("column-\\d+-"));
+    static const QRegularExpression item(QStringLiteral("/\\d+(?=/|$)"));
     static const QRegularExpression own(
         QStringLiteral("> ViewTabs > (QStackedWidget|\\w+Window) > (?=\\w+ > )"));
     QString path = pathOf(&widget)
                        .replace(row, QStringLiteral("column-"))
+                       .replace(item, QStringLiteral("/0"))
                        .replace(own, QStringLiteral("> ViewTabs > "));
     if (const QWidget* parent = widget.parentWidget(); parent && widget.objectName().isEmpty()) {
         int number = 0;

@@ -81,7 +81,7 @@ private slots:
             for (const std::string& path : drawingInputs()) {
                 QVERIFY2(bench.field(path).text().isEmpty(), path.c_str());
                 QVERIFY(!bench.field(path).refused());
-                QCOMPARE(bench.field(path).remark().mark, Mark::error);
+                QCOMPARE(bench.field(path).remark().mark, Mark::missing);
             }
             QCOMPARE(bench.window->messages().count(), int(drawingInputs().size()));
             QVERIFY(!bench.window->document().modified());

@@ -302,7 +302,7 @@ void ListTable::updateReasons() {
     }
     for (const Issue& issue : m_issues) {
         if (issue.path == m_path || issue.path.starts_with(m_path + "/")) {
-            add(markOf(issue.severity), issue.path, issueText(issue));
+            add(markOf(issue), issue.path, issueText(issue));
         }
     }
     m_reasons->setText(lines.join(QStringLiteral("<br>")));
