@@ -53,6 +53,13 @@ void MessagesPanel::setRefusals(std::vector<Refusal> refusals) {
     fill();
 }
 
+void MessagesPanel::offerStockFit(bool offers) {
+    if (m_offersFit != offers) {
+        m_offersFit = offers;
+        fill();
+    }
+}
+
 void MessagesPanel::fill() {
     clear();
     m_worst = Mark::none;
@@ -64,7 +71,7 @@ void MessagesPanel::fill() {
         for (const Issue& issue : m_outcome ? m_outcome->issues : Issues{}) {
             if (markOf(issue) == mark) {
                 addLine(mark, issue.path, issueText(issue));
-                if (issue.code == IssueCode::stocksDoNotSumUp) {
+                if (issue.code == IssueCode::stocksDoNotSumUp && m_offersFit) {
                     addStockFit();
                 }
             }

@@ -19,6 +19,7 @@ public:
 
     void setOutcome(const sparkout::OutcomePtr& outcome);
     void setRefusals(std::vector<Refusal> refusals);
+    void offerStockFit(bool offers); ///< not where the stages are locked
     void retranslate();
     /// The inputs the lines are of, the same in any language; none while all is in order.
     [[nodiscard]] QStringList paths() const;
@@ -38,6 +39,7 @@ private:
     OutcomePtr m_outcome;
     std::vector<Refusal> m_refusals;
     Mark m_worst = Mark::none;
+    bool m_offersFit = true;
 };
 
 } // namespace sparkout

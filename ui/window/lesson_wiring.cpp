@@ -6,6 +6,7 @@
 #include "ui/dialogs/watched_work.h"
 #include "ui/inputs/forms/form_access.h"
 #include "ui/inputs/inputs_panel.h"
+#include "ui/inputs/messages_panel.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
 #include "ui/lesson/edit/lesson_editor.h"
@@ -128,9 +129,11 @@ void LessonWiring::apply(const Parts& parts) {
                           isCovered || step.isHidden(Hideable::messages));
     parts.layout.takeAway(WindowLayout::Panel::sheet,
                           isCovered || step.isHidden(Hideable::formulas));
-    parts.inputs.setAccess(desk.isRunning()
-                               ? std::make_shared<const FormAccess>(desk.run().current(), isCovered)
-                               : std::make_shared<const FormAccess>());
+    const auto access = desk.isRunning()
+                            ? std::make_shared<const FormAccess>(desk.run().current(), isCovered)
+                            : std::make_shared<const FormAccess>();
+    parts.inputs.setAccess(access);
+    parts.messages.offerStockFit(access->at("/cycle/stages") == Access::free);
     parts.actions.followLesson(desk.isRunning(), isCovered);
     if (!desk.isRunning()) {
         parts.layout.showLesson(false);

@@ -21,6 +21,7 @@ class FileCommands;
 class InputsPanel;
 class LessonDesk;
 class LessonEditor;
+class MessagesPanel;
 class RemedyOffers;
 class Settings;
 class ViewTabs;
@@ -39,6 +40,7 @@ public:
         ViewTabs& tabs;
         WindowLayout& layout;
         InputsPanel& inputs;
+        MessagesPanel& messages;
         RemedyOffers& remedies;
         FileCommands& files;
         Document& document;

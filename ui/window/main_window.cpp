@@ -558,8 +558,8 @@ void MainWindow::connectLesson() {
     });
     connect(this, &MainWindow::outcomeShown, m_lesson,
             [this] { m_lesson->takeOutcome(m_outcome->ran()); });
-    m_lessonWiring->connectTo({*m_lesson, *m_actions, *m_tabs, *m_layout, *m_inputs, *m_remedies,
-                               *m_files, m_document, m_settings, this});
+    m_lessonWiring->connectTo({*m_lesson, *m_actions, *m_tabs, *m_layout, *m_inputs, *m_messages,
+                               *m_remedies, *m_files, m_document, m_settings, this});
 }
 
 /// While a prediction is awaited nothing is run: what nobody has cannot be seen.

@@ -197,6 +197,13 @@ private slots:
         messages.setCurrentItem(line());
         QTest::keyClick(&messages, Qt::Key_Return);
         QTRY_VERIFY(stocksAddUp(bench.window->document().project()));
+        bench.window->document().undo();
+        QTRY_VERIFY(line());
+        messages.offerStockFit(false); // as in a lesson that locks the stages
+        QVERIFY(!line());
+        QVERIFY(messages.paths().contains(QStringLiteral("/cycle/stages")));
+        messages.offerStockFit(true);
+        QVERIFY(line());
     }
 
     void aRefusedTextIsListedAndTheVerdictSaysSo() {
