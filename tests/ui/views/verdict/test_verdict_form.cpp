@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The form of zones that hold several sections, as a table of the verdict panel.
+#include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "core/units.h"
 #include "tests/registry.h"
@@ -44,7 +46,11 @@ private slots:
     void initTestCase() { begin(); }
 
     void everyZoneHasItsForm() {
-        const OutcomePtr outcome = run(several());
+        Project soft = several();
+        soft.machine->compliance_mm_per_n = std::monostate{};
+        soft.machine->stiffness_n_um = Stiffness{15, 5, 50}; // so that its sections come out unlike
+        soft.part->shaft.segments = {{soft.part->length_mm, soft.part->diameter_mm}};
+        const OutcomePtr outcome = run(soft);
         Bench bench(outcome);
         const FormModel& model = *bench.panel.form().model();
         QVERIFY(bench.panel.form().isVisible());
@@ -71,6 +77,7 @@ private slots:
             QCOMPARE(shown(model, FormModel::crown, zone),
                      Names::signedMicrometres(um(form.profile.crown_mm)));
         }
+        QVERIFY(shown(model, FormModel::taper, 0) != shown(model, FormModel::crown, 0));
     }
 
     /// Zones of one section and sections of a plunge have none.
