@@ -22,27 +22,28 @@ const QString keptSlash = u'/' + QString(wordJoiner);
 
 void TextBox::wrap(const QString& text, double indent) {
     for (QString paragraph : text.split(u'\n')) {
+        double start = indent;
+        if (paragraph.isEmpty()) { // of which Qt 6.4 makes no line, and later ones an empty one
+            m_lines += QString();
+            m_goesOn += true;
+            m_starts += start;
+            continue;
+        }
         paragraph.replace(u'/', keptSlash); // a unit stays whole
         QTextLayout layout(paragraph, m_font);
         QTextOption option;
         option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
         layout.setTextOption(option);
         layout.beginLayout();
-        double start = indent;
         for (QTextLine row = layout.createLine(); row.isValid(); row = layout.createLine()) {
             row.setLineWidth(m_width - start);
             const QString line = paragraph.mid(row.textStart(), row.textLength());
             m_lines += QString(line).remove(wordJoiner).trimmed();
-            m_goesOn += line.back().isSpace();
+            m_goesOn += line.isEmpty() || line.back().isSpace();
             m_starts += start;
             start = 0;
         }
         layout.endLayout();
-        if (paragraph.isEmpty()) {
-            m_lines += QString();
-            m_goesOn += false;
-            m_starts += start;
-        }
         m_goesOn.back() = true;
     }
     m_goesOn.back() = false;
