@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/reports/report_actions.h"
 
+#include "ui/kit/keyboard.h"
 #include "ui/kit/theme_icon.h"
 
 #include <QCoreApplication>
@@ -45,6 +46,9 @@ void ReportActions::name(const QString& title) const {
     html->setText(Words::tr("Export &HTML…"));
     markdown->setText(Words::tr("Export &Markdown…"));
     odt->setText(Words::tr("Export &ODT…"));
+    for (QAction* action : all()) {
+        nameShortcut(*action);
+    }
 }
 
 } // namespace sparkout
