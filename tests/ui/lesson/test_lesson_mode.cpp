@@ -216,9 +216,12 @@ private slots:
         const QString before = paper("markdown-lab-report");
         QVERIFY2(before.contains(name) && before.contains(QStringLiteral("University of the test")),
                  qPrintable(before.left(500)));
+        const QString open = QStringLiteral("printed once every prediction is handed in");
+        QVERIFY(before.contains(open));
         student.begin({1, 2, 3, 4});
         const QString after = paper("markdown-lab-report");
-        QVERIFY2(after.size() > before.size() + 500, qPrintable(after.left(500)));
+        QVERIFY2(!after.contains(open) && after.size() > before.size() + 500,
+                 qPrintable(after.left(500)));
         const QString sheet = paper("markdown-worksheet");
         QVERIFY2(sheet.contains(name), qPrintable(sheet.left(500)));
         student.desk().leave();
