@@ -35,7 +35,8 @@ ComplianceView::ComplianceView(QWidget* parent, Settings* settings)
     setUpNotice(*m_summary);
     auto* bar = new QWidget(this);
     buildTools(bar);
-    addColumn({bar, m_summary, notice(), legend(), m_plot, strip(), values()}, m_plot);
+    addColumn({bar, m_summary, notice(), legend(), m_plot, strip(), values()}, m_plot)
+        ->addStretch();
     nameObjects({{m_plot, "compliancePlot"},
                  {m_summary, "complianceSummary"},
                  {m_content, "complianceContent"},

@@ -105,7 +105,7 @@ void ConstraintsView::build() {
     QScrollArea* area = scrolled(*content);
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     area->setObjectName(QStringLiteral("constraintsArea"));
-    addColumn({buildTools(), notice(), area}, area);
+    addColumn({buildTools(), notice(), area}, area)->addStretch();
     nameObjects({{m_plot, "constraintsPlot"},
                  {m_zone, "constraintsZone"},
                  {m_logarithmic, "logarithmic"},

@@ -34,7 +34,8 @@ LayersView::LayersView(QWidget* parent, Settings* settings)
     setUpNotice(*m_summary);
     hideUntilDrawn({m_summary});
     addColumn({pageTools<ToolRow>({m_radius}), m_summary, notice(), legend(), pages(), values()},
-              pages());
+              pages())
+        ->addStretch();
     disableUntilDrawn({content(), m_radius});
     nameObjects({{m_plot, "layersPlot"},
                  {m_surface, "layersSurface"},
