@@ -143,8 +143,8 @@
             <translation>Ppk %1, нижняя граница меньше %2: %3</translation>
         </message>
         <message>
-            <source>every part is good, and the least lower bound of Ppk reaches %1: %2, %3</source>
-            <translation>все детали годны, наименьшая нижняя граница Ppk не меньше %1: %2, %3</translation>
+            <source>every part is good, and the lower bound of Ppk is at least %1 everywhere; least Ppk %2, %3</source>
+            <translation>все детали годны, нижняя граница Ppk везде не меньше %1; наименьший Ppk %2, %3</translation>
         </message>
         <message>
             <source>every part is good, and the sizes hardly scatter</source>
@@ -315,7 +315,7 @@
             <translation>Р</translation>
         </message>
         <message>
-            <source>Transition, regime</source>
+            <source>Step, settings</source>
             <translation>Содержание перехода, режим</translation>
         </message>
         <message>
@@ -2090,7 +2090,7 @@
             <translation>Оснастка и режимы</translation>
         </message>
         <message>
-            <source>Regimes by stage</source>
+            <source>Settings by stage</source>
             <translation>Режимы по ступеням</translation>
         </message>
         <message>
@@ -2446,7 +2446,7 @@
             <translation>Износ круга</translation>
         </message>
         <message>
-            <source>Take over the cycles found</source>
+            <source>Apply the cycles found</source>
             <translation>Найденные циклы</translation>
         </message>
         <message>
@@ -3961,7 +3961,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Gauge commands</source>
-            <translation>Число команд прибора</translation>
+            <translation>Число команд ПАК</translation>
         </message>
         <message>
             <source>How many stages the gauge can switch.</source>
@@ -6721,7 +6721,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Completed</source>
-            <translation>Цикл закончен</translation>
+            <translation>Цикл завершён</translation>
         </message>
         <message>
             <source>Cannot reach size</source>
@@ -7147,7 +7147,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>%1 мин: пока наибольшее число деталей между правками.</translation>
         </message>
         <message>
-            <source>Parts to a dressing: %1; %2 min each on average.</source>
+            <source>Parts per dressing: %1; %2 min each on average.</source>
             <translation>Деталей на правку: %1, в среднем по %2 мин.</translation>
         </message>
         <message>
@@ -7281,7 +7281,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Оснастка и режимы</translation>
         </message>
         <message>
-            <source>Regimes by stage</source>
+            <source>Settings by stage</source>
             <translation>Режимы по ступеням</translation>
         </message>
         <message>
@@ -7476,7 +7476,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Nominal part: %1.</source>
-            <translation>Номинальная деталь: %1.</translation>
+            <translation>Номинальная деталь. %1.</translation>
         </message>
         <message>
             <source>Parts of the batch that are not good</source>
@@ -8204,7 +8204,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Gauge commands</source>
-            <translation>Число команд прибора</translation>
+            <translation>Число команд ПАК</translation>
         </message>
         <message>
             <source>the stages need %2 more gauge commands than there are</source>
@@ -9633,7 +9633,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Остановлено: сделано %1 из %2 точек.</translation>
         </message>
         <message>
-            <source>The drawing holds at %1 of %2 points.</source>
+            <source>%1 of %2 points meet the drawing.</source>
             <translation>Чертёж выдержан в точках: %1 из %2.</translation>
         </message>
         <message>
@@ -10311,11 +10311,11 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Чертёж ничего не требует</translation>
         </message>
         <message>
-            <source>Holds the drawing, but close to the limit: %1 in %2</source>
+            <source>Meets the drawing, but close to the limit: %1 in %2</source>
             <translation>Требования чертежа выполнены, но близко к пределу: %1 (%2)</translation>
         </message>
         <message>
-            <source>Holds the drawing</source>
+            <source>Meets the drawing</source>
             <translation>Требования чертежа выполнены</translation>
         </message>
         <message>
@@ -11265,7 +11265,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Каталог станков</translation>
         </message>
         <message>
-            <source>&amp;Take over</source>
+            <source>&amp;Apply</source>
             <translation>&amp;Взять</translation>
         </message>
         <message>
@@ -12645,7 +12645,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Время, мин</translation>
         </message>
         <message>
-            <source>To yours, %</source>
+            <source>Against yours, %</source>
             <translation>К исходному, %</translation>
         </message>
         <message>
@@ -12846,7 +12846,7 @@ Reloading takes that version; your changes stay in Undo.</source>
     <context>
         <name>sparkout::HintStrip</name>
         <message>
-            <source>What the input in focus means, and what it may be, stands here.</source>
+            <source>Help on the selected input appears here.</source>
             <translation>Здесь поясняется поле, в котором стоит курсор, и его пределы.</translation>
         </message>
         <message>
@@ -13010,7 +13010,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         <name>sparkout::LayersView</name>
         <message>
             <source>Point at a layer to read the values.</source>
-            <translation>Наведите указатель на слой, чтобы прочесть значения.</translation>
+            <translation>Наведите указатель на слой, чтобы прочитать значения.</translation>
         </message>
         <message>
             <source>Layers</source>
@@ -14024,7 +14024,7 @@ target, µm</source>
             <translation>по радиусам</translation>
         </message>
         <message>
-            <source>%1 a second</source>
+            <source>%1 per second</source>
             <comment>steps of the playback</comment>
             <translation>%1 в секунду</translation>
         </message>
@@ -15079,7 +15079,7 @@ target, µm</source>
     <context>
         <name>sparkout::ShopSection</name>
         <message>
-            <source>Shop&apos;s numbers by stage</source>
+            <source>Grinding figures by stage</source>
             <translation>Показатели шлифования по ступеням</translation>
         </message>
         <message>
@@ -17350,7 +17350,7 @@ good</source>
             <translation>Рассчитывает партию каждой поверхности, у которой она есть</translation>
         </message>
         <message>
-            <source>&amp;Take over the cycles found</source>
+            <source>&amp;Apply the cycles found</source>
             <translation>П&amp;ринять найденные циклы</translation>
         </message>
         <message>
@@ -17463,7 +17463,7 @@ good</source>
             <translation>Нормы времени и износ круга</translation>
         </message>
         <message>
-            <source>&amp;Take over</source>
+            <source>&amp;Apply</source>
             <translation>&amp;Принять</translation>
         </message>
         <message>
@@ -17848,7 +17848,7 @@ good</source>
             <translation>&amp;Исключить их</translation>
         </message>
         <message>
-            <source>&amp;Take over</source>
+            <source>&amp;Apply</source>
             <translation>&amp;Принять</translation>
         </message>
         <message>
@@ -17915,7 +17915,7 @@ good</source>
     <context>
         <name>sparkout::WheelPage</name>
         <message>
-            <source>Take over the s&amp;trengths</source>
+            <source>Apply the s&amp;trengths</source>
             <translation>Принять про&amp;чность</translation>
         </message>
         <message>
@@ -17923,7 +17923,7 @@ good</source>
             <translation>Шероховатость Ra</translation>
         </message>
         <message>
-            <source>Take over the &amp;Ra factor</source>
+            <source>Apply the &amp;Ra factor</source>
             <translation>Принять &amp;поправку Ra</translation>
         </message>
         <message>
@@ -19063,7 +19063,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Податливость вдоль детали</translation>
         </message>
         <message>
-            <source>&amp;Take over the stiffness</source>
+            <source>&amp;Apply the stiffness</source>
             <translation>&amp;Принять жёсткости</translation>
         </message>
         <message>
@@ -19396,16 +19396,16 @@ s</source>
     <context>
         <name>DressingText</name>
         <message>
-            <source>Parts to a dressing</source>
+            <source>Parts per dressing</source>
             <translation>Деталей на правку</translation>
         </message>
         <message>
-            <source>Ends by</source>
+            <source>Limited by</source>
             <translation>Ограничивает</translation>
         </message>
         <message>
-            <source>A part removes</source>
-            <translation>Деталь снимает</translation>
+            <source>Removed per part</source>
+            <translation>Снимается с детали</translation>
         </message>
         <message>
             <source>%1 mm³</source>

@@ -129,7 +129,13 @@ QString fileNameOf(const QStringList& parts) {
         }
     }
     QString name = kept.join(QStringLiteral(" – "));
-    name.replace(unfit, QStringLiteral("_")).truncate(longestName);
+    name.replace(unfit, QStringLiteral("_"));
+    if (name.size() > longestName) { // at the end of a word, where one ends in its second half
+        const qsizetype space = name.lastIndexOf(u' ', longestName);
+        name.truncate(space > longestName / 2 ? space : longestName);
+        static const QRegularExpression loose(QStringLiteral("[ –·,;_-]+$"));
+        name.remove(loose);
+    }
     while (name.startsWith(u'.') || name.startsWith(u' ')) {
         name.remove(0, 1); // no hidden file
     }

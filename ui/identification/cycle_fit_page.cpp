@@ -57,7 +57,7 @@ CycleFitPage::CycleFitPage(const Project& project, QWidget* parent)
     , m_stop(new QPushButton(tr("&Stop")))
     , m_leaveOut(new QPushButton(tr("&Leave these out")))
     , m_fitTimes(new QPushButton(tr("Fit &this too")))
-    , m_take(new QPushButton(tr("&Take over"))) {
+    , m_take(new QPushButton(tr("&Apply"))) {
     auto* row = new QHBoxLayout;
     row->setSpacing(metrics::wide);
     QWidget* const choices = buildChoices();

@@ -81,7 +81,7 @@ StiffnessPage::StiffnessPage(const Project& project, QWidget* parent)
     , m_words(copyableLabel(this))
     , m_found(new FitTable(tr("Stiffness found"), this))
     , m_compliance(new FitTable(tr("Compliance along the part"), this))
-    , m_take(new QPushButton(tr("&Take over the stiffness"), this))
+    , m_take(new QPushButton(tr("&Apply the stiffness"), this))
     , m_isMeasurable(canBeLoaded(*project.part))
     , m_isComplete(isSoundBut(project, false)) {
     std::vector<double> places;

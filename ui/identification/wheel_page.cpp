@@ -52,7 +52,7 @@ WheelPage::WheelPage(const Project& project, QWidget* parent)
     , m_unit(new QLabel(this))
     , m_width(positiveField("mm", "limitWidth", this))
     , m_found(copyableLabel(this))
-    , m_take(new QPushButton(tr("Take over the s&trengths"), this)) {
+    , m_take(new QPushButton(tr("Apply the s&trengths"), this)) {
     auto* column = new QVBoxLayout(this);
     column->addWidget(buildRoughness());
     column->addWidget(buildStrengths());
@@ -65,7 +65,7 @@ QWidget* WheelPage::buildRoughness() {
     auto* column = new QVBoxLayout(box);
     auto* words = copyableLabel(box);
     words->setObjectName(QStringLiteral("roughnessFound"));
-    auto* take = new QPushButton(tr("Take over the &Ra factor"), box);
+    auto* take = new QPushButton(tr("Apply the &Ra factor"), box);
     take->setObjectName(QStringLiteral("roughnessTake"));
     take->setEnabled(m_roughness.has_value());
     if (!m_roughness) {

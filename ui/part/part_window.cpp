@@ -34,7 +34,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr EditText takeFoundText{"Edit", QT_TRANSLATE_NOOP("Edit", "Take over the cycles found")};
+constexpr EditText takeFoundText{"Edit", QT_TRANSLATE_NOOP("Edit", "Apply the cycles found")};
 
 } // namespace
 
@@ -263,7 +263,7 @@ void PartWindow::retranslate() {
                             "in the order of grinding"));
     m_batch->setText(tr("&Batch of all"));
     m_batch->setToolTip(tr("Runs the batch of every surface that has one"));
-    m_take->setText(tr("&Take over the cycles found"));
+    m_take->setText(tr("&Apply the cycles found"));
     m_stop->setText(tr("&Stop"));
     m_progress->setAccessibleName(tr("Progress"));
     follow();

@@ -53,7 +53,7 @@ TimesDialog::TimesDialog(const SetupTimes& times, const WheelWear& wear, std::si
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     area->setFocusPolicy(Qt::NoFocus);
-    auto* take = m_buttons->addButton(tr("&Take over"), QDialogButtonBox::AcceptRole);
+    auto* take = m_buttons->addButton(tr("&Apply"), QDialogButtonBox::AcceptRole);
     m_buttons->addButton(tr("&Cancel"), QDialogButtonBox::RejectRole);
     take->setDefault(true);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);

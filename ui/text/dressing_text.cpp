@@ -27,11 +27,11 @@ QString amount(const ConstraintResult& worst, double value) {
 } // namespace
 
 DressingText::Facts DressingText::facts(const Setup& setup, const DressingInterval& interval) {
-    Facts facts{{tr("Parts to a dressing"), parts(interval)}};
+    Facts facts{{tr("Parts per dressing"), parts(interval)}};
     if (interval.end) {
-        facts.emplace_back(tr("Ends by"), end(setup, *interval.end));
+        facts.emplace_back(tr("Limited by"), end(setup, *interval.end));
     }
-    facts.emplace_back(tr("A part removes"),
+    facts.emplace_back(tr("Removed per part"),
                        tr("%1 mm³").arg(Names::fixed(interval.partVolume_mm3, 0)));
     const Cost* rates = ratesOf(setup);
     const auto quickest = rates ? quickestInterval(interval, rates->dressing_s) : std::nullopt;

@@ -255,7 +255,7 @@ void PlaybackBar::fillUnits(CursorUnit chosen) {
 void PlaybackBar::fillSpeeds() {
     for (int i = 0; i < m_speed->count(); ++i) {
         m_speed->setItemText(
-            i, tr("%1 a second", "steps of the playback").arg(speeds[std::size_t(i)]));
+            i, tr("%1 per second", "steps of the playback").arg(speeds[std::size_t(i)]));
     }
 }
 

@@ -307,8 +307,7 @@ private slots:
         (*wheel)->setFocus();
         QTest::mouseClick(*wheel, Qt::LeftButton);
         QVERIFY(!bench.field("/part/diameter_mm")->isVisible());
-        QCOMPARE(text->text(), HintStrip::tr("What the input in focus means, and what it may be, "
-                                             "stands here."));
+        QCOMPARE(text->text(), HintStrip::tr("Help on the selected input appears here."));
     }
 };
 

@@ -328,7 +328,7 @@ private slots:
         }
         subject.dressing.reset();
         QVERIFY(!bytesOf(report::passport(subject), Format::html)
-                     .contains(DressingText::tr("Parts to a dressing").toUtf8()));
+                     .contains(DressingText::tr("Parts per dressing").toUtf8()));
     }
 
 private:

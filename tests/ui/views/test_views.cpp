@@ -99,7 +99,7 @@ void TestViews::theVerdictNamesTheWorstRequirement() {
     VerdictPanel panel;
     auto* overall = panel.findChild<QLabel*>(QStringLiteral("overall"));
     settle(panel, outcome);
-    QCOMPARE(overall->text(), QStringLiteral("Holds the drawing"));
+    QCOMPARE(overall->text(), QStringLiteral("Meets the drawing"));
     outcome = std::make_shared<Outcome>(*m_traverse);
     outcome->constraints = {requirement(ConstraintKind::diameterMax, 1, 0.05),
                             requirement(ConstraintKind::diameterMin, -3.2, -0.2)};
@@ -109,7 +109,7 @@ void TestViews::theVerdictNamesTheWorstRequirement() {
     outcome = std::make_shared<Outcome>(*outcome);
     outcome->constraints.pop_back();
     settle(panel, outcome);
-    QVERIFY(overall->text().startsWith(QStringLiteral("Holds the drawing, but close")));
+    QVERIFY(overall->text().startsWith(QStringLiteral("Meets the drawing, but close")));
 }
 
 void TestViews::aCycleThatCannotReachSizeSaysWhatRemains() {

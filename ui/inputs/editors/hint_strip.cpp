@@ -116,7 +116,7 @@ void HintStrip::fill() {
         return;
     }
     if (!m_field) {
-        m_text->setText(tr("What the input in focus means, and what it may be, stands here."));
+        m_text->setText(tr("Help on the selected input appears here."));
         return;
     }
     const QString limits = limitsMarkup(*m_field);

@@ -150,7 +150,7 @@ void CatalogueDialog::build() {
     splitter->setStretchFactor(0, 3);
     splitter->setStretchFactor(1, 2);
     auto* buttons = new QDialogButtonBox(this);
-    m_take = buttons->addButton(tr("&Take over"), QDialogButtonBox::AcceptRole);
+    m_take = buttons->addButton(tr("&Apply"), QDialogButtonBox::AcceptRole);
     m_take->setObjectName(QStringLiteral("takeOver"));
     m_take->setDefault(true);
     QPushButton* cancel = buttons->addButton(tr("&Cancel"), QDialogButtonBox::RejectRole);

@@ -48,7 +48,7 @@ const std::array<Cell, 7> equipmentRow{
      {QT_TRANSLATE_NOOP("CardForm", "Piece, min"), 20},
      {QT_TRANSLATE_NOOP("CardForm", "Coolant"), 60}}};
 const std::array<Cell, 12> columns{{{QT_TRANSLATE_NOOP("CardForm", "R"), 12},
-                                    {QT_TRANSLATE_NOOP("CardForm", "Transition, regime"), 88},
+                                    {QT_TRANSLATE_NOOP("CardForm", "Step, settings"), 88},
                                     {QT_TRANSLATE_NOOP("CardForm", "Pos."), 10},
                                     {QT_TRANSLATE_NOOP("CardForm", "D or B, mm"), 20},
                                     {QT_TRANSLATE_NOOP("CardForm", "L, mm"), 18},

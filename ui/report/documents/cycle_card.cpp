@@ -133,7 +133,7 @@ Report CycleCard::write(const OutcomePtr& outcome, const QString& file, const QD
     blocks.push_back(partSketch(outcome));
     heading(tr("Tooling and settings"));
     blocks.push_back(OperationSetup::settings(*outcome));
-    heading(tr("Regimes by stage"));
+    heading(tr("Settings by stage"));
     blocks.push_back(OperationSetup::stages(*outcome));
     heading(tr("Verdict"));
     for (Block& block : verdict(*outcome)) {

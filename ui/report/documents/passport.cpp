@@ -46,7 +46,7 @@ public:
         add(PassportInputs::drawing(m_project));
         heading(tr("Tooling and settings"));
         add(OperationSetup::settings(m_outcome));
-        heading(tr("Regimes by stage"));
+        heading(tr("Settings by stage"));
         add(OperationSetup::stages(m_outcome));
         addBars(OverviewChart::times, OverviewCharts::times(m_outcome));
         addBars(OverviewChart::stock, OverviewCharts::stock(m_outcome));

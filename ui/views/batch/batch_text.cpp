@@ -189,7 +189,8 @@ QString BatchText::decision(const BatchOutcome& outcome) {
         return tr("Ppk %1, its lower bound below %2: %3")
             .arg(capability(of->ppk), limit(), inSentence());
     case BatchReason::allHold:
-        return of ? tr("every part is good, and the least lower bound of Ppk reaches %1: %2, %3")
+        return of ? tr("every part is good, and the lower bound of Ppk is at least %1 everywhere; "
+                       "least Ppk %2, %3")
                         .arg(limit(), capability(of->ppk), inSentence())
                   : tr("every part is good, and the sizes hardly scatter");
     }

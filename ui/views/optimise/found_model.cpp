@@ -106,7 +106,7 @@ QVariant FoundModel::head(int column, int role) const {
         switch (column) {
         case stages: return tr("Stages");
         case time: return tr("Time, min");
-        case change: return tr("To yours, %");
+        case change: return tr("Against yours, %");
         case gap: return tr("Gap, %");
         case margin: return tr("Margin, %");
         case parts: return tr("Parts");
@@ -135,7 +135,7 @@ QVariant FoundModel::head(int column, int role) const {
 
 CsvTable FoundModel::table() const {
     CsvTable table;
-    table.header << tr("Stages") << tr("Time, min") << tr("To yours, %") << tr("Gap, %")
+    table.header << tr("Stages") << tr("Time, min") << tr("Against yours, %") << tr("Gap, %")
                  << tr("Margin, %") << tr("Cycle");
     if (hasInterval()) {
         table.header << tr("Parts") << tr("Cost");

@@ -249,7 +249,7 @@ QString OptimiseText::intervalAnswer(const SearchOutcome& outcome, const FoundCy
                             .arg(taken, size)
                       : tr("%1 min: the most parts between dressings so far.").arg(taken));
     }
-    lines << tr("Parts to a dressing: %1; %2 min each on average.")
+    lines << tr("Parts per dressing: %1; %2 min each on average.")
                  .arg(parts(*best.held), minutes(best.held->meanTime_s));
     if (best.held->end) {
         lines << tr("The next part breaks: %1.")

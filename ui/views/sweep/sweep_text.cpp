@@ -119,7 +119,7 @@ QString SweepText::run(const SweepResult& sweep) {
         texts
             << tr("Stopped after %1 of %2 points.").arg(all - count(SweepStatus::pending)).arg(all);
     }
-    texts << tr("The drawing holds at %1 of %2 points.").arg(good).arg(all);
+    texts << tr("%1 of %2 points meet the drawing.").arg(good).arg(all);
     if (const int refused = count(SweepStatus::refused)) {
         texts << tr("Refused: %1.").arg(refused);
     }

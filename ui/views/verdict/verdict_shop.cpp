@@ -73,8 +73,8 @@ void ShopSection::showRemarks() {
 }
 
 void ShopSection::retranslate() {
-    m_title->setText(tr("Shop's numbers by stage"));
-    m_table->setAccessibleName(tr("Shop's numbers by stage"));
+    m_title->setText(tr("Grinding figures by stage"));
+    m_table->setAccessibleName(tr("Grinding figures by stage"));
     m_remarks->setAccessibleName(tr("What lies outside the usual"));
     m_table->retranslate();
     m_model->retranslate();

@@ -82,10 +82,10 @@ QString overall(const Outcome& outcome) {
         return VerdictText::tr("The drawing requires nothing");
     }
     if (overallLight(outcome) == Light::close) {
-        return VerdictText::tr("Holds the drawing, but close to the limit: %1 in %2")
+        return VerdictText::tr("Meets the drawing, but close to the limit: %1 in %2")
             .arg(Names::constraint(c->kind), Names::within(Names::where(*c)));
     }
-    return VerdictText::tr("Holds the drawing");
+    return VerdictText::tr("Meets the drawing");
 }
 
 } // namespace sparkout::verdict

@@ -11,7 +11,7 @@ namespace sparkout::verdict {
 
 [[nodiscard]] QString time(const SimulationResult& result);   ///< "2.41 min (144.6 s)"
 [[nodiscard]] QString status(const SimulationResult& result); ///< with what is short of the size
-/// "Holds the drawing", or the worst requirement that does not hold.
+/// "Meets the drawing", or the worst requirement that does not hold.
 [[nodiscard]] QString overall(const Outcome& outcome);
 [[nodiscard]] Light overallLight(const Outcome& outcome);
 

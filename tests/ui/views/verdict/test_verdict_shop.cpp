@@ -211,7 +211,7 @@ private slots:
         QVERIFY(isMarked(bench.table().toolTip()));
         QApplication::removeTranslator(&marking);
         QTest::qWait(30);
-        QCOMPARE(bench.table().accessibleName(), QStringLiteral("Shop's numbers by stage"));
+        QCOMPARE(bench.table().accessibleName(), QStringLiteral("Grinding figures by stage"));
     }
 
 private:
