@@ -16344,8 +16344,8 @@ target, µm</source>
     <context>
         <name>LimitChart</name>
         <message>
-            <source>nearest to its limit: %1, %2</source>
-            <translation>ближе всего к пределу: %1, %2</translation>
+            <source>nearest to its feed limit: %1, %2</source>
+            <translation>ближе всего к пределу подачи: %1, %2</translation>
         </message>
         <message>
             <source> (%1 used)</source>

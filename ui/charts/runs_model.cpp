@@ -41,7 +41,7 @@ int RunsModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(m_runs.size());
 }
 
-QPixmap RunsModel::markOf(const Run& run, const QColor& text) {
+QPixmap RunsModel::markOf(const Run& run, const QColor& text, const QColor& behindLight) {
     const qreal ratio = qApp->devicePixelRatio();
     QPixmap mark =
         runSample(std::max(run.number, 0), run.number < 0 ? Qt::transparent : text, sample, ratio);
@@ -52,7 +52,15 @@ QPixmap RunsModel::markOf(const Run& run, const QColor& text) {
                      Qt::transparent);
     painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
     if (run.light) {
-        painter.drawPixmap(sample.width() - side, 0, lightPixmap(*run.light, side, ratio, false));
+        constexpr int rim = 2, round = 4;
+        const QRect box(sample.width() - side, 0, side, side);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(behindLight);
+        painter.drawRoundedRect(box, round, round);
+        const int inside = behindLight.alpha() > 0 ? rim : 0;
+        painter.drawPixmap(box.topLeft() + QPoint(inside, inside),
+                           lightPixmap(*run.light, side - 2 * inside, ratio, false));
     }
     return mark;
 }
@@ -69,8 +77,10 @@ QVariant RunsModel::data(const QModelIndex& index, int role) const {
     case Qt::AccessibleTextRole: return run.description;
     case Qt::DecorationRole: {
         const QPalette palette = QGuiApplication::palette();
-        QIcon marks(markOf(run, palette.color(QPalette::Text)));
-        marks.addPixmap(markOf(run, palette.color(QPalette::HighlightedText)), QIcon::Selected);
+        QIcon marks(markOf(run, palette.color(QPalette::Text), Qt::transparent));
+        marks.addPixmap(
+            markOf(run, palette.color(QPalette::HighlightedText), palette.color(QPalette::Base)),
+            QIcon::Selected);
         return marks;
     }
     case Qt::CheckStateRole: return run.chosen ? Qt::Checked : Qt::Unchecked;

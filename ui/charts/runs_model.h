@@ -44,7 +44,8 @@ signals:
     void renamed(int run, const QString& name);
 
 private:
-    [[nodiscard]] static QPixmap markOf(const Run& run, const QColor& text);
+    [[nodiscard]] static QPixmap markOf(const Run& run, const QColor& text,
+                                        const QColor& behindLight);
 
     std::vector<Run> m_runs;
 };

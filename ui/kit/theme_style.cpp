@@ -32,6 +32,21 @@ void outline(QPainter& painter, const QRect& rect, const QStyleOption& option) {
     painter.restore();
 }
 
+/// A line along the outer edge of the tab that is chosen.
+void markTab(QPainter& painter, const QStyleOptionTab& tab) {
+    constexpr int high = 2, beside = 2;
+    if (!(tab.state & QStyle::State_Selected)) {
+        return;
+    }
+    QRect line = tab.rect.adjusted(beside, 0, -beside, 0);
+    switch (tab.shape) {
+    case QTabBar::RoundedNorth: line.setHeight(high); break;
+    case QTabBar::RoundedSouth: line.setTop(line.bottom() - high + 1); break;
+    default: return; // none stand at a side
+    }
+    painter.fillRect(line, tone(Tone::accent, tab.palette));
+}
+
 QRect frameOfBox(const QStyle& style, const QStyleOption& option, const QWidget* widget) {
     const auto* box = qobject_cast<const QGroupBox*>(widget);
     const bool bare = box && !box->isCheckable() && box->title().isEmpty();
@@ -86,6 +101,11 @@ void ThemeStyle::drawControl(ControlElement element, const QStyleOption* option,
                              const QWidget* widget) const {
     if (element != CE_DockWidgetTitle || !widget) {
         QProxyStyle::drawControl(element, option, painter, widget);
+        if (element == CE_TabBarTabShape) {
+            if (const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option)) {
+                markTab(*painter, *tab);
+            }
+        }
         return;
     }
     painter->save();

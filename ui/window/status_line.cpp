@@ -19,6 +19,9 @@ StatusLine::StatusLine(QStatusBar& bar)
     m_time->setTextFormat(Qt::PlainText);
     m_bar.addWidget(m_status, 1);
     m_bar.addPermanentWidget(m_time);
+    // The bar itself leaves out what is not in sight yet when a message comes.
+    connect(&m_bar, &QStatusBar::messageChanged, m_status,
+            [this](const QString& text) { m_status->setVisible(text.isEmpty()); });
 }
 
 void StatusLine::showForAWhile(const QString& text) {

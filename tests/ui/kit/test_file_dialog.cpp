@@ -4,6 +4,7 @@
 #include "ui/kit/file_dialog.h"
 
 #include "tests/registry.h"
+#include "ui/dialogs/save_dialog.h"
 #include "ui/kit/font_size.h"
 #include "ui/plot/svg_device.h"
 #include "ui/text/language.h"
@@ -97,6 +98,15 @@ private slots:
                                        .arg(QString::fromUtf8(QTest::currentDataTag())));
             }
         });
+    }
+
+    void aLongNameEndsWithAWord() {
+        const QString word = QStringLiteral("поверхностями");
+        const QString name = fileNameOf({QString(word + u' ').repeated(9)});
+        QCOMPARE(name, QString(word + u' ').repeated(5).trimmed());
+        QCOMPARE(fileNameOf({QString(200, u'x')}).size(), 80);
+        QCOMPARE(fileNameOf({QStringLiteral("a: b/c"), QString(), QStringLiteral(" d ")}),
+                 QStringLiteral("a_ b_c – d"));
     }
 
     void whatIsChosenIsGivenBack() {

@@ -20,6 +20,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QRegularExpression>
+#include <QTabBar>
 #include <QTest>
 
 #include <algorithm>
@@ -383,6 +384,26 @@ private slots:
                      style::colour(style::Drawn::holds, p));
             QCOMPARE(mostCommonSolid(lightPixmap(Light::fails, 16, 1, false).toImage()),
                      style::colour(style::Drawn::fails, p));
+        }
+    }
+
+    void theChosenTabIsMarked() {
+        for (const Theme theme : {Theme::light, Theme::dark, Theme::contrast}) {
+            applyTheme(theme);
+            QTabBar tabs;
+            for (const char* name : {"one", "two", "three"}) {
+                tabs.addTab(QLatin1String(name));
+            }
+            tabs.setCurrentIndex(1);
+            tabs.resize(tabs.sizeHint());
+            const QImage drawn = tabs.grab().toImage();
+            const QColor wanted = tone(Tone::accent, QApplication::palette());
+            for (int tab = 0; tab < tabs.count(); ++tab) {
+                const QRect at = tabs.tabRect(tab);
+                const bool isMarked = drawn.pixelColor(at.center().x(), at.top()) == wanted;
+                QCOMPARE(isMarked, tab == tabs.currentIndex());
+            }
+            QVERIFY(contrast(wanted, QApplication::palette().color(QPalette::Window)) >= 3);
         }
     }
 

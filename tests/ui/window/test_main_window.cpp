@@ -19,6 +19,7 @@
 #include "ui/window/dialogs/examples_dialog.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
+#include "ui/window/status_line.h"
 #include "ui/window/view_tabs.h"
 
 #include "core/format/project_file.h"
@@ -34,6 +35,7 @@
 #include <QLabel>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QStatusBar>
 #include <QStyleFactory>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -110,6 +112,19 @@ private slots:
         for (std::size_t i = 0; i < same->constraints.size(); ++i) {
             QCOMPARE(same->constraints[i].value, after->constraints[i].value);
         }
+    }
+
+    void aMessageStandsAloneAtTheFoot() {
+        QStatusBar bar;
+        StatusLine line(bar);
+        const auto* status = bar.findChild<QLabel*>();
+        line.showForAWhile(QStringLiteral("before the window was in sight"));
+        bar.show();
+        QVERIFY(!status->isVisible());
+        bar.clearMessage();
+        QVERIFY(status->isVisible());
+        line.showForAWhile(QStringLiteral("and after"));
+        QVERIFY(!status->isVisible());
     }
 
     void aRequirementTakesTwoLinesAtMost_data() {

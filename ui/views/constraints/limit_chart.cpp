@@ -125,7 +125,7 @@ QString LimitChart::markText() const {
     }
     const std::vector<DepthLimit> limits = limitsOf(*m_marked);
     const DepthLimit* binding = bindingOf(limits);
-    return binding ? tr("nearest to its limit: %1, %2")
+    return binding ? tr("nearest to its feed limit: %1, %2")
                          .arg(LimitNames::limit(binding->kind),
                               LimitNames::percent(ratio(m_marked->depth_mm, binding->depth_mm)))
                    : QString();
