@@ -7666,7 +7666,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>В проекте не описана партия, поэтому паспорт содержит только расчёт номинальной детали: без рассеяния, без показателей пригодности процесса и без доли вне допуска.</translation>
         </message>
         <message>
-            <source>A batch is added on the page Batch of the inputs, where each factor that scatters gets its distribution, or with “Add a usual batch” in the view Batch.</source>
+            <source>A batch is added on the page Batch of the inputs, where each factor that scatters gets its distribution, or with “Add a typical batch” in the view Batch.</source>
             <translation>Партию добавляют на странице «Партия» исходных данных, где каждому рассеивающемуся фактору задают распределение, или кнопкой «Добавить типовую партию» вида «Партия».</translation>
         </message>
         <message>
@@ -11133,7 +11133,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Худшая деталь</translation>
         </message>
         <message>
-            <source>Add a usual batch</source>
+            <source>Add a typical batch</source>
             <translation>Добавить типовую партию</translation>
         </message>
         <message>
@@ -11633,7 +11633,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Где поддаётся сильнее всего</translation>
         </message>
         <message>
-            <source>Equal all along.</source>
+            <source>Uniform along the length.</source>
             <translation>Одинакова по всей длине.</translation>
         </message>
         <message>
@@ -13735,7 +13735,7 @@ target, µm</source>
             <translation>Партия показывает, какая доля многих деталей выдерживает чертёж, когда припуск, биение, затупление и другие факторы рассеиваются. Её рассчитывает вид «Партия».</translation>
         </message>
         <message>
-            <source>Add a usual batch</source>
+            <source>Add a typical batch</source>
             <translation>Добавить типовую партию</translation>
         </message>
         <message>
@@ -13751,7 +13751,7 @@ target, µm</source>
             <translation>Поиск находит самый быстрый цикл, который выдерживает все требования, среди всех перечисленных здесь подач и припусков. Его запускает вид «Оптимизация».</translation>
         </message>
         <message>
-            <source>Add a usual search</source>
+            <source>Add a typical search</source>
             <translation>Добавить типовой поиск</translation>
         </message>
         <message>
@@ -13898,7 +13898,7 @@ target, µm</source>
             <translation>Цикл должен быть годен и для припусков, распределённых по одному шагу подачи каждой ступени: размер зависит от того, куда пришёлся последний шаг</translation>
         </message>
         <message>
-            <source>Add a usual search</source>
+            <source>Add a typical search</source>
             <translation>Добавить типовой поиск</translation>
         </message>
         <message>
@@ -15612,12 +15612,12 @@ target, µm</source>
             <translation>граница выполнения всех требований</translation>
         </message>
         <message>
-            <source>present values (◇)</source>
-            <translation>текущие значения (◇)</translation>
+            <source>present values</source>
+            <translation>текущие значения</translation>
         </message>
         <message>
-            <source>chosen point (□)</source>
-            <translation>выбранная точка (□)</translation>
+            <source>chosen point</source>
+            <translation>выбранная точка</translation>
         </message>
     </context>
     <context>
@@ -15923,7 +15923,7 @@ target, µm</source>
             <translation>По всем проходам</translation>
         </message>
         <message>
-            <source>Settings of the machine</source>
+            <source>Machine settings</source>
             <translation>Настройки станка</translation>
         </message>
         <message>
@@ -16739,7 +16739,7 @@ mm/min</source>
             <translation>Партия: средний диаметр по зонам</translation>
         </message>
         <message>
-            <source>Batch: parts good and out</source>
+            <source>Batch: good and rejected parts</source>
             <translation>Партия: годные и негодные детали</translation>
         </message>
         <message>

@@ -102,7 +102,7 @@ QString VerdictModel::groupName(const Row& row) {
     switch (static_cast<ConstraintScope>(-1 - row.group)) {
     case ConstraintScope::part: return tr("Whole part, µm");
     case ConstraintScope::pass: return tr("Every pass");
-    case ConstraintScope::setting: return tr("Settings of the machine");
+    case ConstraintScope::setting: return tr("Machine settings");
     case ConstraintScope::section: break;
     }
     return {};

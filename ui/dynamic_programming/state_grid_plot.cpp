@@ -211,7 +211,7 @@ LegendEntries StateGridPlot::legendEntries() const {
     if (m_outcome->exact && !m_outcome->exact->faults.empty()) {
         entries.push_back(
             areaEntry(key(GridPart::wrong), colours.fails, tr("the rule is wrong here")));
-        entries.back().fill = Qt::NoBrush;
+        entries.back().swatch = Swatch::square;
     }
     entries.push_back(areaEntry(key(GridPart::noMove), Qt::transparent, tr("no admissible move")));
     entries.back().hatch = Hatch::rising;

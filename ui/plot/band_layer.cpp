@@ -31,9 +31,9 @@ Band zoneBand(Zone zone, int section, double from, double to, const QPalette& pa
               int middleAlpha) {
     constexpr int endAlpha = 28;
     const bool middle = zone == Zone::nz;
-    const QColor colour = style::thinned(
+    const QColor colour = style::filling(
         style::colour(middle ? style::Drawn::middleZone : style::Drawn::endZone, palette),
-        middle ? middleAlpha : endAlpha);
+        middle ? middleAlpha : endAlpha, palette);
     return {from, to, colour, Names::zone(zone, section), {}, Names::zoneFull(zone, section)};
 }
 

@@ -54,6 +54,29 @@ int legendHeight(const std::vector<QRect>& rects) {
     return rects.empty() ? 0 : rects.back().bottom() + 1;
 }
 
+namespace {
+
+void drawSwatch(QPainter& painter, const LegendEntry& entry, const QRectF& swatch) {
+    if (entry.swatch == Swatch::area) {
+        painter.fillRect(swatch, entry.colour);
+        paintHatch(painter, swatch.toRect(), entry.hatch, entry.hatchLine);
+        return;
+    }
+    const QPointF at = swatch.center();
+    const double reach = swatch.height() / 2;
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(entry.colour, 2));
+    painter.setBrush(Qt::NoBrush);
+    if (entry.swatch == Swatch::square) {
+        painter.drawRect(QRectF(at.x() - reach, at.y() - reach, 2 * reach, 2 * reach));
+    } else {
+        painter.drawPolygon(QPolygonF({at + QPointF(0, -reach), at + QPointF(reach, 0),
+                                       at + QPointF(0, reach), at + QPointF(-reach, 0)}));
+    }
+}
+
+} // namespace
+
 void drawLegendEntry(QPainter& painter, const LegendEntry& entry, const QRect& rect,
                      const QColor& textColour) {
     painter.save();
@@ -62,11 +85,7 @@ void drawLegendEntry(QPainter& painter, const LegendEntry& entry, const QRect& r
     if (entry.pen == Qt::NoPen) {
         const QRect swatch(rect.left() + 4, middle - swatchHeight / 2 + 1, sample - 8,
                            swatchHeight);
-        const bool frame = entry.fill == Qt::NoBrush;
-        painter.setPen(frame ? QPen(entry.colour, 2) : QPen(Qt::NoPen));
-        painter.setBrush(QBrush(entry.colour, entry.fill));
-        painter.drawRect(frame ? swatch.adjusted(4, 0, -4, 0) : swatch);
-        paintHatch(painter, swatch, entry.hatch, entry.hatchLine);
+        drawSwatch(painter, entry, swatch);
     } else {
         QPen pen(entry.colour, entry.weight, entry.pen, Qt::FlatCap);
         if (!entry.dash.isEmpty()) {

@@ -16,19 +16,21 @@ class QPainter;
 
 namespace sparkout {
 
+enum class Swatch { area, square, rhombus }; ///< filled, or the mark of a point
+
 /// One entry of a legend: a line sample or a filled swatch, and its text.
 struct LegendEntry {
     QColor colour;
     Qt::PenStyle pen = Qt::SolidLine; ///< NoPen: a swatch
     QString text;
-    int key = -1;             ///< what a click hides or shows; below 0: nothing
-    bool shown = true;        ///< false: hidden by the user, drawn faintly
-    QVector<qreal> dash = {}; ///< of the line, in widths of the pen; empty: as `pen` says
-    QColor halo = {};         ///< around the line; none: nothing
-    Qt::BrushStyle fill = Qt::SolidPattern; ///< of a swatch; NoBrush: a frame
-    Hatch hatch = Hatch::none;              ///< over a swatch …
-    QColor hatchLine = {};                  ///< … and its lines
-    double weight = 2;                      ///< of the line
+    int key = -1;                 ///< what a click hides or shows; below 0: nothing
+    bool shown = true;            ///< false: hidden by the user, drawn faintly
+    QVector<qreal> dash = {};     ///< of the line, in widths of the pen; empty: as `pen` says
+    QColor halo = {};             ///< around the line; none: nothing
+    Swatch swatch = Swatch::area; ///< where there is no line
+    Hatch hatch = Hatch::none;    ///< over a swatch …
+    QColor hatchLine = {};        ///< … and its lines
+    double weight = 2;            ///< of the line
 };
 using LegendEntries = std::vector<LegendEntry>;
 

@@ -3,6 +3,7 @@
 
 #include "ui/kit/font_size.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/theme_table.h"
 #include "ui/plot/number_ticker.h"
 
 #include <qcustomplot.h>
@@ -26,6 +27,12 @@ QColor dimmed(QColor colour, bool dim) {
 QColor thinned(QColor colour, int alpha) {
     colour.setAlpha(alpha);
     return colour;
+}
+
+QColor filling(QColor colour, int alpha, const QPalette& palette) {
+    constexpr int times = 3, most = 140;
+    const bool isContrast = coloursFor(palette).theme == Theme::contrast;
+    return thinned(colour, isContrast ? std::max(alpha, std::min(times * alpha, most)) : alpha);
 }
 
 void setUpAxis(QCPAxis& axis) {

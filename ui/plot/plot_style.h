@@ -17,6 +17,8 @@ namespace sparkout::style {
 [[nodiscard]] QColor dimmed(QColor colour, bool dim); ///< mostly transparent when dim
 
 [[nodiscard]] QColor thinned(QColor colour, int alpha); ///< of this opacity, to 255
+/// Of an area behind the curves; stronger in the contrast theme, which has no other colour there.
+[[nodiscard]] QColor filling(QColor colour, int alpha, const QPalette& palette);
 
 void applyPalette(QCustomPlot& plot, const QPalette& palette);
 void applyPalette(QCPAxis& axis, const QPalette& palette);

@@ -35,14 +35,17 @@ QString withoutZeros(QString text) {
     return text;
 }
 
-// c.value over the nearer end, above 0, of its range.
-QString timesOfEnd(const ConstraintResult& c) {
-    const double times = c.value / c.limit;
+QString times(double ratio) {
     int digits = 2;
-    while (digits < 6 && times != 1 && std::abs(times - 1) < std::pow(10, 1 - digits)) {
+    while (digits < 6 && ratio != 1 && std::abs(ratio - 1) < std::pow(10, 1 - digits)) {
         ++digits; // what is beyond the end, or not quite, is not shown as the end
     }
-    return withoutZeros(Names::significant(times, digits));
+    return withoutZeros(Names::significant(ratio, digits));
+}
+
+// c.value over the nearer end, above 0, of its range.
+QString timesOfEnd(const ConstraintResult& c) {
+    return times(c.value / c.limit);
 }
 
 } // namespace
@@ -213,7 +216,9 @@ QString Names::besideLimit(const ConstraintResult& c) {
     if (!isRange(c.kind)) {
         return margin(c);
     }
-    return c.limit > 0 ? timesOfEnd(c) + u'×' : inRange(c, true);
+    const bool isBelow = !c.isLeast && c.value > 0; // an upper limit: as far as it may still rise
+    return c.limit > 0 ? times(isBelow ? c.limit / c.value : c.value / c.limit) + u'×'
+                       : inRange(c, true);
 }
 
 QString Names::value(const ConstraintResult& c) {

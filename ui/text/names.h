@@ -49,7 +49,8 @@ public:
     /// Of a result; a dash where it is not of the whole surface.
     static QString value(const ConstraintResult& c);
     static QString margin(const ConstraintResult& c); ///< "+1.25", of a range as inRange()
-    /// The margin in a column next to that of the limit, which says the end of a range: "2×".
+    /// The margin in a column next to that of the limit, which says the end of a range: "2×",
+    /// as many times a lower limit, or as far from an upper one.
     static QString besideLimit(const ConstraintResult& c);
     static QString issue(const Issue& issue); ///< the sentence after its place in words
     /// That the cut surface of a traverse cycle is not whole, as strips stay uncut; else empty.

@@ -52,7 +52,7 @@ const Offer usualBatch{
     QT_TRANSLATE_NOOP("sparkout::OfferHelper",
                       "A batch says which share of many parts keeps the drawing when stock, "
                       "runout, dullness and other factors scatter. The view Batch runs it."),
-    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Add a usual batch"),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Add a typical batch"),
     QT_TRANSLATE_NOOP("sparkout::OfferHelper",
                       "50 parts whose stock, runout and dullness scatter about the present "
                       "inputs")};
@@ -67,7 +67,7 @@ const Offer usualSearch{
     QT_TRANSLATE_NOOP("sparkout::OfferHelper",
                       "A search finds the quickest cycle that holds every requirement, out of all "
                       "feeds and stocks listed here. The view Optimise runs it."),
-    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Add a usual search"),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Add a typical search"),
     QT_TRANSLATE_NOOP("sparkout::OfferHelper",
                       "Levels of each feed over the machine's range, which follow the answer, "
                       "steps of stock, and the usual least overlap and steps of a stage where "

@@ -141,7 +141,7 @@ std::vector<Block> PassportInputs::scenarios(const Subject& subject) {
         return {Paragraph{tr("This project describes no batch, so the passport tells the nominal "
                              "part alone: no scatter, no capability, no share out of tolerance.")},
                 Paragraph{tr("A batch is added on the page Batch of the inputs, where each factor "
-                             "that scatters gets its distribution, or with “Add a usual batch” in "
+                             "that scatters gets its distribution, or with “Add a typical batch” in "
                              "the view Batch.")}};
     }
     const BatchOutcome& outcome = *subject.batch;

@@ -507,7 +507,7 @@ void BatchView::nameButtons() {
                   "every requirement held or not"));
     m_rows->menu()->actions()[0]->setText(tableFormatText(TableFormat::csvRussian));
     m_rows->menu()->actions()[1]->setText(tableFormatText(TableFormat::csvEnglish));
-    tellButton(*m_add, tr("Add a usual batch"),
+    tellButton(*m_add, tr("Add a typical batch"),
                tr("50 parts whose stock, runout and dullness scatter about the present inputs; can "
                   "be undone and changed on the page Batch"));
 }

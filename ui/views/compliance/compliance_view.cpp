@@ -229,7 +229,7 @@ QString ComplianceView::complianceSummary() const {
     const auto [low, high] =
         std::ranges::minmax_element(sections, {}, &SectionResult::compliance_mm_per_n);
     if (high->compliance_mm_per_n <= low->compliance_mm_per_n) {
-        return tr("Equal all along.");
+        return tr("Uniform along the length.");
     }
     const auto name = [&](auto it) {
         return Names::zone(it->zone, static_cast<int>(it - sections.begin()));

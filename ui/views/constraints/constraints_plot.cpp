@@ -482,8 +482,9 @@ void ConstraintsPlot::restyle() {
     for (const auto& [kind, graph] : m_limits) {
         graph->setPen(penOf(static_cast<int>(kind)));
     }
-    const QColor forbidden = style::thinned(style::colour(Drawn::forbidden, palette()),
-                                            isDimmed() ? forbiddenAlpha / 3 : forbiddenAlpha);
+    const QColor forbidden =
+        style::filling(style::colour(Drawn::forbidden, palette()),
+                       isDimmed() ? forbiddenAlpha / 3 : forbiddenAlpha, palette());
     m_stepless->setPen(penOf(steplessKey));
     m_stepless->setBrush(forbidden);
     m_ceiling->setPen(Qt::NoPen);

@@ -255,9 +255,9 @@ std::vector<Band> FeedsPlot::stageBands() const {
     std::vector<Band> bands;
     for (const StageSpan& span : series().stages) {
         const bool odd = span.stage % 2 == 1;
-        const QColor colour = style::thinned(
+        const QColor colour = style::filling(
             style::colour(odd ? style::Drawn::oddStage : style::Drawn::evenStage, palette()),
-            odd ? 28 : 38);
+            odd ? 28 : 38, palette());
         const QString name = tr("stage %1").arg(span.stage);
         bands.push_back({scale().at(span.start_s), scale().at(span.end_s), colour, name,
                          tr("st. %1", "stage, short").arg(span.stage), name});

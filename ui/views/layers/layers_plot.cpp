@@ -178,7 +178,8 @@ void LayersPlot::restyle() {
     m_blank->setPen({ink(), 1.5, Qt::DashLine});
     m_final->setPen({ink(), 2});
     m_upper->setBrush(style::dimmed(
-        style::thinned(style::colour(Drawn::toleranceField, palette()), fieldAlpha), isDimmed()));
+        style::filling(style::colour(Drawn::toleranceField, palette()), fieldAlpha, palette()),
+        isDimmed()));
 }
 
 CsvTable LayersPlot::table() const {

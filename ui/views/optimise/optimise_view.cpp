@@ -542,7 +542,7 @@ void OptimiseView::nameButtons() {
                tr("Go on from the quickest cycle between the levels of the grid, in the machine's "
                   "steps: every cycle is run in full, but that none is quicker is not proved"));
     tellButton(
-        *m_add, tr("Add a usual search"),
+        *m_add, tr("Add a typical search"),
         tr("Levels of each feed over the machine's range, which follow the answer, steps of "
            "stock, and the usual least overlap and steps of a stage where none are given; can be "
            "undone and changed on the pages Search and Cycle"));

@@ -91,7 +91,7 @@ QString OverviewCharts::title(OverviewChart chart) {
     case OverviewChart::diameters: return tr("What the diameter deviations are made of");
     case OverviewChart::requirements: return tr("Limits used up");
     case OverviewChart::boxes: return tr("Batch: mean diameter by zone");
-    case OverviewChart::parts: return tr("Batch: parts good and out");
+    case OverviewChart::parts: return tr("Batch: good and rejected parts");
     case OverviewChart::runs: return tr("Kept runs: time and margin");
     }
     return {};

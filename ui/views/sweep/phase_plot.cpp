@@ -166,7 +166,7 @@ void PhasePlot::restyle() {
     const QColor field = toned(Drawn::toleranceField);
     m_field->setPen(field);
     m_field->setBrush(style::dimmed(
-        style::thinned(style::colour(Drawn::toleranceField, palette()), phaseFieldAlpha),
+        style::filling(style::colour(Drawn::toleranceField, palette()), phaseFieldAlpha, palette()),
         isDimmed()));
     m_failing->setColour(toned(Drawn::fails));
     m_stated->setPen(QPen(ink(), 1.5, Qt::DotLine));

@@ -236,13 +236,13 @@ LegendEntries SweepMap::legendEntries() const {
     }
     if (!m_present->data()->isEmpty()) {
         entries.push_back(
-            areaEntry(presentKey, palette().color(QPalette::Text), tr("present values (◇)")));
-        entries.back().fill = Qt::NoBrush;
+            areaEntry(presentKey, palette().color(QPalette::Text), tr("present values")));
+        entries.back().swatch = Swatch::rhombus;
     }
     if (!m_chosenMark->data()->isEmpty()) {
-        entries.push_back(areaEntry(chosenKey, m_chosenMark->scatterStyle().pen().color(),
-                                    tr("chosen point (□)")));
-        entries.back().fill = Qt::NoBrush;
+        entries.push_back(
+            areaEntry(chosenKey, m_chosenMark->scatterStyle().pen().color(), tr("chosen point")));
+        entries.back().swatch = Swatch::square;
     }
     addStatusEntries(entries);
     return entries;
