@@ -30,9 +30,8 @@ QColor thinned(QColor colour, int alpha) {
 }
 
 QColor filling(QColor colour, int alpha, const QPalette& palette) {
-    constexpr int times = 3, most = 140;
     const bool isContrast = coloursFor(palette).theme == Theme::contrast;
-    return thinned(colour, isContrast ? std::max(alpha, std::min(times * alpha, most)) : alpha);
+    return thinned(colour, isContrast ? 8 * alpha / 5 : alpha); // more would hide the curves
 }
 
 void setUpAxis(QCPAxis& axis) {
