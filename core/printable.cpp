@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/printable.h"
 
-#include <cstddef>
 #include <cstdio>
 
 namespace sparkout {
@@ -13,29 +12,6 @@ bool steersTheDisplay(unsigned code) {
     return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x061C || code == 0x200E
            || code == 0x200F || (code >= 0x2028 && code <= 0x202E)
            || (code >= 0x2066 && code <= 0x2069);
-}
-
-bool continues(char byte) {
-    return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
-}
-
-/// How many bytes the character at the beginning has; 0: it is no UTF-8.
-std::size_t lengthOf(std::string_view text) {
-    const auto first = static_cast<unsigned char>(text.front());
-    const std::size_t length = first < 0x80                     ? 1
-                               : first >= 0xC2 && first < 0xE0  ? 2
-                               : first >= 0xE0 && first < 0xF0  ? 3
-                               : first >= 0xF0 && first <= 0xF4 ? 4
-                                                                : 0;
-    if (length > text.size()) {
-        return 0;
-    }
-    for (std::size_t k = 1; k < length; ++k) {
-        if (!continues(text[k])) {
-            return 0;
-        }
-    }
-    return length;
 }
 
 /// The code of a character of so many bytes.
@@ -61,7 +37,7 @@ std::string escape(const char* format, unsigned value) {
 std::string printable(std::string_view text) {
     std::string out;
     while (!text.empty()) {
-        const std::size_t length = lengthOf(text);
+        const std::size_t length = characterBytes(text);
         if (length == 0) {
             out += escape("\\x%02X", static_cast<unsigned char>(text.front()));
             text.remove_prefix(1);
@@ -76,6 +52,28 @@ std::string printable(std::string_view text) {
         text.remove_prefix(length);
     }
     return out;
+}
+
+std::size_t characterBytes(std::string_view text) {
+    const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned first = byte(0);
+    const std::size_t bytes = first < 0x80                     ? 1
+                              : first >= 0xC2 && first < 0xE0  ? 2
+                              : first >= 0xE0 && first < 0xF0  ? 3
+                              : first >= 0xF0 && first <= 0xF4 ? 4
+                                                               : 0;
+    if (bytes > text.size()) {
+        return 0;
+    }
+    for (std::size_t i = 1; i < bytes; ++i) {
+        if ((byte(i) & 0xC0U) != 0x80U) {
+            return 0;
+        }
+    }
+    // Longer than need be, half of a pair of UTF-16, and beyond the last character.
+    const bool wrong = (first == 0xE0 && byte(1) < 0xA0) || (first == 0xED && byte(1) > 0x9F)
+                       || (first == 0xF0 && byte(1) < 0x90) || (first == 0xF4 && byte(1) > 0x8F);
+    return wrong ? 0 : bytes;
 }
 
 bool readsAsFormula(std::string_view text) {

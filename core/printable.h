@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,9 @@ namespace sparkout {
 /// shown as \uXXXX, and bytes that are no UTF-8 as \xXX. Texts and file names go through it before
 /// they stand in a message of one line.
 [[nodiscard]] std::string printable(std::string_view text);
+
+/// How many bytes the UTF-8 character at the beginning of a text has; 0: there is none. Not empty.
+[[nodiscard]] std::size_t characterBytes(std::string_view text);
 
 /// Whether a spreadsheet would take a cell of this text for a formula: it begins with = + - @, a
 /// tab or a carriage return.

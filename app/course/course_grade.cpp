@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/course/course_grade.h"
 
+#include "app/course/grade_book.h"
 #include "app/course/lesson_input.h"
 #include "app/io/cli_io.h"
 #include "app/io/cli_report.h"
-#include "core/course/grading.h"
+#include "core/course/grade_table.h"
 #include "core/files/file_system.h"
+#include "core/files/safe_file_writer.h"
 #include "core/format/project_file.h"
 #include "core/printable.h"
 #include "core/project/validate.h"
@@ -14,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <utility>
 
@@ -137,7 +140,10 @@ std::string gradesJson(const std::vector<GradedWork>& works) {
              {"best_over_time", orNull(work.nearness())},
              {"steps", std::move(steps)}});
     }
-    return ordered_json{{"works", std::move(list)}}.dump(2) + '\n';
+    return ordered_json{{"works", std::move(list)}}.dump(
+               2, ' ', false,
+               ordered_json::error_handler_t::replace) // a name of a file is any bytes
+           + '\n';
 }
 
 std::string gradesText(const Lesson& lesson, const std::vector<GradedWork>& works) {
@@ -172,9 +178,40 @@ std::string gradesText(const Lesson& lesson, const std::vector<GradedWork>& work
     return text;
 }
 
+int sayThere(const std::string& file) {
+    print(stderr, printable(file) + ": there already; --force replaces it\n");
+    return refused;
+}
+
+/// Marks that were worked on by hand may stand there: they are not written over by a slip.
+int saveBook(const xlsx::Book& book, const CourseOptions& options) {
+    const std::string bytes = xlsx::bytesOf(book);
+    if (bytes.empty()) {
+        print(stderr, printable(options.output) + ": the table is too long for a workbook\n");
+        return refused;
+    }
+    SafeFileWriter file(pathFromUtf8(options.output), options.force
+                                                          ? SafeFileWriter::Existing::replaced
+                                                          : SafeFileWriter::Existing::refused);
+    if (file.write(bytes) && file.finish()) {
+        print(stdout, printable(options.output) + '\n');
+        return done;
+    }
+    if (file.error()->systemError == EEXIST) {
+        return sayThere(options.output);
+    }
+    print(stderr, describe(*file.error()));
+    return refused;
+}
+
 } // namespace
 
 int runCourseGrade(const CourseOptions& options) {
+    std::error_code ignored; // what cannot be asked is reported by the writer
+    if (options.xlsx && !options.force
+        && std::filesystem::exists(pathFromUtf8(options.output), ignored)) {
+        return sayThere(options.output); // before the time that marking takes
+    }
     const auto lesson = loadLesson(options.operands[0]);
     GradeWish wish;
     if (!lesson || !readWish(options, wish)) {
@@ -191,6 +228,9 @@ int runCourseGrade(const CourseOptions& options) {
     const std::vector<GradedWork> works = gradeClass(*lesson, readWorks(*files), wish);
     for (const GradedWork& work : works) {
         printIssues(work.file, work.issues);
+    }
+    if (options.xlsx) {
+        return saveBook(gradeBook(*lesson, works), options);
     }
     print(stdout, options.json  ? gradesJson(works)
                   : options.csv ? gradesCsv(*lesson, works)

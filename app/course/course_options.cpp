@@ -2,6 +2,7 @@
 #include "app/course/course_options.h"
 
 #include "app/io/cli_io.h"
+#include "core/files/file_system.h"
 
 #include <charconv>
 
@@ -21,6 +22,7 @@ const char* valueOfCourse(const std::string& command, const std::string& option)
     const bool makes = command == "variants", grades = command == "grade";
     return (makes || grades) && option == "--group" ? "a file name"
            : grades && option == "--answers"        ? "a file name"
+           : grades && option == "-o"               ? "a file name"
            : makes && option == "-d"                ? "a folder"
            : makes && option == "--seed"            ? "a number from 0 to 2147483647"
                                                     : nullptr;
@@ -33,16 +35,37 @@ bool readCourseValue(const std::string& option, const std::string& value, Course
     }
     (option == "--group"     ? options.group
      : option == "--answers" ? options.answers
+     : option == "-o"        ? options.output
                              : options.folder) = value;
     return !value.empty();
 }
 
 bool* courseSwitch(const std::string& option, CourseOptions& options) {
     const bool makes = options.command == "variants", grades = options.command == "grade";
-    return !makes && option == "--json"   ? &options.json
-           : grades && option == "--csv"  ? &options.csv
-           : makes && option == "--force" ? &options.force
-                                          : nullptr;
+    return !makes && option == "--json"               ? &options.json
+           : grades && option == "--csv"              ? &options.csv
+           : grades && option == "--xlsx"             ? &options.xlsx
+           : (makes || grades) && option == "--force" ? &options.force
+                                                      : nullptr;
+}
+
+/// What is wrong with what `grade` is to write; empty: nothing.
+std::string outputFault(const CourseOptions& options) {
+    if (int(options.json) + int(options.csv) + int(options.xlsx) > 1) {
+        return "only one of --json, --csv and --xlsx";
+    }
+    if (options.xlsx && options.output.empty()) {
+        return "--xlsx needs -o OUT.xlsx";
+    }
+    if (!options.xlsx && !options.output.empty()) {
+        return "-o needs --xlsx";
+    }
+    if (!options.xlsx && options.force) {
+        return "--force needs --xlsx";
+    }
+    const bool isBook = pathFromUtf8(options.output).extension() == ".xlsx";
+    return options.xlsx && !isBook ? "-o needs a name that ends with .xlsx: " + options.output
+                                   : std::string();
 }
 
 int checkCourse(const CourseOptions& options) {
@@ -61,7 +84,8 @@ int checkCourse(const CourseOptions& options) {
         && (options.group.empty() || options.folder.empty() || !options.seed)) {
         return usageError("course variants needs --group, --seed and -d");
     }
-    return options.json && options.csv ? usageError("only one of --json and --csv") : done;
+    const std::string fault = command == "grade" ? outputFault(options) : std::string();
+    return fault.empty() ? done : usageError(fault);
 }
 
 } // namespace

@@ -13,8 +13,9 @@ struct CourseOptions {
     std::string command; ///< check, variants or grade
     std::vector<std::string> operands;
     std::string group, answers, folder;
+    std::string output; ///< the workbook
     std::optional<std::uint32_t> seed;
-    bool json = false, csv = false, force = false;
+    bool json = false, csv = false, xlsx = false, force = false;
 };
 
 /// Reads the arguments; what is wrong is said. Returns the exit status of it, or `done`.

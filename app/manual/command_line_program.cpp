@@ -467,13 +467,26 @@ Command courseCommand() {
            "для grade: таблица лучших ответов; без неё они отыскиваются"}},
          csv({"of grade: prints a row for every work",
               "для grade: печатает строку на каждую работу"}),
+         {"--xlsx",
+          "",
+          Kind::none,
+          "",
+          {"of grade: writes a workbook with a row for every work, and the steps on a second sheet",
+           "для grade: записывает книгу XLSX со строкой на каждую работу и с шагами на втором "
+           "листе"}},
+         {"-o",
+          "OUT.xlsx",
+          Kind::file,
+          "",
+          {"of grade: the workbook that --xlsx writes",
+           "для grade: книга, которую записывает --xlsx"}},
          json,
          {"--force",
           "",
           Kind::none,
           "",
-          {"of variants: works that are there are replaced",
-           "для variants: имеющиеся работы заменяются"}}}};
+          {"of variants: works that are there are replaced; of grade: the workbook is",
+           "для variants: имеющиеся работы заменяются; для grade: заменяется имеющаяся книга"}}}};
 }
 
 Command examplesCommand() {
@@ -516,7 +529,8 @@ const Program& commandLineProgram() {
          "| --stiffness TABLE.csv [--indicator part|system]",
          "examples DIR [--force]", "course check FILE [--json]",
          "course variants LESSON --group LIST.csv --seed S -d DIR [--force]",
-         "course grade LESSON DIR [--group LIST.csv] [--answers TABLE.csv] [--csv | --json]",
+         "course grade LESSON DIR [--group LIST.csv] [--answers TABLE.csv]\n"
+         "[--csv | --json | --xlsx -o OUT.xlsx [--force]]",
          "--version | --help"},
         {"Computes without a window: for scripts, long batches and computers without a display. It "
          "reads the project files of the window and gives the same numbers, digit for digit.",

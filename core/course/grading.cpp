@@ -3,8 +3,6 @@
 
 #include "core/course/work_file.h"
 #include "core/course/work_seal.h"
-#include "core/printable.h"
-#include "core/project/validate.h"
 #include "core/study/recalled_run.h"
 #include "core/units.h"
 
@@ -233,18 +231,6 @@ std::vector<GradedWork> missingOnes(const std::vector<GradedWork>& works,
     return missing;
 }
 
-std::string joinedFlags(const GradedWork& work) {
-    std::string text;
-    for (const WorkFlag flag : work.flags) {
-        text += (text.empty() ? "" : " ") + std::string(flagKey(flag));
-    }
-    return text;
-}
-
-std::string orEmpty(const std::optional<double>& value) {
-    return value ? numberText(*value) : std::string();
-}
-
 } // namespace
 
 const char* flagKey(WorkFlag flag) {
@@ -286,36 +272,6 @@ std::vector<GradedWork> gradeClass(const Lesson& lesson, const std::vector<Hande
         works.push_back(std::move(none));
     }
     return works;
-}
-
-std::string gradesCsv(const Lesson& lesson, const std::vector<GradedWork>& works) {
-    std::string text = "file,name,group,variant,flags,copied_from";
-    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-        text += ",step_" + std::to_string(i + 1) + "_points";
-    }
-    text += ",points,most,pending,attempts,hints_points,time_min,best_min,best_over_time\n";
-    for (const GradedWork& work : works) {
-        std::string copies;
-        for (const std::string& name : work.copiedFrom) {
-            copies += (copies.empty() ? "" : "; ") + name;
-        }
-        text += csvCell(work.file) + ',' + csvCell(work.name) + ',' + csvCell(work.group) + ','
-                + (work.variant > 0 ? std::to_string(work.variant) : std::string()) + ','
-                + joinedFlags(work) + ',' + csvCell(copies);
-        int attempts = 0;
-        double hints = 0;
-        for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-            const bool isMarked = i < work.steps.size();
-            text += ',' + (isMarked ? numberText(work.steps[i].points) : std::string());
-            attempts += isMarked ? work.steps[i].attempts : 0;
-            hints += isMarked ? work.steps[i].hints : 0;
-        }
-        text += ',' + numberText(work.points) + ',' + numberText(work.most) + ','
-                + numberText(work.pending) + ',' + std::to_string(attempts) + ','
-                + numberText(hints) + ',' + orEmpty(work.time_min) + ',' + orEmpty(work.best_min)
-                + ',' + orEmpty(work.nearness()) + '\n';
-    }
-    return text;
 }
 
 } // namespace sparkout

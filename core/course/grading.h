@@ -91,7 +91,4 @@ struct GradeWish {
 gradeClass(const Lesson& lesson, const std::vector<HandedIn>& files, const GradeWish& wish,
            const std::stop_token& stop = {}, const std::function<void(std::size_t)>& note = {});
 
-/// A row for every work: name, group, variant, flags, points by step, sum, times; UTF-8.
-[[nodiscard]] std::string gradesCsv(const Lesson& lesson, const std::vector<GradedWork>& works);
-
 } // namespace sparkout

@@ -6,8 +6,12 @@
 #include "tests/cli/cli_bench.h"
 #include "tests/core/lesson/lesson_samples.h"
 #include "tests/registry.h"
+#include "tests/ui/support/xlsx_reader.h"
 
 #include <QDir>
+
+#include <filesystem>
+#include <fstream>
 
 namespace test_cli_course {
 
@@ -52,6 +56,19 @@ private slots:
                                                  "-d",     "d",        "--seed", "-1"};
         QTest::newRow("no folder") << QStringList{"course", "grade", "a"};
         QTest::newRow("two outputs") << QStringList{"course", "grade", "a", "b", "--csv", "--json"};
+        for (const char* other : {"--csv", "--json"}) {
+            QTest::newRow(other) << QStringList{"course", "grade",  "a",  "b",
+                                                other,    "--xlsx", "-o", "c.xlsx"};
+        }
+        QTest::newRow("book without a name") << QStringList{"course", "grade", "a", "b", "--xlsx"};
+        QTest::newRow("book of another kind")
+            << QStringList{"course", "grade", "a", "b", "--xlsx", "-o", "c.ods"};
+        QTest::newRow("name without a book")
+            << QStringList{"course", "grade", "a", "b", "--csv", "-o", "c.xlsx"};
+        QTest::newRow("force without a book")
+            << QStringList{"course", "grade", "a", "b", "--csv", "--force"};
+        QTest::newRow("book of another command")
+            << QStringList{"course", "check", "a", "--xlsx", "-o", "c.xlsx"};
         QTest::newRow("unknown option") << QStringList{"course", "grade", "a", "b", "--xml"};
         QTest::newRow("option of another") << QStringList{"course", "check", "a", "--force"};
     }
@@ -96,21 +113,19 @@ private slots:
         QCOMPARE(readBestTable(best).rows.size(), std::size_t{3});
     }
 
+    void whatIsWrongWithABookIsSaid() {
+        const auto said = [this](const QStringList& more) {
+            return QString::fromStdString(run(QStringList{"course", "grade", "a", "b"} + more).err);
+        };
+        QVERIFY(said({"--xlsx"}).contains("--xlsx needs -o OUT.xlsx"));
+        QVERIFY(said({"-o", "c.xlsx"}).contains("-o needs --xlsx"));
+        QVERIFY(said({"--xlsx", "-o", "c"}).contains("a name that ends with .xlsx: c"));
+        QVERIFY(said({"--xlsx", "--csv", "-o", "c.xlsx"})
+                    .contains("only one of --json, --csv and --xlsx"));
+    }
+
     void aClassIsMarked() {
-        const QString file = m_class + "/003-Smith_J_.sparkout-work";
-        Work work = readWork(contentOf(file)).work.value();
-        Answer answer;
-        answer.chosen = {{1}};
-        WorkEntry entry;
-        entry.when = "2026-11-26T10:00:00Z";
-        entry.answer = answer;
-        addEntry(work, entry);
-        const QString marked = m_folder.filePath("marked");
-        QVERIFY(QDir().mkpath(marked));
-        save("marked/smith.sparkout-work", writeWork(work));
-        work.entries[0].when = "2026-11-26T09:00:00Z";
-        save("marked/edited.sparkout-work", writeWork(work));
-        save("marked/broken.sparkout-work", "no work");
+        const QString marked = handedIn();
         const QStringList grade{
             "course",  "grade", lessonPath(), marked,
             "--group", m_group, "--answers",  m_class + "/teacher-best-answers.csv"};
@@ -132,6 +147,51 @@ private slots:
         QVERIFY2(text.out.find("edited outside the program") != std::string::npos,
                  text.out.c_str());
         QCOMPARE(run({"course", "check", marked + "/edited.sparkout-work"}).status, 4);
+    }
+
+    /// Cell by cell as the table of commas has it, and the steps as they are printed.
+    void marksGoIntoAWorkbook() {
+        const QString group = save("hostile.csv", "name,group\nИванов И.,ТМ-31\n=1+1,B\n");
+        const QStringList grade{
+            "course",  "grade", lessonPath(), handedIn(),
+            "--group", group,   "--answers",  m_class + "/teacher-best-answers.csv"};
+        const QString path = m_folder.filePath("Журнал.xlsx");
+        const QStringList book = grade + QStringList{"--xlsx", "-o", path};
+        const Outcome outcome = run(book);
+        QVERIFY2(outcome.status == 0, outcome.text().c_str());
+        QCOMPARE(QString::fromStdString(outcome.out), path + '\n');
+        const XlsxReader read(path);
+        QCOMPARE(read.fault(), QString());
+        QCOMPARE(read.names(), QStringList({"Grades", "Steps"}));
+        QCOMPARE(read.text("title"), QString("Work 2. Programmed and actual feed, steps E1…E5"));
+        compareGrades(read, QString::fromStdString(run(grade + QStringList{"--csv"}).out));
+        compareSteps(read, QString::fromStdString(run(grade).out));
+
+        const std::string before = contentOf(path);
+        const Outcome again = run(book);
+        QCOMPARE(again.status, 1);
+        QVERIFY2(again.err.find("there already; --force replaces it") != std::string::npos,
+                 again.err.c_str());
+        QCOMPARE(contentOf(path), before);
+        save("Журнал.xlsx", "old");
+        QCOMPARE(run(book + QStringList{"--force"}).status, 0);
+        QCOMPARE(XlsxReader(path).names(), read.names());
+        QCOMPARE(run(grade + QStringList{"--xlsx", "-o", m_folder.filePath("none/c.xlsx")}).status,
+                 1);
+    }
+
+    void aFileMayHaveAnyName() {
+        const QString folder = m_folder.filePath("bytes");
+        QVERIFY(QDir().mkpath(folder));
+        std::ofstream(folder.toStdString() + "/a\xFF.sparkout-work") << "no work";
+        for (const char* format : {"--csv", "--json"}) {
+            const Outcome outcome = run({"course", "grade", lessonPath(), folder, format});
+            QVERIFY2(outcome.status == 0, outcome.text().c_str());
+        }
+        const QString path = m_folder.filePath("bytes.xlsx");
+        QCOMPARE(run({"course", "grade", lessonPath(), folder, "--xlsx", "-o", path}).status, 0);
+        QCOMPARE(XlsxReader(path).text(0, 1, 0), QString("a\\xFF.sparkout-work"));
+        std::filesystem::remove_all(folder.toStdString()); // Qt cannot name it
     }
 
     void impossibleDemandsNameTheirCondition() {
@@ -198,6 +258,68 @@ private:
     [[nodiscard]] QStringList variantsInto(const QString& folder) const {
         return {"course", "variants", lessonPath(), "--group", m_group,
                 "--seed", "731902",   "-d",         folder};
+    }
+
+    /// A folder of works: one answered, the same edited outside the program, and one torn.
+    QString handedIn() {
+        Work work = readWork(contentOf(m_class + "/003-Smith_J_.sparkout-work")).work.value();
+        Answer answer;
+        answer.chosen = {{1}};
+        WorkEntry entry;
+        entry.when = "2026-11-26T10:00:00Z";
+        entry.answer = answer;
+        addEntry(work, entry);
+        QDir(m_folder.path()).mkpath("marked");
+        save("marked/smith.sparkout-work", writeWork(work));
+        work.entries[0].when = "2026-11-26T09:00:00Z";
+        save("marked/edited.sparkout-work", writeWork(work));
+        save("marked/broken.sparkout-work", "no work");
+        return m_folder.filePath("marked");
+    }
+
+    static void compareGrades(const XlsxReader& read, const QString& csv) {
+        const QStringList table = csv.split('\n', Qt::SkipEmptyParts);
+        QCOMPARE(read.frozen(0), QString("A2"));
+        QCOMPARE(read.rows(0), int(table.size()));
+        QCOMPARE(read.text(0, 0, 6), QString("step 1"));
+        int numbers = 0;
+        for (int row = 1; row < table.size(); ++row) {
+            const QStringList cells = table[row].split(',');
+            QCOMPARE(read.columns(0), int(cells.size()));
+            for (int i = 0; i < cells.size(); ++i) {
+                const bool isText = i < 6 && i != 3; // all but the variant
+                if (cells[i].isEmpty()) {
+                    QCOMPARE(read.type(0, row, i), QString());
+                } else if (isText && i != 4) {
+                    const bool isFormula = cells[i].startsWith('\'');
+                    QCOMPARE(read.text(0, row, i), cells[i].mid(isFormula ? 1 : 0));
+                    QCOMPARE(read.type(0, row, i), QString("s"));
+                    QCOMPARE(read.quoted(0, row, i), isFormula);
+                } else if (!isText) {
+                    QCOMPARE(read.number(0, row, i), std::optional(cells[i].toDouble()));
+                    ++numbers;
+                }
+            }
+        }
+        QVERIFY(numbers > 30);
+        QVERIFY2(read.text(0, 2, 4).startsWith("edited outside the program"),
+                 qPrintable(read.text(0, 2, 4)));
+        QCOMPARE(read.text(0, 5, 1), QString("=1+1"));
+    }
+
+    static void compareSteps(const XlsxReader& read, const QString& printed) {
+        QCOMPARE(read.frozen(1), QString("A2"));
+        QCOMPARE(read.rows(1), 1 + 2 * 8);
+        QStringList lines;
+        for (int row = 1; row < read.rows(1); ++row) {
+            QCOMPARE(read.text(1, row, 1), QString("Smith J."));
+            lines << QString("  step %1  %2/%3  %4")
+                         .arg(*read.number(1, row, 2))
+                         .arg(*read.number(1, row, 3))
+                         .arg(*read.number(1, row, 4))
+                         .arg(read.text(1, row, 5));
+        }
+        QCOMPARE(lines, printed.split('\n').filter("  step "));
     }
 
     QString m_group, m_class;

@@ -2,6 +2,7 @@
 #include "ui/lesson/marks_dialog.h"
 
 #include "core/course/best_table.h"
+#include "core/course/grade_table.h"
 #include "core/course/group_list.h"
 #include "core/files/safe_file.h"
 #include "core/format/project_file.h"

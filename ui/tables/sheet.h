@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/workbook/workbook.h"
 #include "ui/tables/csv_table.h"
 
 #include <cstddef>
@@ -12,7 +13,7 @@ namespace sparkout {
 
 struct SheetColumn {
     /// How a spreadsheet shows the numbers of a column: with so many decimals, or these.
-    static constexpr int general = -1, scientific = -2;
+    static constexpr int general = xlsx::Column::general, scientific = xlsx::Column::scientific;
 
     QString name;
     QString unit = {}; ///< of its numbers, in the present language
@@ -35,9 +36,8 @@ struct Sheet {
     [[nodiscard]] bool hasUnits() const;
 };
 
-/// Told the share that is done, from 0 to 1; false: to be given up.
-using KeepGoing = std::function<bool(double share)>;
-inline constexpr std::size_t rowsBetweenLooks = 500; ///< at whether to go on
+using xlsx::KeepGoing;
+using xlsx::rowsBetweenLooks;
 
 /// The table with the units of its header in a row of their own, and as many decimals as its
 /// numbers need to show six digits.

@@ -5,12 +5,12 @@
 
 #include <QDateTime>
 
-/// Workbooks as Excel, LibreOffice and others read them (Office Open XML).
+/// The tables of the window as workbooks, which core/workbook writes.
 namespace sparkout {
 
-inline constexpr std::size_t xlsxRows = 1'048'576; ///< of a sheet, its head included
-inline constexpr qsizetype xlsxNameLength = 31;    ///< of a sheet, in UTF-16 units
-inline constexpr qsizetype xlsxTextLength = 32'767;
+inline constexpr std::size_t xlsxRows = xlsx::mostRows;
+inline constexpr auto xlsxNameLength = static_cast<qsizetype>(xlsx::mostNameLength);
+inline constexpr auto xlsxTextLength = static_cast<qsizetype>(xlsx::mostTextLength);
 
 struct Book {
     QString title;
@@ -20,9 +20,8 @@ struct Book {
     std::vector<Sheet> sheets; ///< at least one
 };
 
-/// Numbers are numbers and read back as the same double; texts are texts, whatever they begin with.
-/// The names of the columns, and their units in a row of their own, stay in sight. Nothing when it
-/// was given up, or when a sheet has too many rows: see sheetTooLong().
+/// See xlsx::bytesOf(); the sheets get names that a workbook takes. Nothing when it was given up,
+/// or when a sheet has too many rows: see sheetTooLong().
 [[nodiscard]] QByteArray xlsxBytes(const Book& book, const KeepGoing& keepGoing = {});
 
 /// The first sheet that has more rows than a workbook takes; null: there is none.

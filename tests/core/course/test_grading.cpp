@@ -2,6 +2,8 @@
 // A class of 25 is given out, worked through by a script (some right, some wrong, some tampered
 // with, some copied), and marked: the table as expected, to the point.
 #include "core/course/grading.h"
+
+#include "core/course/grade_table.h"
 #include "core/project/machine.h"
 #include "core/quality/run_summary.h"
 #include "tests/core/course/class_samples.h"

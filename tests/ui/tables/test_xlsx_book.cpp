@@ -2,9 +2,9 @@
 // Workbooks, read back by another program.
 #include "ui/tables/xlsx_book.h"
 
+#include "core/workbook/xlsx_parts.h"
 #include "tests/registry.h"
 #include "tests/ui/support/xlsx_reader.h"
-#include "ui/tables/xlsx_parts.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -253,10 +253,13 @@ private slots:
 
     /// openpyxl reads no escapes: of Excel, which does, the standard says what it reads.
     void aTextThatLooksLikeAnEscapeStaysAText() {
-        QCOMPARE(xlsx::escaped(QStringLiteral("_x0041_")), QByteArray("_x005F_x0041_"));
-        QCOMPARE(xlsx::escaped(QStringLiteral("a_x00e9_b")), QByteArray("a_x005F_x00e9_b"));
-        for (const char* plain : {"_x41_", "x0041_", "_x0041", "_X0041_", "a_b"}) {
-            QCOMPARE(xlsx::escaped(QString::fromLatin1(plain)), QByteArray(plain));
+        const auto asWritten = [](const char* text) { return xlsx::escaped(text); };
+        QCOMPARE(asWritten("_x0041_"), std::string("_x005F_x0041_"));
+        QCOMPARE(asWritten("a_x00e9_b"), std::string("a_x005F_x00e9_b"));
+        // the second begins where the first ends
+        QCOMPARE(asWritten("_x0041_x0042_"), std::string("_x005F_x0041_x005F_x0042_"));
+        for (const char* plain : {"_x41_", "x0041_", "_x0041", "_X0041_", "a_b", "_x00g1_"}) {
+            QCOMPARE(asWritten(plain), std::string(plain));
         }
         const QString text = QStringLiteral("_x0041_");
         const XlsxReader read =
@@ -264,12 +267,31 @@ private slots:
         QCOMPARE(read.text(0, 1, 0), text);
     }
 
+    /// Of names of files, which may be any bytes; and no half of a character where a text is cut.
+    void whatIsNoUtf8IsMarked() {
+        const std::pair<const char*, const char*> texts[] = {{"a\xFF"
+                                                              "b",
+                                                              "a?b"},
+                                                             {"\xC3", "?"},
+                                                             {"\xC0\xAF", "??"},
+                                                             {"\xED\xA0\x80", "???"},
+                                                             {"\xF4\x90\x80\x80", "????"},
+                                                             {"é€😀", "é€😀"}};
+        for (const auto& [text, written] : texts) {
+            QCOMPARE(xlsx::escaped(text), std::string(written));
+        }
+        const std::string room(xlsx::mostTextLength - 2, 'a');
+        QCOMPARE(xlsx::escaped(room + "😀b"), room + "😀");
+        QCOMPARE(xlsx::escaped(room + "é😀b"), room + "é?");
+        QCOMPARE(xlsx::lengthOf("é€😀"), std::size_t(4));
+    }
+
     void everyTextIsHeldOnce() {
         xlsx::SharedTexts texts;
-        QCOMPARE(texts.numberOf(QStringLiteral("RZ1")), 0);
-        QCOMPARE(texts.numberOf(QStringLiteral("NZ")), 1);
-        QCOMPARE(texts.numberOf(QStringLiteral("RZ1")), 0);
-        const QByteArray xml = texts.xml();
+        QCOMPARE(texts.numberOf("RZ1"), std::size_t(0));
+        QCOMPARE(texts.numberOf("NZ"), std::size_t(1));
+        QCOMPARE(texts.numberOf("RZ1"), std::size_t(0));
+        const QByteArray xml = QByteArray::fromStdString(texts.xml());
         QVERIFY2(xml.contains(" count=\"3\" uniqueCount=\"2\""), xml.constData());
         QCOMPARE(xml.count("<si>"), 2);
     }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/format/odt.h"
 
+#include "core/workbook/zip_writer.h"
 #include "ui/report/format/formula_markup.h"
 #include "ui/report/format/odt_forms.h"
 #include "ui/report/format/odt_standard.h"
 #include "ui/report/format/odt_xml.h"
-#include "ui/tables/zip_writer.h"
 
 #include <QBuffer>
 #include <QColor>
@@ -458,8 +458,8 @@ QByteArray odt(const Report& report) {
     ZipWriter zip;
     zip.addStored("mimetype", mimeType); // first, and as it is: by it the file is known
     const auto add = [&zip](const QByteArray& name, const QByteArray& bytes) {
-        zip.begin(name);
-        zip.add(bytes);
+        zip.begin({name.constData(), std::size_t(name.size())});
+        zip.add({bytes.constData(), std::size_t(bytes.size())});
         zip.end();
     };
     add("content.xml", content);
@@ -469,7 +469,7 @@ QByteArray odt(const Report& report) {
         add(picture.name, picture.bytes);
     }
     add("META-INF/manifest.xml", manifestOf(pictures));
-    return zip.finish();
+    return QByteArray::fromStdString(zip.finish());
 }
 
 } // namespace sparkout::report

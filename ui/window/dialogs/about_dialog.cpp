@@ -3,9 +3,9 @@
 
 #include "core/study/engine_info.h"
 #include "core/version.h"
+#include "core/workbook/zip_writer.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
-#include "ui/tables/zip_writer.h"
 #include "ui/window/dialogs/licences_dialog.h"
 
 #include <QClipboard>

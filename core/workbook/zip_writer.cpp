@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/tables/zip_writer.h"
+#include "core/workbook/zip_writer.h"
 
 #include <limits>
 #include <utility>
@@ -22,12 +22,12 @@ constexpr std::uint32_t endSignature = 0x06054b50;
 constexpr std::uint64_t version = 20; // compressed files
 constexpr std::uint64_t stored = 0, deflated = 8;
 constexpr std::uint64_t firstOfJanuary1980 = 0x0021; // no time: equal content, equal bytes
-constexpr qsizetype localHeaderBytes = 30;
+constexpr std::size_t localHeaderBytes = 30;
 
 /// `bytes` of a number, the lowest first.
-void put(QByteArray& to, std::uint64_t value, int bytes) {
+void put(std::string& to, std::uint64_t value, int bytes) {
     for (int i = 0; i < bytes; ++i) {
-        to.append(static_cast<char>(value >> (8 * i) & 0xff));
+        to += static_cast<char>(value >> (8 * i) & 0xff);
     }
 }
 
@@ -42,10 +42,10 @@ ZipWriter::~ZipWriter() {
     }
 }
 
-void ZipWriter::begin(const QByteArray& name) {
+void ZipWriter::begin(std::string_view name) {
     Entry entry;
     entry.name = name;
-    entry.offset = static_cast<std::uint64_t>(m_bytes.size());
+    entry.offset = m_bytes.size();
     m_entries.push_back(entry);
     m_bytes.append(localHeaderBytes + name.size(), '\0'); // its numbers are known at the end
     m_stream = new z_stream();
@@ -54,8 +54,8 @@ void ZipWriter::begin(const QByteArray& name) {
                       != Z_OK;
 }
 
-void ZipWriter::deflate(const QByteArray& bytes, int flush) {
-    m_stream->next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.constData()));
+void ZipWriter::deflate(std::string_view bytes, int flush) {
+    m_stream->next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
     m_stream->avail_in = static_cast<uInt>(bytes.size());
     do {
         m_stream->next_out = m_room.data();
@@ -65,19 +65,18 @@ void ZipWriter::deflate(const QByteArray& bytes, int flush) {
             return;
         }
         m_bytes.append(reinterpret_cast<const char*>(m_room.data()),
-                       static_cast<qsizetype>(m_room.size() - m_stream->avail_out));
+                       m_room.size() - m_stream->avail_out);
     } while (m_stream->avail_out == 0);
 }
 
-void ZipWriter::add(const QByteArray& bytes) {
-    if (m_failed || bytes.isEmpty()) {
+void ZipWriter::add(std::string_view bytes) {
+    if (m_failed || bytes.empty()) {
         return;
     }
     Entry& entry = m_entries.back();
-    entry.crc = static_cast<std::uint32_t>(crc32(entry.crc,
-                                                 reinterpret_cast<const Bytef*>(bytes.constData()),
-                                                 static_cast<uInt>(bytes.size())));
-    entry.size += static_cast<std::uint64_t>(bytes.size());
+    entry.crc = static_cast<std::uint32_t>(crc32(
+        entry.crc, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size())));
+    entry.size += bytes.size();
     deflate(bytes, Z_NO_FLUSH);
 }
 
@@ -88,28 +87,28 @@ void ZipWriter::end() {
     deflateEnd(m_stream);
     delete std::exchange(m_stream, nullptr);
     Entry& entry = m_entries.back();
-    const auto start = static_cast<qsizetype>(entry.offset);
-    entry.packed =
-        static_cast<std::uint64_t>(m_bytes.size() - start - localHeaderBytes - entry.name.size());
-    m_failed = m_failed || entry.size > most || static_cast<std::uint64_t>(m_bytes.size()) > most;
-    const QByteArray header = headerOf(entry, false);
+    const auto start = static_cast<std::size_t>(entry.offset);
+    entry.packed = m_bytes.size() - start - localHeaderBytes - entry.name.size();
+    m_failed = m_failed || entry.size > most || m_bytes.size() > most;
+    const std::string header = headerOf(entry, false);
     m_bytes.replace(start, header.size(), header); // as long as the room left for it
 }
 
-void ZipWriter::addStored(const QByteArray& name, const QByteArray& bytes) {
+void ZipWriter::addStored(std::string_view name, std::string_view bytes) {
     Entry entry;
     entry.name = name;
-    entry.offset = static_cast<std::uint64_t>(m_bytes.size());
-    entry.size = entry.packed = static_cast<std::uint64_t>(bytes.size());
-    entry.crc = static_cast<std::uint32_t>(crc32(
-        0, reinterpret_cast<const Bytef*>(bytes.constData()), static_cast<uInt>(bytes.size())));
+    entry.offset = m_bytes.size();
+    entry.size = entry.packed = bytes.size();
+    entry.crc = static_cast<std::uint32_t>(
+        crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size())));
     entry.isStored = true;
-    m_bytes += headerOf(entry, false) + bytes;
+    m_bytes += headerOf(entry, false);
+    m_bytes += bytes;
     m_entries.push_back(entry);
 }
 
-QByteArray ZipWriter::headerOf(const Entry& entry, bool central) {
-    QByteArray header;
+std::string ZipWriter::headerOf(const Entry& entry, bool central) {
+    std::string header;
     put(header, central ? centralSignature : localSignature, 4);
     if (central) {
         put(header, version, 2);
@@ -122,7 +121,7 @@ QByteArray ZipWriter::headerOf(const Entry& entry, bool central) {
     put(header, entry.crc, 4);
     put(header, entry.packed, 4);
     put(header, entry.size, 4);
-    put(header, static_cast<std::uint64_t>(entry.name.size()), 2);
+    put(header, entry.name.size(), 2);
     put(header, 0, 2); // extra field
     if (central) {
         put(header, 0, 6); // comment, disk, attributes within the archive
@@ -136,21 +135,21 @@ const char* ZipWriter::libraryVersion() {
     return zlibVersion();
 }
 
-QByteArray ZipWriter::finish() {
-    const qsizetype start = m_bytes.size();
+std::string ZipWriter::finish() {
+    const std::size_t start = m_bytes.size();
     for (const Entry& entry : m_entries) {
         m_bytes += headerOf(entry, true);
     }
-    const qsizetype end = m_bytes.size();
+    const std::size_t end = m_bytes.size();
     put(m_bytes, endSignature, 4);
     put(m_bytes, 0, 4); // disks
     put(m_bytes, m_entries.size(), 2);
     put(m_bytes, m_entries.size(), 2);
-    put(m_bytes, static_cast<std::uint64_t>(end - start), 4);
-    put(m_bytes, static_cast<std::uint64_t>(start), 4);
+    put(m_bytes, end - start, 4);
+    put(m_bytes, start, 4);
     put(m_bytes, 0, 2); // comment
-    m_failed = m_failed || static_cast<std::uint64_t>(m_bytes.size()) > most;
-    return m_failed ? QByteArray() : m_bytes;
+    m_failed = m_failed || m_bytes.size() > most;
+    return m_failed ? std::string() : std::move(m_bytes);
 }
 
 } // namespace sparkout

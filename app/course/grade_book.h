@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/course/grading.h"
+#include "core/workbook/workbook.h"
+
+#include <vector>
+
+namespace sparkout::cli {
+
+/// The marks of a class as a workbook: a sheet with a row a work, and one with a row a step.
+[[nodiscard]] xlsx::Book gradeBook(const Lesson& lesson, const std::vector<GradedWork>& works);
+
+} // namespace sparkout::cli
