@@ -9,7 +9,9 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QFont>
 #include <QFontDatabase>
+#include <QGuiApplication>
 
 namespace sparkout {
 
@@ -27,17 +29,25 @@ QString ownFolder() {
 } // namespace
 
 void PortableFolder::useItsFonts() {
+#ifdef Q_OS_WIN
+    // What Qt names the usual fonts without a display; there Windows is not asked for them.
+    QFont::insertSubstitution(QStringLiteral("Sans Serif"), QStringLiteral("DejaVu Sans"));
+    QFont::insertSubstitution(QStringLiteral("monospace"), QStringLiteral("DejaVu Sans Mono"));
+#else
     const QString fonts = programFolder() + QStringLiteral("/fonts/fonts.conf");
     if (qEnvironmentVariableIsEmpty("FONTCONFIG_FILE") && QFileInfo::exists(fonts)) {
         qputenv("FONTCONFIG_FILE", QFile::encodeName(fonts));
     }
+#endif
 }
 
 void PortableFolder::addItsFonts() {
 #ifdef Q_OS_WIN
     const QDir fonts(programFolder() + QStringLiteral("/fonts"));
-    for (const QString& name : fonts.entryList({QStringLiteral("*.ttf")}, QDir::Files)) {
-        QFontDatabase::addApplicationFont(fonts.filePath(name));
+    if (QGuiApplication::platformName() != u"offscreen") { // it takes them by qt.conf
+        for (const QString& name : fonts.entryList({QStringLiteral("*.ttf")}, QDir::Files)) {
+            QFontDatabase::addApplicationFont(fonts.filePath(name));
+        }
     }
 #endif
 }
