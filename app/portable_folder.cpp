@@ -6,12 +6,12 @@
 #include "ui/text/system_text.h"
 #include "ui/text/texts.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QFont>
 #include <QFontDatabase>
-#include <QGuiApplication>
 
 namespace sparkout {
 
@@ -30,8 +30,7 @@ QString ownFolder() {
 
 void PortableFolder::useItsFonts() {
 #ifdef Q_OS_WIN
-    // What Qt names the usual fonts without a display; there Windows is not asked for them.
-    QFont::insertSubstitution(QStringLiteral("Sans Serif"), QStringLiteral("DejaVu Sans"));
+    // Its name where there is no display.
     QFont::insertSubstitution(QStringLiteral("monospace"), QStringLiteral("DejaVu Sans Mono"));
 #else
     const QString fonts = programFolder() + QStringLiteral("/fonts/fonts.conf");
@@ -44,10 +43,16 @@ void PortableFolder::useItsFonts() {
 void PortableFolder::addItsFonts() {
 #ifdef Q_OS_WIN
     const QDir fonts(programFolder() + QStringLiteral("/fonts"));
-    if (QGuiApplication::platformName() != u"offscreen") { // it takes them by qt.conf
+    if (QApplication::platformName() != u"offscreen") { // it takes them by qt.conf
         for (const QString& name : fonts.entryList({QStringLiteral("*.ttf")}, QDir::Files)) {
             QFontDatabase::addApplicationFont(fonts.filePath(name));
         }
+    }
+    // Without a display, and where the system's own is missing, it would be any.
+    QFont usual = QApplication::font();
+    if (!QFontDatabase::hasFamily(usual.family())) {
+        usual.setFamily(QStringLiteral("DejaVu Sans"));
+        QApplication::setFont(usual);
     }
 #endif
 }
