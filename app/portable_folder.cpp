@@ -48,10 +48,13 @@ void PortableFolder::addItsFonts() {
             QFontDatabase::addApplicationFont(fonts.filePath(name));
         }
     }
-    // Without a display, and where the system's own is missing, it would be any.
+    // Without a display, and where the system has no font of its own for windows but a name that may
+    // stand for any.
     QFont usual = QApplication::font();
-    if (!QFontDatabase::hasFamily(usual.family())) {
+    if (!QFontDatabase::hasFamily(usual.family())
+        || usual.family().startsWith(QStringLiteral("MS Shell Dlg"))) {
         usual.setFamily(QStringLiteral("DejaVu Sans"));
+        usual.setPointSize(9);
         QApplication::setFont(usual);
     }
 #endif

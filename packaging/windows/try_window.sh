@@ -3,14 +3,21 @@
 # The window and the installer under Wine: packaging/windows/try reads this once it has tried the
 # command line. What is tried is what the zip holds, in a folder with Cyrillic letters in its name.
 
-name=$(basename "$out"/sparkout-[0-9]*-windows-x86_64.zip .zip)
+release=$(basename "$out"/sparkout-[0-9]*-windows-x86_64.zip .zip)
+user=$WINEPREFIX/drive_c/users/$(id -un)/AppData
 window_linux=$(dirname "$linux")/sparkout
-place="$work/Программы цеха/$name"
+place="$work/Программы цеха/$release"
 pictures=$work/pictures
-export QT_QPA_PLATFORM= # that of this shell is none of Windows
 unset QT_QPA_PLATFORM
 
 window() { wine "$place/sparkout.exe" "$@"; }
+
+start_window() { # LOG WORDS…: beside this, without a word of the shell when it is ended
+    local log=windows/$1
+    shift
+    (exec wine "$place/sparkout.exe" "$@" >>"$log" 2>&1) &
+    disown
+}
 
 # The text of the title of a window that stands on the screen; they are asked once more a while.
 await_title() { # PATTERN [TENTHS OF A SECOND]
@@ -35,18 +42,18 @@ end_window() {
     done
 }
 
-screen() { # NAME: what stands on the screen, and whether it is more than an empty window
+screen() { # NAME [COLOURS]: what stands on the screen, and whether it is more than an empty window
     sleep 1.5
     import -window root "$pictures/$1.png"
-    (($(identify -format %k "$pictures/$1.png") > 300))
+    (($(identify -format %k "$pictures/$1.png") > ${2-300}))
 }
 
 forget_window() { # settings and recovery of the Windows of this trial
-    rm -rf "$WINEPREFIX/drive_c/users/$USER/AppData/Local/sparkout"
+    rm -rf "$user/Local/sparkout"
 }
 
 unpack() {
-    python3 -m zipfile -e "$out/$name.zip" "$work/Программы цеха"
+    python3 -m zipfile -e "$out/$release.zip" "$work/Программы цеха"
     window --version >windows/version.txt 2>&1 && grep -q '^sparkout [0-9.]*' windows/version.txt
 }
 
@@ -54,7 +61,7 @@ opens() { # in both languages, with the tour of a first start
     local language
     for language in ru en; do
         forget_window
-        window --lang "$language" >"windows/window-$language.txt" 2>&1 &
+        start_window "window-$language.txt" --lang "$language"
         await_title Sparkout && screen "window-$language" || return 1
         end_window
         [[ ! -s windows/window-$language.txt ]] || { cat "windows/window-$language.txt"; return 1; }
@@ -95,7 +102,7 @@ picture() { # NAME WORDS…
     return 1
 }
 
-reports() { # the card as text, and the workbook's sheets, are those of Linux
+reports() { # the card's words, and the workbook's sheets, are those of Linux
     local file=$root/resources/examples/shaft-30h6-factory.sparkout language system
     for language in ru en; do
         window --lang "$language" --report card -o "windows/Карта $language.pdf" "$file" || return 1
@@ -105,9 +112,10 @@ reports() { # the card as text, and the workbook's sheets, are those of Linux
         QT_QPA_PLATFORM=offscreen "$window_linux" --lang "$language" --export all \
             -o "linux/Книга $language.xlsx" "$file" || return 1
         for system in linux windows; do
-            pdftotext -layout "$system/Карта $language.pdf" "$system/card-$language.txt"
+            pdftotext "$system/Карта $language.pdf" - | tr -s ' \f\n' '\n' | sort >"$system/card-$language.txt"
             rm -rf "$system/book"
             python3 -m zipfile -e "$system/Книга $language.xlsx" "$system/book"
+            sed -i 's|<dcterms:created.*</dcterms:created>||' "$system/book/docProps/core.xml"
         done
         [[ -s windows/card-$language.txt ]] && diff "linux/card-$language.txt" "windows/card-$language.txt" \
             && diff -r linux/book windows/book || return 1
@@ -122,11 +130,10 @@ saves() {
     mkdir -p "$work/Детали цеха"
     cp "$root/resources/examples/shaft-30h6-factory.sparkout" "$file"
     before=$(sha256sum <"$file")
-    window --lang ru "$file" >windows/save.txt 2>&1 &
+    start_window "save.txt" --lang ru "$file"
     await_title 'Вал ступенчатый' || return 1
     sleep 1
-    xdotool key Escape
-    add_surface || return 1
+    add_surface 'Вал ступенчатый' || return 1
     xdotool key ctrl+s
     sleep 2
     screen saved || return 1
@@ -135,29 +142,35 @@ saves() {
     [[ ! -s windows/save.txt ]] || { cat windows/save.txt; return 1; }
     windows simulate --json "$file" >windows/saved.json && "$linux" simulate --json "$file" >linux/saved.json \
         && cmp linux/saved.json windows/saved.json || return 1
-    window --lang ru "$file" >windows/save.txt 2>&1 &
+    start_window "save.txt" --lang ru "$file"
     await_title 'Вал ступенчатый' && screen reopened || return 1
     end_window
 }
 
-add_surface() {
+add_surface() { # by its dialog; the window is known by a part of its title
+    xdotool key Escape
+    sleep 0.5
     xdotool key ctrl+shift+a
-    sleep 1.5
+    await_title 'поверхности' 50 || return 1
+    sleep 0.5
+    xdotool key Return
+    sleep 1
+    await_title "$1"
+    sleep 0.5
 }
 
 # The program is ended with unsaved work; the next start offers it.
 recovers() {
     forget_window
-    window --lang ru "$root/resources/examples/shaft-38-74h6.sparkout" >windows/recovery.txt 2>&1 &
+    start_window "recovery.txt" --lang ru "$root/resources/examples/shaft-38-74h6.sparkout"
     await_title Sparkout || return 1
     sleep 1
-    xdotool key Escape
-    add_surface || return 1
+    add_surface Sparkout || return 1
     sleep 4 # it is kept two seconds after the change
     end_window
-    [[ -n $(find "$WINEPREFIX/drive_c/users/$USER/AppData/Local/sparkout" -name '*.recovery') ]] \
+    [[ -n $(find "$user/Local/sparkout" -name '*.recovery') ]] \
         || { echo "nothing was kept"; return 1; }
-    window --lang ru >>windows/recovery.txt 2>&1 &
+    start_window "recovery.txt" --lang ru
     await_title 'Восстановление' && screen recovery-offered || return 1
     xdotool key Return
     sleep 2
@@ -172,9 +185,9 @@ registry() { # KEY: what the registry of this Windows has of it
 
 # Silently, for this user; a file's kind starts the program; nothing stays but the settings.
 installs() {
-    local into="$WINEPREFIX/drive_c/users/$USER/AppData/Local/Programs/Sparkout" ending each left
-    local menu="$WINEPREFIX/drive_c/users/$USER/AppData/Roaming/Microsoft/Windows/Start Menu/Programs"
-    wine "$out/$name-setup.exe" /S || return 1
+    local into="$user/Local/Programs/Sparkout" ending each left command
+    local menu="$user/Roaming/Microsoft/Windows/Start Menu/Programs"
+    wine "$out/$release-setup.exe" /S || return 1
     diff -r "$place" "$into" | grep -v 'uninstall\.exe$' && { echo "other files than the zip has"; return 1; }
     [[ -e $menu/Sparkout.lnk && -e $into/uninstall.exe ]] || { echo "no shortcut"; return 1; }
     for ending in Project Pack Lesson Work; do
@@ -183,7 +196,10 @@ installs() {
     done
     registry 'HKCU\Software\Microsoft\Windows\CurrentVersion\Uninstall\Sparkout' | grep -q QuietUninstall || return 1
     cp "$root/resources/examples/shaft-38-74h6.sparkout" "$work/Детали цеха/Двойной щелчок.sparkout"
-    wine start "$(winepath -w "$work/Детали цеха/Двойной щелчок.sparkout")" >/dev/null 2>&1 &
+    # Wine 8 does not ask the user's own kinds of files, as Windows does: their command is given to it.
+    command=$(registry 'HKCU\Software\Classes\Sparkout.Project\shell\open\command' | sed -nE 's/.*REG_SZ +"(.*)" "%1"$/\1/p')
+    (exec wine "$command" "$(winepath -w "$work/Детали цеха/Двойной щелчок.sparkout")" >/dev/null 2>&1) &
+    disown
     await_title 'Двойной щелчок' && screen double-click || return 1
     end_window
     wine "$into/uninstall.exe" /S
@@ -203,9 +219,10 @@ installs() {
 
 # The pages that a user sees.
 installer_shown() {
-    wine "$out/$name-setup.exe" &
-    await_title 'Sparkout' 100 && screen installer || return 1
-    wine taskkill /f /im "$name-setup.exe" >/dev/null 2>&1
+    (exec wine "$out/$release-setup.exe") &
+    disown
+    await_title 'Sparkout' 400 && screen installer 30 || return 1
+    wine taskkill /f /im "$release-setup.exe" >/dev/null 2>&1
     true
 }
 
