@@ -162,7 +162,9 @@ add_surface() { # by its dialog; the window is known by a part of its title
 # The program is ended with unsaved work; the next start offers it.
 recovers() {
     forget_window
-    start_window "recovery.txt" --lang ru "$root/resources/examples/shaft-38-74h6.sparkout"
+    mkdir -p "$work/Детали цеха" # a lock stands beside a file that is open
+    cp "$root/resources/examples/shaft-38-74h6.sparkout" "$work/Детали цеха/Вал.sparkout"
+    start_window "recovery.txt" --lang ru "$work/Детали цеха/Вал.sparkout"
     await_title Sparkout || return 1
     sleep 1
     add_surface Sparkout || return 1
@@ -198,6 +200,7 @@ installs() {
     cp "$root/resources/examples/shaft-38-74h6.sparkout" "$work/Детали цеха/Двойной щелчок.sparkout"
     # Wine 8 does not ask the user's own kinds of files, as Windows does: their command is given to it.
     command=$(registry 'HKCU\Software\Classes\Sparkout.Project\shell\open\command' | sed -nE 's/.*REG_SZ +"(.*)" "%1"$/\1/p')
+    forget_window
     (exec wine "$command" "$(winepath -w "$work/Детали цеха/Двойной щелчок.sparkout")" >/dev/null 2>&1) &
     disown
     await_title 'Двойной щелчок' && screen double-click || return 1
