@@ -48,8 +48,8 @@ void PortableFolder::addItsFonts() {
             QFontDatabase::addApplicationFont(fonts.filePath(name));
         }
     }
-    // Without a display, and where the system has no font of its own for windows but a name that may
-    // stand for any.
+    // Without a display, and where the system has no font of its own for windows but a name that
+    // may stand for any.
     QFont usual = QApplication::font();
     if (!QFontDatabase::hasFamily(usual.family())
         || usual.family().startsWith(QStringLiteral("MS Shell Dlg"))) {
