@@ -182,7 +182,7 @@ recovers() {
 }
 
 registry() { # KEY: what the registry of this Windows has of it
-    wine reg query "$1" /s 2>/dev/null | tr -d '\r'
+    wine reg query "$1" /s 2>/dev/null | tr -d '\r' | grep -E '^HKEY_|REG_'
 }
 
 # Silently, for this user; a file's kind starts the program; nothing stays but the settings.
