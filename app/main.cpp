@@ -416,7 +416,6 @@ int main(int argc, char** argv) {
     QApplication app(noArguments, argv);
     DisplayStart::checkScreen();
     display.reset();
-    PortableFolder::addItsFonts();
     std::setlocale(LC_NUMERIC, "C"); // QApplication took the environment's
     const ProgramLog log;
     ProgramLog::note(QStringLiteral("Sparkout %1, Qt %2, %3")
@@ -432,6 +431,7 @@ int main(int argc, char** argv) {
     Language language;
     language.apply(options.language.isEmpty() ? settings.language() : options.language);
     applyTheme(themeFrom(options.theme.isEmpty() ? settings.theme() : options.theme));
+    PortableFolder::addItsFonts(); // the style has taken the system's for some kinds of widgets
     if (!options.report.isEmpty()) {
         ReportRequest request = options.request;
         request.paper = report::paperOf(options.report);

@@ -6,9 +6,11 @@
 #include "ui/text/system_text.h"
 #include "ui/text/texts.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QFont>
 #include <QFontDatabase>
 
 namespace sparkout {
@@ -27,17 +29,33 @@ QString ownFolder() {
 } // namespace
 
 void PortableFolder::useItsFonts() {
+#ifdef Q_OS_WIN
+    // Its name where there is no display.
+    QFont::insertSubstitution(QStringLiteral("monospace"), QStringLiteral("DejaVu Sans Mono"));
+#else
     const QString fonts = programFolder() + QStringLiteral("/fonts/fonts.conf");
     if (qEnvironmentVariableIsEmpty("FONTCONFIG_FILE") && QFileInfo::exists(fonts)) {
         qputenv("FONTCONFIG_FILE", QFile::encodeName(fonts));
     }
+#endif
 }
 
 void PortableFolder::addItsFonts() {
 #ifdef Q_OS_WIN
     const QDir fonts(programFolder() + QStringLiteral("/fonts"));
-    for (const QString& name : fonts.entryList({QStringLiteral("*.ttf")}, QDir::Files)) {
-        QFontDatabase::addApplicationFont(fonts.filePath(name));
+    if (QApplication::platformName() != u"offscreen") { // it takes them by qt.conf
+        for (const QString& name : fonts.entryList({QStringLiteral("*.ttf")}, QDir::Files)) {
+            QFontDatabase::addApplicationFont(fonts.filePath(name));
+        }
+    }
+    // Without a display, and where the system has no font of its own for windows but a name that
+    // may stand for any.
+    QFont usual = QApplication::font();
+    if (!QFontDatabase::hasFamily(usual.family())
+        || usual.family().startsWith(QStringLiteral("MS Shell Dlg"))) {
+        usual.setFamily(QStringLiteral("DejaVu Sans"));
+        usual.setPointSize(9);
+        QApplication::setFont(usual);
     }
 #endif
 }

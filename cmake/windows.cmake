@@ -2,6 +2,8 @@
 # What programs for Windows take along: the manifest, which makes letters of any language those of
 # files and long paths usable, a version, and an icon where SPARKOUT_ICON names a file (.ico).
 enable_language(RC)
+# Qt is built without zstd, which that of this machine has.
+set(CMAKE_AUTORCC_OPTIONS --no-zstd)
 set(SPARKOUT_ICON "" CACHE FILEPATH "Icon of the window's program, an .ico file")
 
 function(sparkout_windows_program TARGET DESCRIPTION)

@@ -31,8 +31,12 @@ BrandingText "Sparkout ${VERSION}"
 
 LangString Kind ${LANG_ENGLISH} "Sparkout project"
 LangString Kind ${LANG_RUSSIAN} "Проект Sparkout"
-LangString Work ${LANG_ENGLISH} "Sparkout lesson"
-LangString Work ${LANG_RUSSIAN} "Занятие Sparkout"
+LangString Pack ${LANG_ENGLISH} "Sparkout pack"
+LangString Pack ${LANG_RUSSIAN} "Набор Sparkout"
+LangString Lesson ${LANG_ENGLISH} "Sparkout laboratory work"
+LangString Lesson ${LANG_RUSSIAN} "Лабораторная работа Sparkout"
+LangString Work ${LANG_ENGLISH} "Student's work of a Sparkout laboratory work"
+LangString Work ${LANG_RUSSIAN} "Работа студента по лабораторной работе Sparkout"
 
 VIProductVersion "${VERSION}.0"
 VIAddVersionKey /LANG=${LANG_ENGLISH} "ProductName" "Sparkout"
@@ -54,18 +58,23 @@ VIAddVersionKey /LANG=${LANG_ENGLISH} "LegalCopyright" "GPL-3.0-or-later"
     DeleteRegKey HKCU "${CLASSES}\${SUFFIX}"
     DeleteRegKey HKCU "${CLASSES}\${CLASS}"
 !macroend
-
-Section
-    SetOutPath "$INSTDIR"
-    ; What an older version has put there and this one has no more.
+!macro RemoveFolders
     RMDir /r "$INSTDIR\examples"
+    RMDir /r "$INSTDIR\lessons"
     RMDir /r "$INSTDIR\fonts"
     RMDir /r "$INSTDIR\translations"
     RMDir /r "$INSTDIR\licences"
+!macroend
+
+Section
+    SetOutPath "$INSTDIR"
+    !insertmacro RemoveFolders ; what an older version has put there and this one has no more
     File /r "${FOLDER}/*"
     CreateShortcut "$SMPROGRAMS\Sparkout.lnk" "$INSTDIR\sparkout.exe"
     !insertmacro Associate ".sparkout" "Sparkout.Project" "$(Kind)"
-    !insertmacro Associate ".sparkout-lesson" "Sparkout.Lesson" "$(Work)"
+    !insertmacro Associate ".sparkout-pack" "Sparkout.Pack" "$(Pack)"
+    !insertmacro Associate ".sparkout-lesson" "Sparkout.Lesson" "$(Lesson)"
+    !insertmacro Associate ".sparkout-work" "Sparkout.Work" "$(Work)"
     WriteRegStr HKCU "Software\Sparkout" "InstallDir" "$INSTDIR"
     WriteUninstaller "$INSTDIR\uninstall.exe"
     WriteRegStr HKCU "${UNINSTALL}" "DisplayName" "Sparkout"
@@ -81,11 +90,10 @@ SectionEnd
 
 Section "Uninstall" ; what the user has put into the folder stays, and so do settings
     !insertmacro Dissociate ".sparkout" "Sparkout.Project"
+    !insertmacro Dissociate ".sparkout-pack" "Sparkout.Pack"
     !insertmacro Dissociate ".sparkout-lesson" "Sparkout.Lesson"
-    RMDir /r "$INSTDIR\examples"
-    RMDir /r "$INSTDIR\fonts"
-    RMDir /r "$INSTDIR\translations"
-    RMDir /r "$INSTDIR\licences"
+    !insertmacro Dissociate ".sparkout-work" "Sparkout.Work"
+    !insertmacro RemoveFolders
     Delete "$INSTDIR\sparkout.exe"
     Delete "$INSTDIR\sparkout-cli.exe"
     Delete "$INSTDIR\qt.conf"

@@ -204,7 +204,7 @@ private slots:
         const QCPGraph& sum = *bench.plot().gamma().sum();
         QVERIFY(sum.dataCount() > 2);
         QCOMPARE(sum.data()->at(0)->value, sum.data()->at(sum.dataCount() - 1)->value);
-        QVERIFY(bench.label("complianceSummary").text().contains(QStringLiteral("Equal")));
+        QVERIFY(bench.label("complianceSummary").text().contains(QStringLiteral("Uniform")));
     }
 
     void theMouseReadsValuesAndTheLegendHides() {
