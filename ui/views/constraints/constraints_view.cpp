@@ -41,9 +41,9 @@ namespace {
 constexpr int plotShare = 340, lowerShare = 200; ///< of the height at first
 constexpr int tableShare = 480, sheetShare = 190;
 // Of the margins, at the usual size of type.
-constexpr int leastColumn = 60, wideTable = 400, leastTable = 118, leastSheet = 74;
+constexpr int leastColumn = 60, wideTable = 400, leastTable = 110, leastSheet = 66;
 constexpr int bothBeside = 440; ///< table and formulas side by side
-constexpr int leastPlot = 132;  ///< high, at the usual size of type
+constexpr int leastPlot = 150;  ///< high, at the usual size of type
 
 /// Indices below the line; numbers and result of a formula each on a line of their own.
 QString sheetHtml(const QString& text) {
