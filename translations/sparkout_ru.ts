@@ -724,7 +724,11 @@
             <source>Export results</source>
             <translation>Экспорт результатов</translation>
         </message>
-    </context>
+        <message>
+        <source>Interval and indices of the batch</source>
+        <translation>Интервал и показатели партии</translation>
+    </message>
+</context>
     <context>
         <name>Company</name>
         <message>
@@ -6323,8 +6327,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>ступень {value} из {limit} не делает ни одного шага: её припуск уже снят ступенями до неё</translation>
         </message>
         <message>
-            <source>a dwell of {value} is made as {limit}, in whole revolutions</source>
-            <translation>задержка {value} выполняется как {limit}, целыми оборотами</translation>
+            <source>a dwell of {value} is rounded to {limit}, whole revolutions</source>
+            <translation>задержка {value} округлена до {limit}, до целых оборотов</translation>
         </message>
         <message>
             <source>a file of version {value} holds several surfaces of a part; the window and sparkout-cli take it</source>
@@ -12865,7 +12869,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>детали</translation>
         </message>
         <message>
-            <source>limits of the drawing</source>
+            <source>drawing limits</source>
             <translation>пределы по чертежу</translation>
         </message>
         <message>
@@ -14925,7 +14929,7 @@ target, µm</source>
             <translation>худшая деталь</translation>
         </message>
         <message>
-            <source>limits of the drawing</source>
+            <source>drawing limits</source>
             <translation>пределы по чертежу</translation>
         </message>
         <message>
@@ -20920,7 +20924,7 @@ s</source>
     <context>
         <name>sparkout::ChoiceAnswer</name>
         <message>
-            <source>Mark what is right; it may be more than one.</source>
+            <source>Tick every correct answer; there may be more than one.</source>
             <translation>Отметьте верные ответы; их может быть несколько.</translation>
         </message>
     </context>
@@ -21053,7 +21057,7 @@ s</source>
             <translation>Засчитывается первый прогноз. Результат появится, когда он дан.</translation>
         </message>
         <message>
-            <source>Give the prediction</source>
+            <source>Submit prediction</source>
             <translation>Дать прогноз</translation>
         </message>
         <message>
@@ -21125,8 +21129,8 @@ s</source>
             <translation>Взять подсказку</translation>
         </message>
         <message>
-            <source>Views that show what other steps ask you to predict open once those predictions are given.</source>
-            <translation>Виды, показывающие то, что просят спрогнозировать другие шаги, откроются, когда эти прогнозы будут даны.</translation>
+            <source>Some views stay hidden until the predictions they would reveal are given.</source>
+            <translation>Некоторые виды скрыты, пока не даны прогнозы, которые они раскрыли бы.</translation>
         </message>
     </context>
     <context>

@@ -187,7 +187,7 @@ IssueWords wordsOf(IssueCode code) {
     case IssueCode::dwellRounded:
         return {
             "dwell_rounded",
-            SPARKOUT_NOOP("Issue", "a dwell of {value} is made as {limit}, in whole revolutions")};
+            SPARKOUT_NOOP("Issue", "a dwell of {value} is rounded to {limit}, whole revolutions")};
     case IssueCode::noSuchNumber:
         return {"no_such_number",
                 SPARKOUT_NOOP("Issue", "{value} is no number that this project reads; needed: "

@@ -43,6 +43,7 @@ std::span<const Choice> choicesOf<Hideable>() {
         Choice{"examples", SPARKOUT_NOOP("Choice", "Examples")},
         Choice{"reports", SPARKOUT_NOOP("Choice", "Reports")},
         Choice{"export_results", SPARKOUT_NOOP("Choice", "Export results")},
+        Choice{"batch_indices", SPARKOUT_NOOP("Choice", "Interval and indices of the batch")},
     };
     static_assert(choices.size() == static_cast<std::size_t>(Hideable::count_));
     return choices;

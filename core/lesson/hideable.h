@@ -31,6 +31,7 @@ enum class Hideable {
     examples,
     reports,
     exportResults,
+    batchIndices, ///< of a view that stays: interval of the mean, Pp and Ppk
     count_
 };
 

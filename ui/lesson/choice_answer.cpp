@@ -92,7 +92,7 @@ void ChoiceAnswer::lock() {
 }
 
 void ChoiceAnswer::retranslate() {
-    m_note->setText(tr("Mark what is right; it may be more than one."));
+    m_note->setText(tr("Tick every correct answer; there may be more than one."));
     for (std::size_t i = 0; i < m_boxes.size(); ++i) {
         const QString text = LessonText::of(m_goal.options[i].text);
         m_texts[i]->setText(text);

@@ -34,7 +34,8 @@ HiddenThings::Things HiddenThings::of(const LessonStep& step) {
         things.insert(Hideable::remedies);
     }
     if (hides({Hideable::overview, Hideable::feeds, Hideable::profiles, Hideable::constraints,
-               Hideable::compliance, Hideable::layers, Hideable::verdict, Hideable::formulas})) {
+               Hideable::compliance, Hideable::layers, Hideable::verdict, Hideable::formulas,
+               Hideable::batchIndices})) {
         things.insert(Hideable::reports);
         things.insert(Hideable::exportResults);
     }
@@ -74,15 +75,18 @@ HiddenThings::Things HiddenThings::telling(const Figure& figure) {
     case FigureScope::stage:
         return {Hideable::feeds, Hideable::overview, Hideable::constraints, Hideable::compare,
                 Hideable::sweep};
-    case FigureScope::step: {
-        Things things{Hideable::feeds, Hideable::layers, Hideable::formulas, Hideable::compare};
-        if (figure.name == FigureName::runoutAfter) {
-            things.insert(Hideable::profiles);
-        }
-        return things;
-    }
+    case FigureScope::step:
+        return {Hideable::feeds,    Hideable::layers,  Hideable::formulas,
+                Hideable::profiles, Hideable::compare, Hideable::constraints};
     case FigureScope::batch:
-    case FigureScope::batchPlace: return {Hideable::batch, Hideable::overview};
+    case FigureScope::batchPlace:
+        switch (figure.name) {
+        case FigureName::batchMeanHalf:
+        case FigureName::batchPp:
+        case FigureName::batchPpk:
+            return {Hideable::batch, Hideable::overview, Hideable::batchIndices};
+        default: return {Hideable::batch, Hideable::overview};
+        }
     case FigureScope::search: return {Hideable::optimise};
     }
     return {Hideable::overview, Hideable::profiles, Hideable::constraints, Hideable::verdict,

@@ -227,10 +227,10 @@ void LessonPanel::showAnswered() {
     const bool isCovered = predicts && !isOver;
     m_note->setText(isCovered
                         ? tr("The first prediction counts. The result is shown once it is given.")
-                        : tr("Views that show what other steps ask you to predict open once those "
-                             "predictions are given."));
+                        : tr("Some views stay hidden until the predictions they would reveal "
+                             "are given."));
     m_note->setVisible(isCovered || !m_run.openPredictions().empty());
-    m_handIn->setText(predicts ? tr("Give the prediction") : m_field ? tr("Hand in") : tr("Check"));
+    m_handIn->setText(predicts ? tr("Submit prediction") : m_field ? tr("Hand in") : tr("Check"));
     m_handIn->setVisible(!isOver);
     m_handIn->setEnabled((!m_field || m_field->isWhole()) && !m_run.isFull());
     m_found->setVisible(record.answer.has_value());

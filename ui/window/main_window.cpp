@@ -551,6 +551,7 @@ void MainWindow::connectLesson() {
     HiddenThings& hidden = m_lesson->hidden();
     hidden.add({Hideable::keptRuns}, [this](bool away) { m_overview->offerKeeping(!away); });
     hidden.add({Hideable::calibrate}, [this](bool away) { m_measured->offerCalibration(!away); });
+    hidden.add({Hideable::batchIndices}, [this](bool away) { m_batch->tellIndices(!away); });
     connect(m_keeper, &RunKeeper::kept, this, [this](const KeptRun& run) {
         if (m_lesson->isRunning()) {
             m_lesson->takeKeptRun(run);

@@ -11,6 +11,9 @@
 #include "ui/lesson/lessons_dialog.h"
 #include "ui/lesson/marks_dialog.h"
 #include "ui/lesson/student_dialog.h"
+#include "ui/views/batch/batch_figures.h"
+#include "ui/views/batch/batch_view.h"
+#include "ui/views/batch/histogram_plot.h"
 
 #include <QDir>
 #include <QMenu>
@@ -19,6 +22,7 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTabWidget>
+#include <QTableView>
 #include <QTextBrowser>
 
 namespace test_lesson_mode {
@@ -228,29 +232,70 @@ private slots:
         QVERIFY(!student.bench.action("markdown-lab-report")->isEnabled());
     }
 
-    /// Work 5: its fourth step reads what its third asks to predict, its fifth predicts again.
+    /// Work 5: its fifth step reads what its third and fourth ask to predict.
     void whatIsReadWaitsForThePredictionsBeforeIt() {
         Seat student(QStringLiteral("en"), Theme::light,
                      QStringLiteral(SPARKOUT_SOURCE_DIR
                                     "/resources/lessons/05-out-of-round.sparkout-lesson"));
         student.begin();
-        const auto tells = [&](std::size_t step) {
-            return HiddenThings::telling(*student.run().lesson().steps[step].goal.asked());
-        };
-        const auto hidden = [&](const HiddenThings::Things& things) {
+        const auto tells = HiddenThings::telling(*student.run().lesson().steps[4].goal.asked());
+        const auto hidden = [&] {
             return std::ranges::count_if(
-                things, [&](Hideable each) { return student.desk().hidden().isHidden(each); });
+                tells, [&](Hideable each) { return student.desk().hidden().isHidden(each); });
         };
-        student.show(3);
-        QCOMPARE(hidden(tells(2)), std::ptrdiff_t(tells(2).size()));
-        student.show(2);
-        student.answer();
-        student.handIn();
-        student.show(3);
-        QCOMPARE(hidden(tells(3)), std::ptrdiff_t(0)); // it can be read
-        for (const Hideable thing : tells(4)) {
-            QCOMPARE(student.desk().hidden().isHidden(thing), !tells(3).contains(thing));
+        for (const std::size_t step : {2u, 3u}) {
+            student.show(4);
+            QCOMPARE(hidden(), std::ptrdiff_t(tells.size()));
+            student.show(step);
+            student.answer();
+            student.handIn();
         }
+        student.show(4);
+        QCOMPARE(hidden(), std::ptrdiff_t(0)); // it can be read
+    }
+
+    /// Work 9: its first steps read the mean and s, from which the next ones ask to work out the
+    /// interval, Pp and Ppk: till then the view shows the former alone.
+    void aBatchIsReadWithoutTheIndicesToPredict() {
+        Seat student(
+            QStringLiteral("en"), Theme::light,
+            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/lessons/09-batch.sparkout-lesson"));
+        student.begin();
+        auto* view = student.window.findChild<BatchView*>();
+        const auto* table = view->findChild<QTableView*>(QStringLiteral("batchFigures"));
+        const auto shows = [table](int row) {
+            return table->model()->index(row, 1).data().toString() != u"–";
+        };
+        const auto tellsIndices = [&] {
+            return shows(BatchFigures::meanInterval) && shows(BatchFigures::pp)
+                   && shows(BatchFigures::ppk)
+                   && view->histograms()->heading(1).contains(QStringLiteral("Ppk"));
+        };
+        const auto run = [&] { return view->batch() && !view->busy() && !view->stale(); };
+        QVERIFY(QTest::qWaitFor(run, 30'000));
+        QVERIFY(student.bench.action("show-batch")->isVisible());
+        QVERIFY(!student.bench.action("show-overview")->isVisible());
+        QVERIFY(!student.bench.action("exportResults")->isEnabled());
+        QVERIFY(shows(BatchFigures::mean) && shows(BatchFigures::deviation));
+        for (const int row : {BatchFigures::meanInterval, BatchFigures::pp, BatchFigures::ppk}) {
+            QVERIFY(!shows(row));
+        }
+        const auto everyText = [&] {
+            QString text = view->histograms()->heading(1);
+            for (const QLabel* label : view->findChildren<QLabel*>()) {
+                text += label->text() + label->accessibleDescription();
+            }
+            return text + view->histograms()->accessibleDescription();
+        };
+        QVERIFY(!everyText().contains(QStringLiteral("Ppk")));
+        for (const std::size_t step : {2u, 3u, 4u}) {
+            student.show(step);
+            student.answer();
+            student.handIn();
+        }
+        student.show(1);
+        QVERIFY(QTest::qWaitFor(run, 30'000));
+        QVERIFY(tellsIndices() && everyText().contains(QStringLiteral("Ppk")));
     }
 
     void everyViewCanBeHiddenByItsName() {

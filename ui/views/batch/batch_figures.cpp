@@ -92,15 +92,20 @@ QString BatchFigures::text(const CharacteristicSummary& summary, bool isSample, 
     }
 }
 
+QString BatchFigures::shownText(int row, int column) const {
+    const bool isIndex = row == meanInterval || row == pp || row == ppk;
+    return isIndex && !m_tellsIndices ? QStringLiteral("–")
+                                      : text(at(column), m_outcome->summary.isSample, row);
+}
+
 QVariant BatchFigures::cell(int row, int column, int role) const {
-    const CharacteristicSummary& summary = at(column);
     switch (role) {
-    case Qt::DisplayRole: return text(summary, m_outcome->summary.isSample, row);
+    case Qt::DisplayRole: return shownText(row, column);
     case Qt::TextAlignmentRole: return aligned(true);
     case Qt::AccessibleTextRole:
         return QStringLiteral("%1, %2: %3")
-            .arg(BatchText::full(summary.characteristic), side(row, Qt::DisplayRole).toString(),
-                 text(summary, m_outcome->summary.isSample, row));
+            .arg(BatchText::full(at(column).characteristic), side(row, Qt::DisplayRole).toString(),
+                 shownText(row, column));
     default: return {};
     }
 }

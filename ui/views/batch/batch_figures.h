@@ -32,6 +32,8 @@ public:
     using TableModel::TableModel;
 
     void show(BatchOutcomePtr outcome, const std::string& name); ///< of the characteristic
+    /// Else a dash stands for the interval of the mean, Pp and Ppk, from the next show() on.
+    void tellIndices(bool tells) { m_tellsIndices = tells; }
 
     /// One figure of a characteristic as it is shown.
     [[nodiscard]] static QString text(const CharacteristicSummary& summary, bool isSample, int row);
@@ -43,9 +45,11 @@ private:
     [[nodiscard]] QVariant head(int column, int role) const override;
     [[nodiscard]] QVariant side(int row, int role) const override;
     [[nodiscard]] const CharacteristicSummary& at(int column) const;
+    [[nodiscard]] QString shownText(int row, int column) const;
 
     BatchOutcomePtr m_outcome;
     std::vector<std::size_t> m_places; ///< indices of the summary's characteristics
+    bool m_tellsIndices = true;
 };
 
 /// All figures of all characteristics with all their digits: a row a characteristic of a place.

@@ -114,8 +114,9 @@ BatchView::BatchView(QWidget* parent, Settings* settings)
 }
 
 CopyTable* BatchView::buildFigures() {
-    m_table = addTable(
-        *m_figures, [this] { return m_batch ? batchFiguresTable(m_batch->summary) : CsvTable(); });
+    m_table = addTable(*m_figures, [this] {
+        return m_batch && m_tellsIndices ? batchFiguresTable(m_batch->summary) : CsvTable();
+    });
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->verticalHeader()->setHighlightSections(false);
     connect(m_table, &CopyTable::resized, this, [this] { fitColumns(*m_table); });
@@ -362,6 +363,13 @@ void BatchView::showBatch() {
     replotAll();
 }
 
+void BatchView::tellIndices(bool tells) {
+    m_tellsIndices = tells;
+    m_figures->tellIndices(tells);
+    m_histograms->tellIndices(tells);
+    showBatch();
+}
+
 bool BatchView::drawn() const {
     return m_batch && contentNotice().isEmpty();
 }
@@ -381,7 +389,10 @@ void BatchView::showState() {
     m_choice->setVisible(has || m_batch); // else there is nothing to choose
     m_bar->setVisible(has);
     m_bar->showRunning(busy(), has && !refused());
-    m_bar->state()->setText(m_batch ? BatchText::run(*m_batch) + u' ' + BatchText::verdict(*m_batch)
+    const auto found = [this] {
+        return m_tellsIndices ? BatchText::verdict(*m_batch) : BatchText::counts(m_batch->summary);
+    };
+    m_bar->state()->setText(m_batch ? (BatchText::run(*m_batch) + u' ' + found()).trimmed()
                                     : QString());
     const bool mayTake = m_batch && !faint() && !busy();
     m_worst->setEnabled(mayTake && m_batch->summary.worstPart >= 0);

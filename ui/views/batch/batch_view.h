@@ -41,6 +41,9 @@ public:
     [[nodiscard]] bool busy() const override;            ///< runs a batch, or its Sobol indices
     [[nodiscard]] bool stale() const { return m_stale; } ///< what is shown is of other inputs
 
+    /// Whether the interval of the mean, Pp, Ppk and the verdict they decide may be read.
+    void tellIndices(bool tells);
+
     [[nodiscard]] QString title() const override;
 
 signals:
@@ -115,6 +118,7 @@ private:
     BatchRunner* m_runner;
     BatchRunner* m_indexRunner;
     bool m_stale = true;
+    bool m_tellsIndices = true;
     std::optional<Project> m_running; ///< what it runs, to know when that is of other inputs
 };
 

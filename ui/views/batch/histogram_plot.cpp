@@ -133,7 +133,7 @@ LegendEntries HistogramPlot::legendEntries() const {
             entries.push_back(lineEntry(key, line->pen(), text));
         }
     };
-    add(cell.low ? cell.low : cell.high, limitsKey, tr("limits of the drawing"));
+    add(cell.low ? cell.low : cell.high, limitsKey, tr("drawing limits"));
     add(cell.mean, meanKey, tr("mean"));
     return entries;
 }
@@ -266,7 +266,7 @@ void HistogramPlot::outline() {
 QString HistogramPlot::headingOf(const CharacteristicSummary& summary) const {
     const Characteristic& of = summary.characteristic;
     const QString where = BatchText::where(of);
-    const bool named = summary.ppk && m_cells.size() <= mostNamed;
+    const bool named = m_tellsIndices && summary.ppk && m_cells.size() <= mostNamed;
     return named ? QStringLiteral("%1, Ppk %2").arg(where, BatchText::brief(*summary.ppk)) : where;
 }
 

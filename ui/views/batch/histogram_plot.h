@@ -9,7 +9,7 @@
 namespace sparkout {
 
 /// One characteristic of a batch, zone beside zone: how many parts came out where, against the
-/// limits of the drawing, with the mean. All cells have the same axes.
+/// drawing limits, with the mean. All cells have the same axes.
 class HistogramPlot : public ViewPlot {
     Q_OBJECT
 public:
@@ -19,6 +19,7 @@ public:
 
     /// Of one characteristic; no replot. What was in sight stays while it is the same one.
     void setSummaries(std::vector<CharacteristicSummary> summaries);
+    void tellIndices(bool tells) { m_tellsIndices = tells; } ///< from the next summaries on
     void fit() override;
     void restyle() override;
 
@@ -59,6 +60,7 @@ private:
     [[nodiscard]] QString headingOf(const CharacteristicSummary& summary) const;
 
     std::vector<Cell> m_cells;
+    bool m_tellsIndices = true;
     QCPRange m_fitted; ///< of the values, as they were fitted last
 };
 

@@ -141,8 +141,7 @@ LegendEntries ScatterPlot::legendEntries() const {
         add(worstKey, tr("worst part"));
     }
     if (!m_limits.empty()) {
-        entries.push_back(
-            lineEntry(limitsKey, m_limits.front()->pen(), tr("limits of the drawing")));
+        entries.push_back(lineEntry(limitsKey, m_limits.front()->pen(), tr("drawing limits")));
     }
     return entries;
 }
