@@ -6,6 +6,7 @@
 #include "ui/text/names.h"
 
 #include <QPainter>
+#include <QScopeGuard>
 #include <QtMath>
 
 #include <algorithm>
@@ -430,6 +431,61 @@ QRectF BarDrawing::beyondLimits(QRectF box, const Layout& layout, bool upwards) 
     return box;
 }
 
+/// What a category's bars and the mark of its sum cover.
+QRectF BarDrawing::stackOf(std::size_t category, const Layout& layout) const {
+    QRectF stack;
+    for (const BarPart& part : m_parts) {
+        stack = part.category == category ? stack | part.rect : stack;
+    }
+    if (!m_drawn.sums.empty()) {
+        const double at = layout.area.at(m_drawn, layout.scales.first, m_drawn.sums[category]);
+        stack |= m_drawn.isLying
+                     ? QRectF(at, stack.top(), markWidth, stack.height())
+                     : QRectF(stack.left(), at - markWidth, stack.width(), 2 * markWidth);
+    }
+    return stack;
+}
+
+/// Whether some part reaches so far beyond its stack's sum that a number beyond the stack would not
+/// be taken for that of the mark, or the numbers have no room side by side.
+bool BarDrawing::sumsNeedRows(const Layout& layout, const QStringList& texts,
+                              const QFont& font) const {
+    const QFontMetricsF metrics(font);
+    for (std::size_t c = 0; c < m_drawn.sums.size() && !m_drawn.isLying; ++c) {
+        const QRectF stack = stackOf(c, layout);
+        const double at = layout.area.at(m_drawn, layout.scales.first, m_drawn.sums[c]);
+        const double beyond = m_drawn.sums[c] < 0 ? stack.bottom() - at : at - stack.top();
+        const double width = metrics.horizontalAdvance(texts[static_cast<qsizetype>(c)]);
+        if (beyond > metrics.height() || width + textGap > layout.area.room(m_drawn)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// In a row along the edge with more room; what meets its neighbour stands in a second one.
+void BarDrawing::paintSums(QPainter& painter, const Layout& layout, const QStringList& texts) {
+    const QFontMetricsF metrics(painter.font());
+    const QRectF& area = layout.area.rect;
+    double above = area.height(), below = area.height();
+    for (std::size_t c = 0; c < m_drawn.sums.size(); ++c) {
+        const QRectF stack = stackOf(c, layout);
+        above = std::min(above, stack.top() - area.top());
+        below = std::min(below, area.bottom() - stack.bottom());
+    }
+    const bool isAbove = above >= below;
+    for (std::size_t c = 0; c < m_drawn.sums.size(); ++c) {
+        const QString& text = texts[static_cast<qsizetype>(c)];
+        const double width = metrics.horizontalAdvance(text), height = metrics.height();
+        QRectF box(layout.area.middle(m_drawn, c) - width / 2,
+                   isAbove ? area.top() + 1 : area.bottom() - height - 1, width, height);
+        if (!write(painter, box, text, true)) {
+            box.translate(0, isAbove ? height : -height);
+            write(painter, box, text, true);
+        }
+    }
+}
+
 /// Beyond the end of a stack; of sums, beyond all of it, below standing ones that are below 0.
 void BarDrawing::paintTotals(QPainter& painter, const Layout& layout) {
     QStringList texts;
@@ -440,21 +496,17 @@ void BarDrawing::paintTotals(QPainter& painter, const Layout& layout) {
         m_drawn.isLying ? m_look.font : fontFor(texts, layout.area.room(m_drawn) - textGap - 1);
     const QFontMetricsF metrics(font);
     painter.setFont(font);
+    const auto restored = qScopeGuard([&] { painter.setFont(m_look.font); });
+    if (sumsNeedRows(layout, texts, font)) {
+        paintSums(painter, layout, texts);
+        return;
+    }
     for (std::size_t c = 0; c < static_cast<std::size_t>(m_drawn.categories.size()); ++c) {
         const QString text = texts[static_cast<qsizetype>(c)];
         if (text.isEmpty()) {
             break;
         }
-        QRectF stack;
-        for (const BarPart& part : m_parts) {
-            stack = part.category == c ? stack | part.rect : stack;
-        }
-        if (!m_drawn.sums.empty()) {
-            const double at = layout.area.at(m_drawn, layout.scales.first, m_drawn.sums[c]);
-            stack |= m_drawn.isLying
-                         ? QRectF(at, stack.top(), markWidth, stack.height())
-                         : QRectF(stack.left(), at - markWidth, stack.width(), 2 * markWidth);
-        }
+        const QRectF stack = stackOf(c, layout);
         const QSizeF size(metrics.horizontalAdvance(text), metrics.height());
         const QRectF all(QPointF(), layout.size);
         if (m_drawn.isLying) {
@@ -481,7 +533,6 @@ void BarDrawing::paintTotals(QPainter& painter, const Layout& layout) {
                   true);
         }
     }
-    painter.setFont(m_look.font);
 }
 
 /// Within a part of a stack that has room; beyond the end of a single bar, else within.

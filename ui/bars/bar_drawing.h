@@ -63,7 +63,11 @@ private:
     void paintHatches(QPainter& painter) const;
     void paintMarks(QPainter& painter, const Layout& layout) const;
     [[nodiscard]] QRectF beyondLimits(QRectF box, const Layout& layout, bool upwards) const;
+    [[nodiscard]] QRectF stackOf(std::size_t category, const Layout& layout) const;
     void paintNumbers(QPainter& painter, const Layout& layout);
+    [[nodiscard]] bool sumsNeedRows(const Layout& layout, const QStringList& texts,
+                                    const QFont& font) const;
+    void paintSums(QPainter& painter, const Layout& layout, const QStringList& texts);
     void paintTotals(QPainter& painter, const Layout& layout);
     void paintSliceNumbers(QPainter& painter, const Layout& layout);
     [[nodiscard]] QFont fontFor(const QStringList& texts, double room) const;

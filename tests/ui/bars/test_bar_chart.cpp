@@ -253,8 +253,8 @@ private slots:
     void theSumOfAStackBelowZeroStandsBelowIt() {
         BarChart chart = chartOf(Shape::stacked, false, 3, 2);
         chart.series[0].values = {-6, -7, -5};
-        chart.series[1].values = {-2, 1, -3};
-        chart.sums = {-8, -6, -8};
+        chart.series[1].values = {-2, -1, -3};
+        chart.sums = {-8, -8, -8};
         chart.number = [](double value) { return QString::number(value, 'f', 3); };
         QStringList texts;
         const Drawn drawn(chart, {520, 360}, &texts);
@@ -268,7 +268,31 @@ private slots:
                        && box.top() >= stack.bottom() && box.top() < stack.bottom() + 8;
             }));
         }
-        QCOMPARE(texts.filter(QStringLiteral("8.000")).size(), 2);
+        QCOMPARE(texts.filter(QStringLiteral("8.000")).size(), 3);
+    }
+
+    /// Where parts reach far beyond a sum, a number at their end would be taken for theirs.
+    void sumsWithinTheirStacksStandInRows() {
+        for (const int width : {520, 190}) { // wide, and with no room side by side
+            BarChart chart = chartOf(Shape::stacked, false, 4, 2);
+            chart.series[0].values = {8.29, 8.29, 8.29, 8.29};
+            chart.series[1].values = {-8.55, -4.49, 0.73, 5.4};
+            chart.sums = {-0.26, 3.8, 9.02, 13.69};
+            chart.number = [](double value) { return QString::number(value, 'f', 2); };
+            QStringList texts;
+            const Drawn drawn(chart, {width, 360}, &texts);
+            for (const char* sum : {"-0.26", "3.80", "9.02", "13.69"}) {
+                QCOMPARE(texts.filter(QLatin1String(sum)).size(), 1);
+            }
+            QRectF first;
+            for (const BarPart& part : drawn.drawing.parts()) {
+                first = part.category == 0 ? first | part.rect : first;
+            }
+            QVERIFY(std::ranges::none_of(drawn.drawing.numberBoxes(), [&](const QRectF& box) {
+                return std::abs(box.center().x() - first.center().x()) < 2
+                       && box.top() >= first.bottom() && box.top() < first.bottom() + 8;
+            }));
+        }
     }
 
     void theNameOfAnAxisIsReadInFullAtTheLeastHeight() {
