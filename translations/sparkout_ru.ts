@@ -16808,6 +16808,10 @@ mm/min</source>
             <translation>зона относительно прибора</translation>
         </message>
         <message>
+            <source>section against the gauge</source>
+            <translation>сечение относительно прибора</translation>
+        </message>
+        <message>
             <source>S%1</source>
             <comment>section, in little room</comment>
             <translation>С%1</translation>

@@ -212,7 +212,11 @@ BarChart OverviewCharts::diameters(const Outcome& outcome) {
     chart.band = BarBand{part.lower_deviation_um, part.upper_deviation_um, tr("tolerance field")};
     chart.sumName = tr("deviation, the sum");
     chart.series = {{tr("gauge at the end"), barColour(Drawn::gauge), hatchAt(0), {}},
-                    {tr("zone against the gauge"), barColour(Tone::orange), hatchAt(1), {}},
+                    {outcome.result.project.operation->hasZones ? tr("zone against the gauge")
+                                                                : tr("section against the gauge"),
+                     barColour(Tone::orange),
+                     hatchAt(1),
+                     {}},
                     {tr("spread in the section"), barColour(Tone::purple), hatchAt(2), {}}};
     for (const int section : drawnSections(outcome)) {
         for (const DiameterEnd end : {DiameterEnd::smallest, DiameterEnd::largest}) {
