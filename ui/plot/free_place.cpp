@@ -83,6 +83,21 @@ void FreePlace::addSpot(const QRectF& spot) {
     }
 }
 
+int FreePlace::coveredIn(const QRectF& place) const {
+    const auto at = [](double pixels, int most) {
+        return std::clamp(static_cast<int>(pixels / squareSide), 0, most - 1);
+    };
+    const QRectF inside = place.translated(-m_within.topLeft());
+    int count = 0;
+    for (int row = at(inside.top(), m_rows); row <= at(inside.bottom(), m_rows); ++row) {
+        for (int column = at(inside.left(), m_columns); column <= at(inside.right(), m_columns);
+             ++column) {
+            count += m_covered[static_cast<std::size_t>(row * m_columns + column)];
+        }
+    }
+    return count;
+}
+
 std::vector<int> FreePlace::sums() const {
     const auto width = static_cast<std::size_t>(m_columns) + 1;
     std::vector<int> sums(width * (static_cast<std::size_t>(m_rows) + 1));

@@ -21,6 +21,8 @@ public:
     explicit FreePlace(const QRectF& within);
     void addCurve(const QPolygonF& points); ///< the line through them
     void addSpot(const QRectF& spot);       ///< as of a mark
+    /// Small squares of a place that something runs through.
+    [[nodiscard]] int coveredIn(const QRectF& place) const;
     /// The free place of a size that is nearest to a mark; where none is free, the one that covers
     /// the least.
     [[nodiscard]] Found nearest(const QSizeF& size, const QPointF& mark) const;

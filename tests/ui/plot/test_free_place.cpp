@@ -36,6 +36,15 @@ class TestFreePlace : public QObject {
     Q_OBJECT
 
 private slots:
+    void whatAPlaceCoversIsCounted() {
+        FreePlace places(QRectF(10, 10, 200, 100));
+        places.addCurve(QPolygonF({{10, 52}, {210, 52}}));
+        const int wide = places.coveredIn({20, 40, 40, 20});
+        QVERIFY(wide >= 10 && wide <= 11); // squares of 4 px
+        QCOMPARE(places.coveredIn({20, 60, 40, 20}), 0);
+        QCOMPARE(places.coveredIn({10, 10, 200, 100}), 50);
+    }
+
     void withoutCurvesItStandsAtTheMark() {
         const FreePlace places(plot);
         const FreePlace::Found found = places.nearest(text, {300, 150});

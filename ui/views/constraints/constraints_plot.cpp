@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -26,8 +27,9 @@ constexpr double visibleLimits = 3;   ///< times the deepest cut, of limits that
 constexpr double decades = 1e-4;      ///< of the deepest cut, in visible at most
 constexpr double forbidden_um = 1e6;  ///< far above all plots
 constexpr int forbiddenAlpha = 34;
-constexpr int markPadding = 4;   ///< about its text
-constexpr double pieceWidth = 9; ///< of the band along what binds [px]
+constexpr int markPadding = 4;              ///< about its text
+constexpr int namePadding = 2, nameGap = 4; ///< beside the name of a limit, and below it
+constexpr double pieceWidth = 9;            ///< of the band along what binds [px]
 constexpr int pieceAlpha = 120;
 constexpr double markSize = 13, cutSize = 3.5, exceededSize = 6;
 
@@ -194,7 +196,7 @@ void ConstraintsPlot::fillEnvelope() {
         anchor({name->position}, *m_rect);
         name->setText(LimitChart::boundName(piece));
         name->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
-        name->setPadding(QMargins(2, 0, 2, 4));
+        name->setPadding(QMargins(namePadding, 0, namePadding, nameGap));
         setKeyed(envelopeKey, {curve});
         m_pieces.push_back(curve);
         m_names.push_back(name);
@@ -202,29 +204,53 @@ void ConstraintsPlot::fillEnvelope() {
     restyleEnvelope();
 }
 
-/// In the middle of a piece as far as it is in sight, where it is wider than its name.
-void ConstraintsPlot::placeNames() {
+/// On a piece as far as it is in sight, where it is wider than its name: of some places along it,
+/// above and below, the one that covers the least, the middle first.
+void ConstraintsPlot::placeNames(FreePlace& places) {
     const QCPRange stocks = stockAxis()->range();
+    const QFontMetrics metrics(font());
     for (std::size_t i = 0; i < m_pieces.size(); ++i) {
         const BoundCurve& piece = m_chart.envelope()[i];
         const double from = std::max(piece.points.front().stock_mm * umPerMm, stocks.lower),
                      to = std::min(piece.points.back().stock_mm * umPerMm, stocks.upper);
-        const double middle = (from + to) / 2;
         const double width =
             std::abs(stockAxis()->coordToPixel(from) - stockAxis()->coordToPixel(to));
-        double depth = piece.points.front().depth_mm;
-        for (const LimitPoint& point : piece.points) {
-            depth = point.stock_mm * umPerMm <= middle ? point.depth_mm : depth;
+        const QSizeF size(metrics.horizontalAdvance(m_names[i]->text()) + 2 * namePadding,
+                          metrics.height() + nameGap);
+        m_names[i]->setVisible(false);
+        if (from >= to || !shows(envelopeKey) || size.width() >= width) {
+            continue;
         }
-        const double high = std::max(depth * umPerMm, lowest_um);
-        const bool fits = from < to && shows(envelopeKey) && high < feedAxis()->range().upper
-                          && QFontMetrics(font()).horizontalAdvance(m_names[i]->text()) < width;
-        m_names[i]->position->setCoords(middle, high);
-        const bool below =
-            feedAxis()->coordToPixel(high) - m_rect->top() < 2 * QFontMetrics(font()).height();
-        m_names[i]->setPositionAlignment(Qt::AlignHCenter
-                                         | (below ? Qt::AlignTop : Qt::AlignBottom));
-        m_names[i]->setVisible(fits);
+        QRectF chosen;
+        int least = std::numeric_limits<int>::max();
+        for (const double share : {0.5, 0.35, 0.65, 0.2, 0.8, 0.1, 0.9}) {
+            const double stock = from + share * (to - from);
+            double depth = piece.points.front().depth_mm;
+            for (const LimitPoint& point : piece.points) {
+                depth = point.stock_mm * umPerMm <= stock ? point.depth_mm : depth;
+            }
+            const double high = std::max(depth * umPerMm, lowest_um);
+            const QPointF at(stockAxis()->coordToPixel(stock), feedAxis()->coordToPixel(high));
+            if (high >= feedAxis()->range().upper
+                || std::min(share, 1 - share) * width < size.width() / 2) {
+                continue;
+            }
+            for (const bool below : {false, true}) {
+                const QRectF place(
+                    {at.x() - size.width() / 2, below ? at.y() : at.y() - size.height()}, size);
+                const int covered = places.coveredIn(place);
+                if (covered < least && place.top() >= m_rect->top()
+                    && place.bottom() <= m_rect->bottom()) {
+                    least = covered;
+                    chosen = place;
+                    m_names[i]->position->setCoords(stock, high);
+                    m_names[i]->setPositionAlignment(Qt::AlignHCenter
+                                                     | (below ? Qt::AlignTop : Qt::AlignBottom));
+                    m_names[i]->setVisible(true);
+                }
+            }
+        }
+        places.addSpot(chosen);
     }
 }
 
@@ -260,12 +286,6 @@ QPolygonF ConstraintsPlot::pixelsOf(const Drawn& drawn) const {
 void ConstraintsPlot::placeMark() {
     style::fitValueAxes(*m_rect, font());
     m_markLine->setVisible(false);
-    placeNames();
-    if (!marked()) {
-        return;
-    }
-    const QPointF at(stockAxis()->coordToPixel(marked()->stock_mm * umPerMm),
-                     feedAxis()->coordToPixel(std::max(marked()->depth_mm * umPerMm, lowest_um)));
     FreePlace places(QRectF(m_rect->rect()).adjusted(1, 1, -1, -1));
     for (int i = 0; i < graphCount(); ++i) {
         if (graph(i) != m_ceiling) {
@@ -273,8 +293,15 @@ void ConstraintsPlot::placeMark() {
         }
     }
     places.addCurve(pixelsOf(*m_actual));
+    if (!marked()) {
+        placeNames(places);
+        return;
+    }
+    const QPointF at(stockAxis()->coordToPixel(marked()->stock_mm * umPerMm),
+                     feedAxis()->coordToPixel(std::max(marked()->depth_mm * umPerMm, lowest_um)));
     constexpr double round = markSize / 2 + 2;
     places.addSpot({at - QPointF(round, round), QSizeF(2 * round, 2 * round)});
+    placeNames(places);
     const auto placeOf = [&](const QString& text) {
         const QSizeF size = QFontMetricsF(font()).boundingRect(QRectF(), 0, text).size();
         return places.nearest(size + QSizeF(2 * markPadding, 2 * markPadding), at);

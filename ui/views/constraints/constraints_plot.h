@@ -9,6 +9,7 @@
 
 namespace sparkout {
 
+class FreePlace;
 class HairLine;
 
 /// The actual feed of one zone or section over the stock left, the cycle from left to right, under
@@ -65,7 +66,7 @@ private:
     void fill();
     void fillCuts(const LimitGroup& group);
     void fillEnvelope();
-    void placeNames(); ///< of the pieces that are wide enough
+    void placeNames(FreePlace& places); ///< of the pieces that are wide enough
     [[nodiscard]] QColor colourOf(const BoundCurve& piece) const;
     void restyleEnvelope();
     void followFeeds();
