@@ -10,12 +10,15 @@
 #include <cmath>
 #include <string_view>
 
+// Pieces of XML: short strings put together, with quotes in them.
+// NOLINTBEGIN(modernize-raw-string-literal,performance-inefficient-string-concatenation)
+
 namespace sparkout::xlsx {
 
 namespace {
 
 constexpr std::size_t sampledRows = 200; // for the widths
-constexpr std::size_t chunkBytes = 64 * 1024;
+constexpr std::size_t chunkBytes = std::size_t{64} * 1024;
 constexpr std::size_t narrowest = 9, widest = 48; // characters
 constexpr std::size_t headWidth = 16;             // longer names are wrapped
 
@@ -33,7 +36,9 @@ std::size_t widthOf(double value, const Column& column) {
         return 0;
     }
     const int before = 1 + static_cast<int>(std::floor(std::log10(std::max(std::abs(value), 1.0))));
-    return static_cast<std::size_t>(before + 2 + (column.decimals < 0 ? 8 : column.decimals));
+    const int after = column.decimals < 0 ? 8 : column.decimals;
+    const int all = before + 2 + after;
+    return static_cast<std::size_t>(all);
 }
 
 /// The sheets one after the other, as XML in the archive.
@@ -250,3 +255,5 @@ std::string bytesOf(const Book& book, const KeepGoing& keepGoing) {
 }
 
 } // namespace sparkout::xlsx
+
+// NOLINTEND(modernize-raw-string-literal,performance-inefficient-string-concatenation)

@@ -7,6 +7,9 @@
 #include <charconv>
 #include <cmath>
 
+// Pieces of XML: short strings put together, with quotes in them.
+// NOLINTBEGIN(modernize-raw-string-literal,performance-inefficient-string-concatenation)
+
 namespace sparkout::xlsx {
 
 namespace {
@@ -279,3 +282,5 @@ std::string programProperties(const Book& book) {
 }
 
 } // namespace sparkout::xlsx
+
+// NOLINTEND(modernize-raw-string-literal,performance-inefficient-string-concatenation)

@@ -13,7 +13,7 @@ namespace {
 constexpr int level = 4; // half as large as the quickest, twice as quick as the usual
 constexpr int rawDeflate = -15;
 constexpr int memory = 8;
-constexpr std::size_t roomBytes = 64 * 1024;
+constexpr std::size_t roomBytes = std::size_t{64} * 1024;
 constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
 
 constexpr std::uint32_t localSignature = 0x04034b50;
