@@ -78,7 +78,7 @@ std::string bindingText(const GridSearchReport& report) {
                    : "not known: stopped before the quicker cycles about it were run";
     }
     if (report.marginWithin_us) {
-        return joined(namesOf(*report.binding)) + ": what has the least margin";
+        return joined(namesOf(*report.binding)) + ": what has the minimum margin";
     }
     if (!report.binding->empty()) {
         return joined(namesOf(*report.binding)) + " in quicker cycles that differ in one setting";
@@ -240,10 +240,10 @@ double within_min(const GridSearchReport& report) {
 std::string marginStatusText(const GridSearchReport& report) {
     const std::string within = "within " + numberText(within_min(report)) + " min";
     if (report.search.status == SearchStatus::stopped) {
-        return "stopped: the largest margin so far; a cycle of the grid " + within
+        return "stopped: the maximum margin so far; a cycle of the grid " + within
                + " may have a larger one";
     }
-    std::string text = "the largest margin of the grid " + within;
+    std::string text = "the maximum margin of the grid " + within;
     if (report.robust) {
         text += report.robust->decided ? ", over every stock stated below"
                                        : ", over the part and the stocks it was run on";
@@ -366,8 +366,8 @@ std::string levelsText(const GridSearchReport& report) {
     }
     for (const LevelEdge& edge : report.edges) {
         text += "edge                 " + std::string(edge.feed->key) + " of stage "
-                + std::to_string(edge.stage + 1) + " is the " + (edge.isMost ? "greatest" : "least")
-                + " level, " + numberText(edge.level)
+                + std::to_string(edge.stage + 1) + " is the "
+                + (edge.isMost ? "maximum" : "minimum") + " level, " + numberText(edge.level)
                 + (edge.isLimit ? ": no more is allowed\n"
                    : edge.limit ? "; allowed is " + numberText(*edge.limit) + '\n'
                                 : "; smaller ones are allowed\n");
@@ -430,7 +430,7 @@ std::string optimiseText(const GridSearchReport& report) {
     if (report.robust) {
         text += robustText(report, search.best->time_s);
     }
-    text += "least margin         " + fixed(leastMargin(report) * 100, 1) + " %\n";
+    text += "minimum margin       " + fixed(leastMargin(report) * 100, 1) + " %\n";
     text += "binding              " + bindingText(report) + '\n';
     text += levelsText(report);
     const long long judged = report.robust ? report.robust->evaluations : search.evaluations;

@@ -114,13 +114,13 @@ std::string sweepCsv(const SweepResult& sweep) {
     return text;
 }
 
-/// A line a point: its values, its time, its least margin.
+/// A line a point: its values, its time, its minimum margin.
 std::string sweepText(const SweepResult& sweep) {
     std::string text;
     for (const SweptInput& input : sweep.inputs) {
         text += input.axis.input + (input.unit.empty() ? "  " : " [" + input.unit + "]  ");
     }
-    text += "status  time [s]  least margin [%]\n";
+    text += "status  time [s]  minimum margin [%]\n";
     for (std::size_t i = 0; i < sweep.points.size(); ++i) {
         const SweepPoint& point = sweep.points[i];
         for (const double value : sweep.valuesAt(i)) {

@@ -408,7 +408,7 @@ void bindSearch(py::module_& module) {
             "with the cycle found; None without one")
         .def_property_readonly(
             "bound_s", [](const GridSearchReport& self) { return self.search.bound_s; },
-            "no cycle of the grid that holds is quicker; for the greatest margin the limit")
+            "no cycle of the grid that holds is quicker; for the maximum margin the limit")
         .def_property_readonly(
             "limit_s", [](const GridSearchReport& self) { return self.limit_s; },
             "of the stepless cycle")
@@ -424,12 +424,12 @@ void bindSearch(py::module_& module) {
                 }
                 return names;
             },
-            "requirements that fail in quicker cycles nearby, or for the greatest margin those "
+            "requirements that fail in quicker cycles nearby, or for the maximum margin those "
             "that have the least; None where not known");
     module.def("search", &runSearchOf, py::arg("project"), py::kw_only(), py::arg("robust") = false,
                py::arg("refine") = false, py::arg("time_limit_s") = py::none(),
                "Finds the quickest cycle of the project's grid that holds every requirement, or "
-               "where margin_within_min is given the one of the greatest margin within that time. "
+               "where margin_within_min is given the one of the maximum margin within that time. "
                "A project has no wear of the wheel: an objective of cost or wheel life has the "
                "quickest cycle as its answer.");
 }

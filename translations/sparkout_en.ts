@@ -72,10 +72,10 @@
     <context>
         <name>PassportPrediction</name>
         <message numerus="yes">
-            <source>Of the %n part(s) number %1 has the least margin. %2.</source>
+            <source>Of the %n part(s) number %1 has the minimum margin. %2.</source>
             <translation>
-                <numerusform>Of the %n part number %1 has the least margin. %2.</numerusform>
-                <numerusform>Of the %n parts number %1 has the least margin. %2.</numerusform>
+                <numerusform>Of the %n part number %1 has the minimum margin. %2.</numerusform>
+                <numerusform>Of the %n parts number %1 has the minimum margin. %2.</numerusform>
             </translation>
         </message>
     </context>
@@ -96,10 +96,10 @@
             </translation>
         </message>
         <message numerus="yes">
-            <source>Smallest and largest tried: of the first %n parts.</source>
+            <source>Minimum and maximum tried: of the first %n parts.</source>
             <translation>
-                <numerusform>Smallest and largest tried: of the first part.</numerusform>
-                <numerusform>Smallest and largest tried: of the first %n parts.</numerusform>
+                <numerusform>Minimum and maximum tried: of the first part.</numerusform>
+                <numerusform>Minimum and maximum tried: of the first %n parts.</numerusform>
             </translation>
         </message>
     </context>

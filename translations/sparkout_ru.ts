@@ -481,7 +481,7 @@
             <translation>по положению бабки</translation>
         </message>
         <message>
-            <source>smallest diameter</source>
+            <source>minimum diameter</source>
             <translation>наименьший диаметр</translation>
         </message>
         <message>
@@ -489,7 +489,7 @@
             <translation>средний диаметр</translation>
         </message>
         <message>
-            <source>largest diameter</source>
+            <source>maximum diameter</source>
             <translation>наибольший диаметр</translation>
         </message>
         <message>
@@ -605,11 +605,11 @@
             <translation>нормальная сила</translation>
         </message>
         <message>
-            <source>least time</source>
+            <source>minimum time</source>
             <translation>наименьшее время</translation>
         </message>
         <message>
-            <source>least cost</source>
+            <source>minimum cost</source>
             <translation>наименьшая стоимость</translation>
         </message>
         <message>
@@ -1751,7 +1751,7 @@
             <translation>Где правило ошибается</translation>
         </message>
         <message>
-            <source>A cell [n, m] holds the least time T[n,m] in which n levels of stock are removed, the last with feed m, and m*, the feed before it: T[n,m] = min over m&apos; of (T[n−1,m&apos;] + τ), T[0,0] = 0, over the moves that break no requirement. The least time of the last level is that of the cycle; its feeds are read back along m*.</source>
+            <source>A cell [n, m] holds the minimum time T[n,m] in which n levels of stock are removed, the last with feed m, and m*, the feed before it: T[n,m] = min over m&apos; of (T[n−1,m&apos;] + τ), T[0,0] = 0, over the moves that break no requirement. The minimum time of the last level is that of the cycle; its feeds are read back along m*.</source>
             <translation>В клетке [n, m] записаны наименьшее время T[n,m], за которое снимаются n уровней припуска, последний с подачей m, и m* — номер подачи перед ним: T[n,m] = min по m&apos; (T[n−1,m&apos;] + τ), T[0,0] = 0, по ходам, не нарушающим требований. Наименьшее время последнего уровня — время цикла; его подачи читаются обратным ходом по m*.</translation>
         </message>
         <message>
@@ -2046,11 +2046,11 @@
             <translation>От конца у передней бабки, мм</translation>
         </message>
         <message>
-            <source>Smallest deviation, µm</source>
+            <source>Minimum deviation, µm</source>
             <translation>Наименьшее отклонение, мкм</translation>
         </message>
         <message>
-            <source>Largest deviation, µm</source>
+            <source>Maximum deviation, µm</source>
             <translation>Наибольшее отклонение, мкм</translation>
         </message>
         <message>
@@ -2280,11 +2280,11 @@
             <translation>Выхаживание</translation>
         </message>
         <message>
-            <source>Largest power, kW</source>
+            <source>Maximum power, kW</source>
             <translation>Мощность наибольшая, кВт</translation>
         </message>
         <message>
-            <source>Largest force Py, N</source>
+            <source>Maximum force Py, N</source>
             <translation>Сила Py наибольшая, Н</translation>
         </message>
         <message>
@@ -2723,19 +2723,19 @@
             <translation>Число оборотов</translation>
         </message>
         <message>
-            <source>Largest less smallest diameter along the part</source>
+            <source>Maximum minus minimum diameter along the part</source>
             <translation>Разность наибольшего и наименьшего диаметров детали</translation>
         </message>
         <message>
-            <source>Largest radial runout</source>
+            <source>Maximum radial runout</source>
             <translation>Наибольшее радиальное биение</translation>
         </message>
         <message>
-            <source>Largest normal force Py</source>
+            <source>Maximum normal force Py</source>
             <translation>Наибольшая нормальная сила Py</translation>
         </message>
         <message>
-            <source>Largest power</source>
+            <source>Maximum power</source>
             <translation>Наибольшая мощность</translation>
         </message>
         <message>
@@ -2761,11 +2761,11 @@
     <context>
         <name>FactorLines</name>
         <message>
-            <source>Lowest</source>
+            <source>Minimum</source>
             <translation>Наименьшее</translation>
         </message>
         <message>
-            <source>Highest</source>
+            <source>Maximum</source>
             <translation>Наибольшее</translation>
         </message>
         <message>
@@ -3300,11 +3300,11 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Податливость там, мм/Н</translation>
         </message>
         <message>
-            <source>Smallest diameter, µm</source>
+            <source>Minimum diameter, µm</source>
             <translation>Наименьший диаметр, мкм</translation>
         </message>
         <message>
-            <source>Largest diameter, µm</source>
+            <source>Maximum diameter, µm</source>
             <translation>Наибольший диаметр, мкм</translation>
         </message>
         <message>
@@ -3684,7 +3684,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>не ограничено</translation>
         </message>
         <message>
-            <source>Lowest, highest and step, per double stroke.</source>
+            <source>Minimum, maximum and step, per double stroke.</source>
             <translation>Наименьшая, наибольшая и шаг, на двойной ход.</translation>
         </message>
         <message>
@@ -3692,7 +3692,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Диапазон осевой подачи</translation>
         </message>
         <message>
-            <source>Lowest, highest and step.</source>
+            <source>Minimum, maximum and step.</source>
             <translation>Наименьшее, наибольшее и шаг.</translation>
         </message>
         <message>
@@ -3924,7 +3924,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Прибор показывает</translation>
         </message>
         <message>
-            <source>Which of the diameters of a revolution the gauge reports. In a bore smallest and largest change places.</source>
+            <source>Which of the diameters of a revolution the gauge reports. In a bore minimum and maximum change places.</source>
             <translation>Какой из диаметров за оборот выдаёт прибор. В отверстии наименьший и наибольший меняются местами.</translation>
         </message>
         <message>
@@ -4124,7 +4124,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>не требуется</translation>
         </message>
         <message>
-            <source>Greatest roundness deviation the drawing allows.</source>
+            <source>Maximum roundness deviation the drawing allows.</source>
             <translation>Наибольшее отклонение от круглости по чертежу.</translation>
         </message>
         <message>
@@ -4132,7 +4132,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Радиальное биение</translation>
         </message>
         <message>
-            <source>Greatest R_max − R_min of a section about the centre axis the drawing allows.</source>
+            <source>Maximum R_max − R_min of a section about the centre axis the drawing allows.</source>
             <translation>Наибольшая по чертежу разность R_max − R_min сечения относительно оси центров.</translation>
         </message>
         <message>
@@ -4140,7 +4140,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Допуск цилиндричности</translation>
         </message>
         <message>
-            <source>Greatest cylindricity deviation the drawing allows.</source>
+            <source>Maximum cylindricity deviation the drawing allows.</source>
             <translation>Наибольшее отклонение от цилиндричности по чертежу.</translation>
         </message>
         <message>
@@ -4148,11 +4148,11 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Полное радиальное биение</translation>
         </message>
         <message>
-            <source>Greatest radial runout over the whole ground length.</source>
+            <source>Maximum radial runout over the whole ground length.</source>
             <translation>Наибольшее радиальное биение на всей длине шлифования.</translation>
         </message>
         <message>
-            <source>Greatest arithmetic mean roughness the drawing allows.</source>
+            <source>Maximum arithmetic mean roughness the drawing allows.</source>
             <translation>Наибольшее среднее арифметическое отклонение профиля по чертежу.</translation>
         </message>
         <message>
@@ -4312,7 +4312,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Припуск на сторону</translation>
         </message>
         <message>
-            <source>Minimum radial stock: what the smallest radius of the blank stands above the target radius.</source>
+            <source>Minimum radial stock: what the minimum radius of the blank stands above the target radius.</source>
             <translation>Наименьший припуск на сторону: на сколько наименьший радиус заготовки больше целевого.</translation>
         </message>
         <message>
@@ -4352,7 +4352,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>не измерен</translation>
         </message>
         <message>
-            <source>Deviations from the largest radius at equal angles, one a radius; only their differences matter.</source>
+            <source>Deviations from the maximum radius at equal angles, one a radius; only their differences matter.</source>
             <translation>Отклонения от наибольшего радиуса через равные углы, по одному на радиус; важны только их разности.</translation>
         </message>
         <message>
@@ -4616,7 +4616,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Правдоподобный диапазон</translation>
         </message>
         <message>
-            <source>Lowest and highest value to expect.</source>
+            <source>Minimum and maximum value to expect.</source>
             <translation>Наименьшее и наибольшее ожидаемое значение.</translation>
         </message>
         <message>
@@ -4664,7 +4664,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Отжимает ли сила в одном сечении и остальные; нужна податливость, рассчитанная по жёсткости узлов и валу.</translation>
         </message>
         <message>
-            <source>Least overlap of a stage</source>
+            <source>Minimum overlap of a stage</source>
             <translation>Перекрытие ступени, не менее</translation>
         </message>
         <message>
@@ -4672,7 +4672,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Наименьший коэффициент перекрытия — отношение высоты круга к перемещению стола за оборот заготовки; обычно 1,05. При значении ниже 1 остаются непрошлифованные полосы.</translation>
         </message>
         <message>
-            <source>Least overlap of the last stage</source>
+            <source>Minimum overlap of the last stage</source>
             <translation>Перекрытие последней ступени, не менее</translation>
         </message>
         <message>
@@ -4684,7 +4684,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Наименьший коэффициент перекрытия последней ступени, которая оставляет поверхность; обычно 2.</translation>
         </message>
         <message>
-            <source>Least steps of a stage</source>
+            <source>Minimum steps of a stage</source>
             <translation>Двойных ходов (оборотов) ступени, не менее</translation>
         </message>
         <message>
@@ -4712,7 +4712,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Расстояние от целевого радиуса, с которого начинается подача шлифовальной бабки. В партии — от касания номинальной заготовки: с большей заготовки сразу снимается больше, меньшей круг касается позже.</translation>
         </message>
         <message>
-            <source>Lowest and highest value; equal, a constant.</source>
+            <source>Minimum and maximum value; equal, a constant.</source>
             <translation>Наименьшее и наибольшее значения; равные — постоянная величина.</translation>
         </message>
         <message>
@@ -4720,7 +4720,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Треугольное</translation>
         </message>
         <message>
-            <source>Lowest, most frequent and highest value.</source>
+            <source>Minimum, most frequent and maximum value.</source>
             <translation>Наименьшее, наиболее частое и наибольшее значения.</translation>
         </message>
         <message>
@@ -4744,7 +4744,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Припуск последней ступени на сторону</translation>
         </message>
         <message>
-            <source>Least and most, in cycles of several stages.</source>
+            <source>Minimum and maximum, in cycles of several stages.</source>
             <translation>Наименьший и наибольший, в циклах из нескольких ступеней.</translation>
         </message>
         <message>
@@ -4752,15 +4752,15 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Шероховатость</translation>
         </message>
         <message>
-            <source>Smallest diameter, deviation</source>
+            <source>Minimum diameter, deviation</source>
             <translation>Наименьший диаметр, отклонение</translation>
         </message>
         <message>
-            <source>Largest diameter, deviation</source>
+            <source>Maximum diameter, deviation</source>
             <translation>Наибольший диаметр, отклонение</translation>
         </message>
         <message>
-            <source>Largest normal force</source>
+            <source>Maximum normal force</source>
             <translation>Наибольшая нормальная сила</translation>
         </message>
         <message>
@@ -4808,7 +4808,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Зоны или сечения</translation>
         </message>
         <message>
-            <source>Largest power</source>
+            <source>Maximum power</source>
             <translation>Наибольшая мощность</translation>
         </message>
         <message>
@@ -4840,7 +4840,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>От</translation>
         </message>
         <message>
-            <source>Lowest value, in the unit of the input.</source>
+            <source>Minimum value, in the unit of the input.</source>
             <translation>Наименьшее значение, в единицах этой величины.</translation>
         </message>
         <message>
@@ -4848,7 +4848,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>До</translation>
         </message>
         <message>
-            <source>Highest value, in the unit of the input.</source>
+            <source>Maximum value, in the unit of the input.</source>
             <translation>Наибольшее значение, в единицах этой величины.</translation>
         </message>
         <message>
@@ -4944,7 +4944,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Радиальная подача по ступеням</translation>
         </message>
         <message>
-            <source>Least and most of the first stage, of the second and so on; twice the same fixes it.</source>
+            <source>Minimum and maximum of the first stage, of the second and so on; twice the same fixes it.</source>
             <translation>Наименьшее и наибольшее для первой ступени, для второй и так далее; два одинаковых числа закрепляют значение.</translation>
         </message>
         <message>
@@ -4968,7 +4968,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>не считается</translation>
         </message>
         <message>
-            <source>Least Ppk</source>
+            <source>Minimum Ppk</source>
             <translation>Наименьший Ppk</translation>
         </message>
         <message>
@@ -4976,7 +4976,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Цикл годен, если нижние 95%-ные границы всех Ppk не меньше этого значения, иначе условно годен.</translation>
         </message>
         <message>
-            <source>Largest share outside</source>
+            <source>Maximum share outside</source>
             <translation>Наибольшая доля вне допуска</translation>
         </message>
         <message>
@@ -5112,7 +5112,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Установка и снятие детали</translation>
         </message>
         <message>
-            <source>Highest wheel speed</source>
+            <source>Maximum wheel speed</source>
             <translation>Наибольшая скорость круга</translation>
         </message>
         <message>
@@ -5136,7 +5136,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Смазочно-охлаждающая жидкость и её концентрация, для операционной карты.</translation>
         </message>
         <message>
-            <source>Largest part diameter</source>
+            <source>Maximum part diameter</source>
             <translation>Наибольший диаметр детали</translation>
         </message>
         <message>
@@ -5144,7 +5144,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Диаметр, до которого шлифует станок.</translation>
         </message>
         <message>
-            <source>Largest part length</source>
+            <source>Maximum part length</source>
             <translation>Наибольшая длина детали</translation>
         </message>
         <message>
@@ -5184,7 +5184,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Прибор перекрывает разрывы</translation>
         </message>
         <message>
-            <source>A gauge for interrupted surfaces, with wide contacts or a reading held over the gaps. Any other drops into them, so that only the largest diameter (in a bore the smallest) is of use.</source>
+            <source>A gauge for interrupted surfaces, with wide contacts or a reading held over the gaps. Any other drops into them, so that only the maximum diameter (in a bore the smallest) is of use.</source>
             <translation>Прибор для прерывистых поверхностей: с широкими наконечниками или с удержанием показания над разрывом. Любой другой проваливается в них, и пригоден только наибольший диаметр (в отверстии — наименьший).</translation>
         </message>
         <message>
@@ -5392,19 +5392,19 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Стандартное отклонение деталей. Если не указано, оно следует из интервала среднего.</translation>
         </message>
         <message>
-            <source>Least value</source>
+            <source>Minimum value</source>
             <translation>Наименьшее значение</translation>
         </message>
         <message>
-            <source>Least value of all parts.</source>
+            <source>Minimum value of all parts.</source>
             <translation>Наименьшее значение по всем деталям.</translation>
         </message>
         <message>
-            <source>Greatest value</source>
+            <source>Maximum value</source>
             <translation>Наибольшее значение</translation>
         </message>
         <message>
-            <source>Greatest value of all parts.</source>
+            <source>Maximum value of all parts.</source>
             <translation>Наибольшее значение по всем деталям.</translation>
         </message>
         <message>
@@ -5704,15 +5704,15 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Умножает податливость каждой зоны или сечения, по порядку, заданную или вычисленную; не при связанных сечениях.</translation>
         </message>
         <message>
-            <source>Lowest and highest difference of each zone or section from the stock of the part, in their order; each scatters by itself, evenly. Twice the same is a constant.</source>
+            <source>Minimum and maximum difference of each zone or section from the stock of the part, in their order; each scatters by itself, evenly. Twice the same is a constant.</source>
             <translation>Наименьшее и наибольшее отличие припуска каждой зоны или сечения от припуска детали, по порядку; каждое рассеивается само по себе, равномерно. Два одинаковых числа — постоянная.</translation>
         </message>
         <message>
-            <source>Lowest and highest difference of each zone or section from the initial runout of the part, in their order; each scatters by itself, evenly. Twice the same is a constant.</source>
+            <source>Minimum and maximum difference of each zone or section from the initial runout of the part, in their order; each scatters by itself, evenly. Twice the same is a constant.</source>
             <translation>Наименьшее и наибольшее отличие исходного биения каждой зоны или сечения от биения детали, по порядку; каждое рассеивается само по себе, равномерно. Два одинаковых числа — постоянная.</translation>
         </message>
         <message>
-            <source>Lowest and highest factor on the compliance of each zone or section, in their order; each scatters by itself, evenly. Twice the same is a constant.</source>
+            <source>Minimum and maximum factor on the compliance of each zone or section, in their order; each scatters by itself, evenly. Twice the same is a constant.</source>
             <translation>Наименьший и наибольший множитель податливости каждой зоны или сечения, по порядку; каждый рассеивается сам по себе, равномерно. Два одинаковых числа — постоянная.</translation>
         </message>
         <message>
@@ -5724,23 +5724,23 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>1 — затупление растёт равномерно. Меньше 1 — быстрее всего сразу после правки, больше 1 — к концу; коэффициент затупления отнесён тогда к мм² в этой степени.</translation>
         </message>
         <message>
-            <source>Largest margin within a time</source>
+            <source>Maximum margin within a time</source>
             <translation>Наибольший запас за время</translation>
         </message>
         <message>
-            <source>the least time is searched</source>
+            <source>the minimum time is searched</source>
             <translation>ищется наименьшее время</translation>
         </message>
         <message>
-            <source>The search then answers the cycle farthest from its limits whose machining time is at most that: the one with the largest least margin of all requirements, each as a share of its limit.</source>
+            <source>The search then answers the cycle farthest from its limits whose machining time is at most that: the one with the largest minimum margin of all requirements, each as a share of its limit.</source>
             <translation>Тогда поиск находит цикл с основным временем не больше заданного, который дальше всех от пределов: его наименьший запас по всем требованиям, каждый в долях своего предела, наибольший.</translation>
         </message>
         <message>
-            <source>For the least cost with a wheel that wears the search finds it, and this is the most it may be.</source>
+            <source>For the minimum cost with a wheel that wears the search finds it, and this is the most it may be.</source>
             <translation>При поиске наименьшей стоимости с изнашивающимся кругом его находит поиск, а это — наибольшее допустимое.</translation>
         </message>
         <message>
-            <source>Shown beside the time; the least is searched where that is the objective.</source>
+            <source>Shown beside the time; the minimum is searched where that is the objective.</source>
             <translation>Указывается рядом со временем; наименьшая ищется, если это цель поиска.</translation>
         </message>
         <message>
@@ -5748,7 +5748,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Цель поиска</translation>
         </message>
         <message>
-            <source>Cost and wheel life are searched over the parts from one dressing to the next: the cycle holds for all of them, with the wheel as the part&apos;s wear makes it. The least cost needs the cost of a part.</source>
+            <source>Cost and wheel life are searched over the parts from one dressing to the next: the cycle holds for all of them, with the wheel as the part&apos;s wear makes it. The minimum cost needs the cost of a part.</source>
             <translation>Стоимость и стойкость круга ищутся по деталям от правки до правки: цикл годен для каждой из них, с кругом, каким его делает износ, заданный у детали. Для наименьшей стоимости нужна стоимость детали.</translation>
         </message>
         <message>
@@ -5880,7 +5880,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>не печатаются</translation>
         </message>
         <message>
-            <source>Least margin</source>
+            <source>Minimum margin</source>
             <translation>Наименьший запас</translation>
         </message>
         <message>
@@ -5988,7 +5988,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>В файле студента не сказано, какие из них верны.</translation>
         </message>
         <message>
-            <source>Least length</source>
+            <source>Minimum length</source>
             <translation>Наименьшая длина</translation>
         </message>
         <message>
@@ -6409,11 +6409,11 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>границы поля, ±%1 мкм</translation>
         </message>
         <message>
-            <source>%1: smallest, µm</source>
+            <source>%1: minimum, µm</source>
             <translation>%1: наименьшее, мкм</translation>
         </message>
         <message>
-            <source>%1: largest, µm</source>
+            <source>%1: maximum, µm</source>
             <translation>%1: наибольшее, мкм</translation>
         </message>
         <message>
@@ -6516,7 +6516,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>врезному шлифованию</translation>
         </message>
         <message>
-            <source>one that reads the largest diameter</source>
+            <source>one that reads the maximum diameter</source>
             <translation>прибор, читающий наибольший диаметр</translation>
         </message>
         <message>
@@ -7039,11 +7039,11 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Остановлено при поиске с новыми уровнями: ответ дан по предыдущей сетке.</translation>
         </message>
         <message>
-            <source>Stage %1: “%2” has the greatest level, %3;</source>
+            <source>Stage %1: “%2” has the maximum level, %3;</source>
             <translation>Ступень %1: «%2» на наибольшем уровне, %3;</translation>
         </message>
         <message>
-            <source>Stage %1: “%2” has the least level, %3;</source>
+            <source>Stage %1: “%2” has the minimum level, %3;</source>
             <translation>Ступень %1: «%2» на наименьшем уровне, %3;</translation>
         </message>
         <message>
@@ -7083,11 +7083,11 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Найдено до %1 мин; у более длинных циклов запас может быть больше.</translation>
         </message>
         <message>
-            <source>What has the least margin is not known: the search was stopped before.</source>
+            <source>What has the minimum margin is not known: the search was stopped before.</source>
             <translation>У чего запас наименьший, не известно: поиск был остановлен раньше.</translation>
         </message>
         <message>
-            <source>The least margin is that of: %1.</source>
+            <source>The minimum margin is that of: %1.</source>
             <translation>Наименьший запас у требования: %1.</translation>
         </message>
         <message numerus="yes">
@@ -7103,11 +7103,11 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Запас по времени по всем фазам припуска ищется только при управлении от прибора.</translation>
         </message>
         <message>
-            <source>The least cost needs the cost of a part: page Search of the inputs.</source>
+            <source>The minimum cost needs the cost of a part: page Search of the inputs.</source>
             <translation>Для наименьшей стоимости нужна стоимость детали: страница «Поиск» исходных данных.</translation>
         </message>
         <message>
-            <source>The largest margin within a time is searched with the objective “least time” alone.</source>
+            <source>The maximum margin within a time is searched with the objective “minimum time” alone.</source>
             <translation>Наибольший запас за время ищется только с целью «наименьшее время».</translation>
         </message>
         <message>
@@ -7123,7 +7123,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>не менее %1</translation>
         </message>
         <message>
-            <source>“Search” finds the cycle of the grid with the least cost of a part, together with the parts between dressings: it holds for all of them.</source>
+            <source>“Search” finds the cycle of the grid with the minimum cost of a part, together with the parts between dressings: it holds for all of them.</source>
             <translation>«Найти» ищет цикл сетки с наименьшей стоимостью детали вместе с числом деталей между правками: он годен для каждой из них.</translation>
         </message>
         <message>
@@ -7135,11 +7135,11 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>%1 мин: самый быстрый из %2. Износ круга не задан, поэтому он и самый дешёвый, а стойкость круга не ищется.</translation>
         </message>
         <message>
-            <source>%1 a part, in %2 min: of %3 the least cost, proved.</source>
+            <source>%1 a part, in %2 min: of %3 the minimum cost, proved.</source>
             <translation>%1 за деталь, за %2 мин: наименьшая стоимость из %3, доказано.</translation>
         </message>
         <message>
-            <source>%1 a part, in %2 min, is the least cost so far.</source>
+            <source>%1 a part, in %2 min, is the minimum cost so far.</source>
             <translation>%1 за деталь, за %2 мин — пока наименьшая стоимость.</translation>
         </message>
         <message>
@@ -7163,7 +7163,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Деталь стоит %1.</translation>
         </message>
         <message>
-            <source>Margins by time are searched for the least time, or for the largest margin; this search is of parts between dressings.</source>
+            <source>Margins by time are searched for the minimum time, or for the maximum margin; this search is of parts between dressings.</source>
             <translation>Запас по времени ищется с целью «наименьшее время» или для наибольшего запаса; этот поиск — по деталям между правками.</translation>
         </message>
         <message>
@@ -7213,7 +7213,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Годна</translation>
         </message>
         <message>
-            <source>Least margin, of its limit</source>
+            <source>Minimum margin, of its limit</source>
             <translation>Наименьший запас, от предела</translation>
         </message>
         <message>
@@ -7428,11 +7428,11 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Ни одно требование этого проекта не ограничивает подачу.</translation>
         </message>
         <message>
-            <source>Each requirement allows a greatest depth of cut; the formulas below say where it comes from. Roughness limits the last cut of the cycle alone.</source>
+            <source>Each requirement allows a maximum depth of cut; the formulas below say where it comes from. Roughness limits the last cut of the cycle alone.</source>
             <translation>Каждое требование допускает свою наибольшую фактическую подачу; откуда она берётся, показывают формулы ниже. Шероховатость ограничивает только последний срез цикла.</translation>
         </message>
         <message>
-            <source>Each requirement allows a greatest depth of cut; the formulas below say where it comes from.</source>
+            <source>Each requirement allows a maximum depth of cut; the formulas below say where it comes from.</source>
             <translation>Каждое требование допускает свою наибольшую подачу; откуда она берётся, показывают формулы ниже.</translation>
         </message>
         <message>
@@ -7487,7 +7487,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Негодных деталей в партии</translation>
         </message>
         <message>
-            <source>Least Ppk</source>
+            <source>Minimum Ppk</source>
             <translation>Наименьший Ppk</translation>
         </message>
         <message>
@@ -7538,7 +7538,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Номинал</translation>
         </message>
         <message>
-            <source>Smallest</source>
+            <source>Min.</source>
             <translation>Наим.</translation>
         </message>
         <message>
@@ -7546,7 +7546,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Среднее</translation>
         </message>
         <message>
-            <source>Largest</source>
+            <source>Max.</source>
             <translation>Наиб.</translation>
         </message>
         <message>
@@ -7570,7 +7570,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Вне допуска</translation>
         </message>
         <message numerus="yes">
-            <source>Of the %n part(s) number %1 has the least margin. %2.</source>
+            <source>Of the %n part(s) number %1 has the minimum margin. %2.</source>
             <translation>
                 <numerusform>Из %n детали наименьший запас у детали номер %1. %2.</numerusform>
                 <numerusform>Из %n деталей наименьший запас у детали номер %1. %2.</numerusform>
@@ -7714,15 +7714,15 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Распределение</translation>
         </message>
         <message>
-            <source>Smallest tried</source>
+            <source>Minimum tried</source>
             <translation>Наименьшее из испытанных</translation>
         </message>
         <message>
-            <source>Largest tried</source>
+            <source>Maximum tried</source>
             <translation>Наибольшее из испытанных</translation>
         </message>
         <message numerus="yes">
-            <source>Smallest and largest tried: of the first %n parts.</source>
+            <source>Minimum and maximum tried: of the first %n parts.</source>
             <translation>
                 <numerusform>Наименьшее и наибольшее из испытанных — по первой %n детали.</numerusform>
                 <numerusform>Наименьшее и наибольшее из испытанных — по первым %n деталям.</numerusform>
@@ -7770,7 +7770,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>%1: %2</translation>
         </message>
         <message>
-            <source>%1: number of parts, where the Ppk is least</source>
+            <source>%1: number of parts, where the Ppk is lowest</source>
             <translation>%1: число деталей, где Ppk наименьший</translation>
         </message>
         <message>
@@ -7819,7 +7819,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>профиль, вдоль оси — его среднее</translation>
         </message>
         <message>
-            <source>smallest…largest over the radii</source>
+            <source>minimum…maximum over the radii</source>
             <translation>наименьший…наибольший по радиусам</translation>
         </message>
         <message>
@@ -7894,19 +7894,19 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>средний %1</translation>
         </message>
         <message>
-            <source>smallest %1</source>
+            <source>minimum %1</source>
             <translation>наименьший %1</translation>
         </message>
         <message>
-            <source>largest %1</source>
+            <source>maximum %1</source>
             <translation>наибольший %1</translation>
         </message>
         <message>
-            <source>blank, smallest %1</source>
+            <source>blank, minimum %1</source>
             <translation>заготовка, наименьший %1</translation>
         </message>
         <message>
-            <source>blank, largest %1</source>
+            <source>blank, maximum %1</source>
             <translation>заготовка, наибольший %1</translation>
         </message>
         <message>
@@ -8107,7 +8107,7 @@ Reloading takes that version; your changes stay in Undo.</source>
     <context>
         <name>Requirement</name>
         <message>
-            <source>Smallest diameter</source>
+            <source>Minimum diameter</source>
             <translation>Мин. диаметр</translation>
         </message>
         <message>
@@ -8115,7 +8115,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>диаметр (%1) на %2 мкм меньше нижнего предела</translation>
         </message>
         <message>
-            <source>Largest diameter</source>
+            <source>Maximum diameter</source>
             <translation>Макс. диаметр</translation>
         </message>
         <message>
@@ -8227,7 +8227,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Коэффициент перекрытия ступени</translation>
         </message>
         <message>
-            <source>overlap B/s in %1 is %3, %2 below the least</source>
+            <source>overlap B/s in %1 is %3, %2 below the minimum</source>
             <translation>коэффициент перекрытия B/s (%1) равен %3, на %2 меньше наименьшего</translation>
         </message>
         <message>
@@ -8235,7 +8235,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Коэффициент перекрытия последней ступени</translation>
         </message>
         <message>
-            <source>overlap B/s in the last stage is %3, %2 below the least</source>
+            <source>overlap B/s in the last stage is %3, %2 below the minimum</source>
             <translation>коэффициент перекрытия B/s последней ступени равен %3, на %2 меньше наименьшего</translation>
         </message>
         <message>
@@ -8243,7 +8243,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Число двойных ходов (оборотов) ступени</translation>
         </message>
         <message>
-            <source>%1 makes %3 double strokes or revolutions, %2 fewer than the least</source>
+            <source>%1 makes %3 double strokes or revolutions, %2 fewer than the minimum</source>
             <translation>%1: двойных ходов (оборотов) %3, на %2 меньше наименьшего числа</translation>
         </message>
     </context>
@@ -8318,7 +8318,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Перекрытие</translation>
         </message>
         <message>
-            <source>Least overlap</source>
+            <source>Minimum overlap</source>
             <translation>Наим. перекрытие</translation>
         </message>
         <message>
@@ -8460,11 +8460,11 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Податливость, мм/Н</translation>
         </message>
         <message>
-            <source>Smallest diameter from nominal, µm</source>
+            <source>Minimum diameter from nominal, µm</source>
             <translation>Отклонение наименьшего диаметра, мкм</translation>
         </message>
         <message>
-            <source>Largest diameter from nominal, µm</source>
+            <source>Maximum diameter from nominal, µm</source>
             <translation>Отклонение наибольшего диаметра, мкм</translation>
         </message>
         <message>
@@ -8480,7 +8480,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Отклонение от круглости, наименьшие квадраты, мкм</translation>
         </message>
         <message>
-            <source>Largest normal force, N</source>
+            <source>Maximum normal force, N</source>
             <translation>Наибольшая нормальная сила, Н</translation>
         </message>
         <message>
@@ -8609,7 +8609,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Время обработки на ступени.</translation>
         </message>
         <message>
-            <source>Specific removal rate Q′_w = π·d·n·a/60: volume removed in a second by each millimetre of the width that cuts, at the largest actual feed a of the stage. No band holds for every wheel: compare with cycles known to be good.</source>
+            <source>Specific removal rate Q′_w = π·d·n·a/60: volume removed in a second by each millimetre of the width that cuts, at the maximum actual feed a of the stage. No band holds for every wheel: compare with cycles known to be good.</source>
             <translation>Удельная интенсивность съёма Q′_w = π·d·n·a/60: объём металла, снимаемый за секунду каждым миллиметром режущей ширины, при наибольшей фактической подаче a на ступени. Границ, верных для любого круга, нет: сравнивайте с проверенными циклами.</translation>
         </message>
         <message>
@@ -8617,11 +8617,11 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Удельная интенсивность съёма при средней фактической подаче по всем проходам ступени, включая проходы без съёма.</translation>
         </message>
         <message>
-            <source>Equivalent chip thickness h_eq = Q′_w/V_k, at the largest actual feed of the stage: the layer of metal that leaves at the wheel&apos;s speed. Forces and roughness rise with it. No band holds for every wheel: compare with cycles known to be good.</source>
+            <source>Equivalent chip thickness h_eq = Q′_w/V_k, at the maximum actual feed of the stage: the layer of metal that leaves at the wheel&apos;s speed. Forces and roughness rise with it. No band holds for every wheel: compare with cycles known to be good.</source>
             <translation>Эквивалентная толщина среза h_экв = Q′_w/V_k при наибольшей фактической подаче на ступени: слой металла, уходящий со скоростью круга. С ней растут силы и шероховатость. Границ, верных для любого круга, нет: сравнивайте с проверенными циклами.</translation>
         </message>
         <message>
-            <source>Aggressiveness 10⁶·(V_d/V_k)·√(a/D_e), at the largest actual feed of the stage: how hard the contact loads a grain, for wheels of any size. Large, the grains break out; small, they rub. No band holds for every wheel: compare with cycles known to be good.</source>
+            <source>Aggressiveness 10⁶·(V_d/V_k)·√(a/D_e), at the maximum actual feed of the stage: how hard the contact loads a grain, for wheels of any size. Large, the grains break out; small, they rub. No band holds for every wheel: compare with cycles known to be good.</source>
             <translation>Агрессивность 10⁶·(V_d/V_k)·√(a/D_e) при наибольшей фактической подаче на ступени: насколько контакт нагружает зерно, для кругов любого размера. При большой зёрна выкрашиваются, при малой — трут. Границ, верных для любого круга, нет: сравнивайте с проверенными циклами.</translation>
         </message>
         <message>
@@ -8633,7 +8633,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Удельная энергия шлифования: ∫P_z·V_k dt на снятый объём. Правдоподобно для стали: %1…%2 Дж/мм³. Затупленному кругу нужно больше; при выхаживании тоже: круг больше трёт, чем режет.</translation>
         </message>
         <message>
-            <source>Largest wheel power P_z·V_k of any pass of the stage.</source>
+            <source>Maximum wheel power P_z·V_k of any pass of the stage.</source>
             <translation>Наибольшая мощность P_z·V_k на круге по проходам ступени.</translation>
         </message>
         <message>
@@ -8641,7 +8641,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Средняя мощность на круге: энергия, делённая на время шлифования — обороты врезания и задержки и L_p/S_ax на каждый ход.</translation>
         </message>
         <message>
-            <source>Largest normal force P_y of any pass of the stage.</source>
+            <source>Maximum normal force P_y of any pass of the stage.</source>
             <translation>Наибольшая нормальная сила P_y по проходам ступени.</translation>
         </message>
         <message>
@@ -9411,7 +9411,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Время найденного цикла</translation>
         </message>
         <message>
-            <source>Least margin of all requirements, of its limit</source>
+            <source>Minimum margin of all requirements, of its limit</source>
             <translation>Наименьший запас по всем требованиям, от предела</translation>
         </message>
         <message>
@@ -9585,7 +9585,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Время обработки</translation>
         </message>
         <message>
-            <source>Least margin of all requirements</source>
+            <source>Minimum margin of all requirements</source>
             <translation>Наименьший запас по всем требованиям</translation>
         </message>
         <message>
@@ -9593,11 +9593,11 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Средний диаметр</translation>
         </message>
         <message>
-            <source>Largest normal force</source>
+            <source>Maximum normal force</source>
             <translation>Наибольшая нормальная сила</translation>
         </message>
         <message>
-            <source>Largest power</source>
+            <source>Maximum power</source>
             <translation>Наибольшая мощность</translation>
         </message>
         <message>
@@ -9724,11 +9724,11 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>накопленная программная подача от первого касания</translation>
         </message>
         <message>
-            <source>largest radius of the blank</source>
+            <source>maximum radius of the blank</source>
             <translation>наибольший радиус заготовки</translation>
         </message>
         <message>
-            <source>smallest radius of the blank</source>
+            <source>minimum radius of the blank</source>
             <translation>наименьший радиус заготовки</translation>
         </message>
         <message>
@@ -10814,11 +10814,11 @@ Reloading takes that version; your changes stay in Undo.</source>
     <context>
         <name>sparkout::BatchFigures</name>
         <message>
-            <source>Smallest</source>
+            <source>Minimum</source>
             <translation>Наименьшее</translation>
         </message>
         <message>
-            <source>Largest</source>
+            <source>Maximum</source>
             <translation>Наибольшее</translation>
         </message>
         <message>
@@ -11161,7 +11161,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Брак по причинам, сначала самая частая</translation>
         </message>
         <message>
-            <source>Keep the part with the least margin as a run beside this project and compare the two; the project stays as it is</source>
+            <source>Keep the part with the minimum margin as a run beside this project and compare the two; the project stays as it is</source>
             <translation>Запомнить деталь с наименьшим запасом как расчёт рядом с проектом и сравнить их; сам проект не изменится</translation>
         </message>
         <message>
@@ -11756,7 +11756,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Оставшийся припуск после прохода, мкм</translation>
         </message>
         <message>
-            <source>machine&apos;s greatest feed</source>
+            <source>machine&apos;s maximum feed</source>
             <translation>наибольшая подача станка</translation>
         </message>
         <message>
@@ -12287,7 +12287,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Точка — один оборот, в длинных циклах несколько оборотов; при увеличении — один радиус под кругом.</translation>
         </message>
         <message>
-            <source>The spread reaches from the smallest to the largest value over the radii of a cross-section, the line is their mean.</source>
+            <source>The spread reaches from the minimum to the maximum value over the radii of a cross-section, the line is their mean.</source>
             <translation>Разброс — от наименьшего до наибольшего значения по радиусам поперечного сечения, линия — их среднее.</translation>
         </message>
         <message>
@@ -12681,7 +12681,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>На сколько бесступенчатый цикл мог бы быть самое большее быстрее</translation>
         </message>
         <message>
-            <source>The least margin of all requirements, of its limit</source>
+            <source>The minimum margin of all requirements, of its limit</source>
             <translation>Наименьший запас из всех требований, в долях предела</translation>
         </message>
         <message>
@@ -13264,19 +13264,19 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>целевой</translation>
         </message>
         <message>
-            <source>blank, smallest</source>
+            <source>blank, minimum</source>
             <translation>заготовка, наименьший</translation>
         </message>
         <message>
-            <source>blank, largest</source>
+            <source>blank, maximum</source>
             <translation>заготовка, наибольший</translation>
         </message>
         <message>
-            <source>smallest</source>
+            <source>minimum</source>
             <translation>наименьший</translation>
         </message>
         <message>
-            <source>largest</source>
+            <source>maximum</source>
             <translation>наибольший</translation>
         </message>
         <message>
@@ -13775,7 +13775,7 @@ target, µm</source>
             <translation>Без фасок, пазов и отверстий; масса по чертежу важнее</translation>
         </message>
         <message>
-            <source>Levels of each feed over the machine&apos;s range, which follow the answer, steps of stock, and the usual least overlap and steps of a stage where none are given</source>
+            <source>Levels of each feed over the machine&apos;s range, which follow the answer, steps of stock, and the usual minimum overlap and steps of a stage where none are given</source>
             <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, шаги припуска и, если не заданы, обычные наименьшие перекрытие и число шагов ступени</translation>
         </message>
     </context>
@@ -13926,7 +13926,7 @@ target, µm</source>
             <translation>Сетка динамического программирования</translation>
         </message>
         <message>
-            <source>Largest margin over the machining time; the table below lists its cycles</source>
+            <source>Maximum margin over the machining time; the table below lists its cycles</source>
             <translation>Наибольший запас в зависимости от основного времени; циклы перечислены в таблице ниже</translation>
         </message>
         <message>
@@ -13938,7 +13938,7 @@ target, µm</source>
             <translation>«Найти» находит цикл сетки, который за заданное время дальше всех от пределов. Поиск можно остановить в любой момент, лучшее найденное остаётся.</translation>
         </message>
         <message>
-            <source>Levels of each feed over the machine&apos;s range, which follow the answer, steps of stock, and the usual least overlap and steps of a stage where none are given; can be undone and changed on the pages Search and Cycle</source>
+            <source>Levels of each feed over the machine&apos;s range, which follow the answer, steps of stock, and the usual minimum overlap and steps of a stage where none are given; can be undone and changed on the pages Search and Cycle</source>
             <translation>Уровни каждой подачи на всём диапазоне станка, уточняемые по ответу, шаги припуска и, если не заданы, обычные наименьшие перекрытие и число шагов ступени; можно отменить и изменить на страницах «Поиск» и «Цикл»</translation>
         </message>
         <message>
@@ -14570,15 +14570,15 @@ target, µm</source>
     <context>
         <name>sparkout::RangeEditor</name>
         <message>
-            <source>lowest, highest and step are needed, or none of them</source>
+            <source>minimum, maximum and step are needed, or none of them</source>
             <translation>нужны наименьшее, наибольшее и шаг либо ничего из них</translation>
         </message>
         <message>
-            <source>lowest</source>
+            <source>minimum</source>
             <translation>мин.</translation>
         </message>
         <message>
-            <source>highest</source>
+            <source>maximum</source>
             <translation>макс.</translation>
         </message>
         <message>
@@ -14607,7 +14607,7 @@ target, µm</source>
             <translation>шаг</translation>
         </message>
         <message>
-            <source>the lowest value is above the highest</source>
+            <source>the minimum is above the maximum</source>
             <translation>наименьшее значение больше наибольшего</translation>
         </message>
     </context>
@@ -15278,7 +15278,7 @@ target, µm</source>
             <translation>Время обработки</translation>
         </message>
         <message>
-            <source>cycle with the largest margin</source>
+            <source>cycle with the maximum margin</source>
             <translation>цикл с наибольшим запасом</translation>
         </message>
     </context>
@@ -15435,11 +15435,11 @@ target, µm</source>
             <translation>Остановлено, прежде чем что-либо решено. Нажмите «Рассчитать».</translation>
         </message>
         <message>
-            <source>Least stock per side decided; empty: half the largest infeed below</source>
+            <source>Minimum stock per side decided; empty: half the maximum infeed below</source>
             <translation>Наименьший припуск на сторону; пусто: на половину наибольшей подачи за шаг ниже</translation>
         </message>
         <message>
-            <source>Greatest stock per side decided; empty: half the largest infeed above</source>
+            <source>Maximum stock per side decided; empty: half the maximum infeed above</source>
             <translation>Наибольший припуск на сторону; пусто: на половину наибольшей подачи за шаг выше</translation>
         </message>
         <message>
@@ -15486,11 +15486,11 @@ target, µm</source>
             <translation>Время, мин</translation>
         </message>
         <message>
-            <source>Least deviation of the diameter, µm</source>
+            <source>Minimum deviation of the diameter, µm</source>
             <translation>Наименьшее отклонение диаметра, мкм</translation>
         </message>
         <message>
-            <source>Largest deviation of the diameter, µm</source>
+            <source>Maximum deviation of the diameter, µm</source>
             <translation>Наибольшее отклонение диаметра, мкм</translation>
         </message>
         <message>
@@ -15498,11 +15498,11 @@ target, µm</source>
             <translation>Заключение</translation>
         </message>
         <message>
-            <source>largest diameter</source>
+            <source>maximum diameter</source>
             <translation>наибольший диаметр</translation>
         </message>
         <message>
-            <source>smallest diameter</source>
+            <source>minimum diameter</source>
             <translation>наименьший диаметр</translation>
         </message>
         <message>
@@ -16521,11 +16521,11 @@ target, µm</source>
             <translation>%1: до</translation>
         </message>
         <message>
-            <source>%1: smallest</source>
+            <source>%1: minimum</source>
             <translation>%1: наименьшее</translation>
         </message>
         <message>
-            <source>%1: largest</source>
+            <source>%1: maximum</source>
             <translation>%1: наибольшее</translation>
         </message>
     </context>
@@ -16727,8 +16727,8 @@ mm/min</source>
             <translation>Время по ступеням и этапам</translation>
         </message>
         <message>
-            <source>Removed by stage, zone and step</source>
-            <translation>Снятый припуск по ступеням, зонам и этапам</translation>
+            <source>Removed by stage and step</source>
+            <translation>Снятый припуск по ступеням и этапам</translation>
         </message>
         <message>
             <source>What the diameter deviations are made of</source>
@@ -16739,8 +16739,8 @@ mm/min</source>
             <translation>Использование допусков и пределов</translation>
         </message>
         <message>
-            <source>Batch: mean diameter by zone</source>
-            <translation>Партия: средний диаметр по зонам</translation>
+            <source>Batch: mean diameters</source>
+            <translation>Партия: средние диаметры</translation>
         </message>
         <message>
             <source>Batch: good and rejected parts</source>
@@ -16855,15 +16855,15 @@ mm/min</source>
             <translation>Зона или сечение</translation>
         </message>
         <message>
-            <source>Box: the middle half of the parts, with their median; whiskers: the smallest and the largest part.</source>
-            <translation>Прямоугольник — средняя половина деталей, черта в нём — медиана; «усы» — до наименьшей и наибольшей детали.</translation>
+            <source>Box: the middle half of the parts; its line and the figure at the box are the median; whiskers: the smallest and the largest part.</source>
+            <translation>Прямоугольник — средняя половина деталей, черта в нём и число у него — медиана; «усы» — до наименьшей и наибольшей детали.</translation>
         </message>
         <message>
             <source>The quartiles are exact to within a bin.</source>
             <translation>Квартили — с точностью до интервала гистограммы.</translation>
         </message>
         <message>
-            <source>%1 of %2 sections, where the Ppk is least.</source>
+            <source>%1 of %2 sections, where the Ppk is lowest.</source>
             <translation>Сечения: %1 из %2, где Ppk наименьший.</translation>
         </message>
         <message>
@@ -16902,7 +16902,7 @@ good</source>
             <translation>Время обработки</translation>
         </message>
         <message>
-            <source>Least margin</source>
+            <source>Minimum margin</source>
             <translation>Наименьший запас</translation>
         </message>
         <message>
@@ -16910,7 +16910,7 @@ good</source>
             <translation>время обработки</translation>
         </message>
         <message>
-            <source>least margin</source>
+            <source>minimum margin</source>
             <translation>наименьший запас</translation>
         </message>
         <message>
@@ -16925,7 +16925,7 @@ good</source>
     <context>
         <name>BarChart</name>
         <message>
-            <source>smallest</source>
+            <source>minimum</source>
             <translation>наименьший</translation>
         </message>
         <message>
@@ -16941,7 +16941,7 @@ good</source>
             <translation>верхний квартиль</translation>
         </message>
         <message>
-            <source>largest</source>
+            <source>maximum</source>
             <translation>наибольший</translation>
         </message>
     </context>
@@ -17249,7 +17249,7 @@ good</source>
             <translation>Заключение</translation>
         </message>
         <message>
-            <source>Least margin</source>
+            <source>Minimum margin</source>
             <translation>Наименьший запас</translation>
         </message>
         <message>
@@ -17280,7 +17280,7 @@ good</source>
             <translation>время цикла</translation>
         </message>
         <message>
-            <source>least margin</source>
+            <source>minimum margin</source>
             <translation>наименьший запас</translation>
         </message>
         <message>
@@ -18141,8 +18141,8 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Зона или сечение</translation>
         </message>
         <message>
-            <source>Box: the middle half of the parts, with their median; whiskers: the smallest and the largest part.</source>
-            <translation>Прямоугольник — средняя половина деталей, «усы» — крайние.</translation>
+            <source>Box: the middle half of the parts; its line and the figure at the box are the median; whiskers: the smallest and the largest part.</source>
+            <translation>Прямоугольник — средняя половина деталей, черта в нём и число у него — медиана; «усы» — до наименьшей и наибольшей детали.</translation>
         </message>
         <message>
             <source>Corners are no sample: of their prediction there is no box.</source>
@@ -19270,7 +19270,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Он не определяет: %1.</translation>
         </message>
         <message>
-            <source>The intervals are those expected at 95 % about the present inputs, for %1 values a second with a scatter of %2 µm, %3 kW or %4 % of the greatest force. Then import the trace and calibrate on the page Cycle.</source>
+            <source>The intervals are those expected at 95 % about the present inputs, for %1 values a second with a scatter of %2 µm, %3 kW or %4 % of the maximum force. Then import the trace and calibrate on the page Cycle.</source>
             <translation>Интервалы — ожидаемые 95 %-е около нынешних исходных данных, при %1 отсчётах в секунду с разбросом %2 мкм, %3 кВт или %4 % наибольшей силы. Затем импортируйте запись и калибруйте на странице «Цикл».</translation>
         </message>
         <message numerus="yes">
@@ -19534,7 +19534,7 @@ s</source>
             <translation>Цикл</translation>
         </message>
         <message>
-            <source>largest margin by time</source>
+            <source>maximum margin by time</source>
             <translation>наибольший запас по времени</translation>
         </message>
         <message>
@@ -19554,7 +19554,7 @@ s</source>
             <translation>Время основное, мин</translation>
         </message>
         <message>
-            <source>Least margin, %</source>
+            <source>Minimum margin, %</source>
             <translation>Наименьший запас, %</translation>
         </message>
     </context>
@@ -19588,7 +19588,7 @@ s</source>
             <translation>Двойные ходы или обороты</translation>
         </message>
         <message>
-            <source>Largest less smallest diameter of the part</source>
+            <source>Maximum minus minimum diameter of the part</source>
             <translation>Разность наибольшего и наименьшего диаметров детали</translation>
         </message>
         <message>
@@ -19608,15 +19608,15 @@ s</source>
             <translation>Бочкообразность (+) или седлообразность (−), на радиус</translation>
         </message>
         <message>
-            <source>Largest normal force</source>
+            <source>Maximum normal force</source>
             <translation>Наибольшая нормальная сила</translation>
         </message>
         <message>
-            <source>Largest power</source>
+            <source>Maximum power</source>
             <translation>Наибольшая мощность</translation>
         </message>
         <message>
-            <source>Least margin of a requirement</source>
+            <source>Minimum margin of a requirement</source>
             <translation>Наименьший запас требования</translation>
         </message>
         <message>
@@ -19624,7 +19624,7 @@ s</source>
             <translation>Запас по прижогу</translation>
         </message>
         <message>
-            <source>Largest specific removal rate</source>
+            <source>Maximum specific removal rate</source>
             <translation>Наибольшая удельная интенсивность съёма</translation>
         </message>
         <message>
@@ -19640,15 +19640,15 @@ s</source>
             <translation>Время ступени</translation>
         </message>
         <message>
-            <source>Largest actual feed of a pass of the stage</source>
+            <source>Maximum actual feed of a pass of the stage</source>
             <translation>Наибольшая фактическая подача прохода ступени</translation>
         </message>
         <message>
-            <source>Largest normal force of the stage</source>
+            <source>Maximum normal force of the stage</source>
             <translation>Наибольшая нормальная сила ступени</translation>
         </message>
         <message>
-            <source>Largest power of the stage</source>
+            <source>Maximum power of the stage</source>
             <translation>Наибольшая мощность ступени</translation>
         </message>
         <message>
@@ -19656,11 +19656,11 @@ s</source>
             <translation>Податливость</translation>
         </message>
         <message>
-            <source>Smallest diameter, deviation</source>
+            <source>Minimum diameter, deviation</source>
             <translation>Наименьший диаметр, отклонение</translation>
         </message>
         <message>
-            <source>Largest diameter, deviation</source>
+            <source>Maximum diameter, deviation</source>
             <translation>Наибольший диаметр, отклонение</translation>
         </message>
         <message>
@@ -19680,7 +19680,7 @@ s</source>
             <translation>Шероховатость Ra</translation>
         </message>
         <message>
-            <source>Largest normal force in the zone</source>
+            <source>Maximum normal force in the zone</source>
             <translation>Наибольшая нормальная сила в зоне</translation>
         </message>
         <message>
@@ -19720,11 +19720,11 @@ s</source>
             <translation>Коэффициент трения площадок износа в законе силы, k_r</translation>
         </message>
         <message>
-            <source>Largest actual feed without burn at the finished size</source>
+            <source>Maximum actual feed without burn at the finished size</source>
             <translation>Наибольшая фактическая подача без прижога на готовом размере</translation>
         </message>
         <message>
-            <source>Largest less smallest radius after the pass</source>
+            <source>Maximum minus minimum radius after the pass</source>
             <translation>Разность наибольшего и наименьшего радиусов после прохода</translation>
         </message>
         <message>
@@ -19732,7 +19732,7 @@ s</source>
             <translation>Наибольшая глубина повреждённого нагревом слоя</translation>
         </message>
         <message>
-            <source>Largest actual feed without burn at the stock left</source>
+            <source>Maximum actual feed without burn at the stock left</source>
             <translation>Наибольшая фактическая подача без прижога при оставшемся припуске</translation>
         </message>
         <message>
@@ -21196,7 +21196,7 @@ s</source>
             <translation>Проверяется: %1 — %2 ± %3.</translation>
         </message>
         <message>
-            <source>least margin %1 %</source>
+            <source>minimum margin %1 %</source>
             <translation>наименьший запас %1 %</translation>
         </message>
         <message>

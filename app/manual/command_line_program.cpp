@@ -277,7 +277,7 @@ Command phasesCommand() {
           "MM",
           Kind::anything,
           "",
-          {"least stock per side in mm, instead of the file's less half the largest infeed of a "
+          {"minimum stock per side in mm, instead of the file's less half the maximum infeed of a "
            "stage",
            "наименьший припуск на сторону в мм вместо припуска файла за вычетом половины "
            "наибольшей подачи за шаг"}},
@@ -285,7 +285,7 @@ Command phasesCommand() {
           "MM",
           Kind::anything,
           "",
-          {"largest stock per side in mm, instead of the file's plus half the largest infeed of "
+          {"maximum stock per side in mm, instead of the file's plus half the maximum infeed of "
            "a stage",
            "наибольший припуск на сторону в мм вместо припуска файла с прибавлением половины "
            "наибольшей подачи за шаг"}},

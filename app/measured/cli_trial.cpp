@@ -90,7 +90,7 @@ int designTrialOf(const Project& project, const std::string& name,
                        + fixed(noise.hertz, 0) + " samples a second with a noise of "
                        + fixed(noise.size_mm * units::umPerMm, 1) + " µm, "
                        + fixed(noise.power_kw, 2) + " kW, " + fixed(noise.force_share * 100, 0)
-                       + " % of the greatest force\n";
+                       + " % of the maximum force\n";
     for (const Trial& trial : design.trials) {
         json["trials"].push_back(trialJson(project, trial));
         text += trialText(project, trial, json["trials"].size());

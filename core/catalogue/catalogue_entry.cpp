@@ -53,7 +53,7 @@ const StructInfo& tableOf<ValueSource>() {
                                                       "be calibrated.")),
         SPARKOUT_FIELD(ValueSource, range, .label = SPARKOUT_NOOP("Input", "Plausible range"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "not stated"), .count = 2,
-                       .hint = SPARKOUT_NOOP("Input", "Lowest and highest value to expect.")),
+                       .hint = SPARKOUT_NOOP("Input", "Minimum and maximum value to expect.")),
         makeField<&ValueSource::note>("note", noteRow()),
         makeField<&ValueSource::note_ru>("note_ru", russianNoteRow()),
     };

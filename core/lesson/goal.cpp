@@ -68,8 +68,8 @@ template <>
 const StructInfo& tableOf<RequirementsGoal>() {
     static const std::array rows{
         SPARKOUT_FIELD(
-            RequirementsGoal, least_margin_percent, .label = SPARKOUT_NOOP("Input", "Least margin"),
-            .unit = "%", .hard = {0, 100},
+            RequirementsGoal, least_margin_percent,
+            .label = SPARKOUT_NOOP("Input", "Minimum margin"), .unit = "%", .hard = {0, 100},
             .hint = SPARKOUT_NOOP(
                 "Input", "The relative margin that the worst requirement is to have left.")),
     };
@@ -209,7 +209,7 @@ const StructInfo& tableOf<ChoiceGoal>() {
 template <>
 const StructInfo& tableOf<TextGoal>() {
     static const std::array rows{
-        SPARKOUT_FIELD(TextGoal, least_letters, .label = SPARKOUT_NOOP("Input", "Least length"),
+        SPARKOUT_FIELD(TextGoal, least_letters, .label = SPARKOUT_NOOP("Input", "Minimum length"),
                        .hard = {1, 10000},
                        .hint = SPARKOUT_NOOP("Input", "Letters that an answer is to have.")),
     };

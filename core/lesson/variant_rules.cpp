@@ -81,9 +81,9 @@ const StructInfo& tableOf<VariedInput>() {
 template <>
 const StructInfo& tableOf<Difficulty>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Difficulty, least_time_percent, .label = "Least best time", .unit = "%",
+        SPARKOUT_FIELD(Difficulty, least_time_percent, .label = "Minimum best time", .unit = "%",
                        .hard = {0, 100}, .hint = "Of the best time of the lesson as it stands."),
-        SPARKOUT_FIELD(Difficulty, most_time_percent, .label = "Greatest best time", .unit = "%",
+        SPARKOUT_FIELD(Difficulty, most_time_percent, .label = "Maximum best time", .unit = "%",
                        .hard = {100, 100000}, .hint = "Likewise."),
         SPARKOUT_FIELD(Difficulty, margin_within_percent, .label = "Margin within", .unit = "%",
                        .hard = {0, 1000},
@@ -101,10 +101,10 @@ const StructInfo& tableOf<FigureBound>() {
         SPARKOUT_FIELD(FigureBound, figure, .label = "Figure", .required = conditions::always),
         SPARKOUT_FIELD(FigureBound, step, .label = "Step", .hard = {1, 100}, .sparse = true,
                        .hint = "As it begins; counted from 1."),
-        SPARKOUT_FIELD(FigureBound, least, .label = "Least", .hard = {-largest, largest},
-                       .nullMeaning = "no least value", .hint = "In the unit of the figure."),
-        SPARKOUT_FIELD(FigureBound, most, .label = "Greatest", .hard = {-largest, largest},
-                       .nullMeaning = "no greatest value", .hint = "Likewise."),
+        SPARKOUT_FIELD(FigureBound, least, .label = "Minimum", .hard = {-largest, largest},
+                       .nullMeaning = "no minimum", .hint = "In the unit of the figure."),
+        SPARKOUT_FIELD(FigureBound, most, .label = "Maximum", .hard = {-largest, largest},
+                       .nullMeaning = "no maximum", .hint = "Likewise."),
     };
     static const StructInfo info = makeTable<FigureBound>("Bounds of a figure", rows);
     return info;

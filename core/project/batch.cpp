@@ -21,7 +21,7 @@ const StructInfo& tableOf<Factor>() {
         SPARKOUT_FIELD(
             Factor, uniform, .label = SPARKOUT_NOOP("Input", "Uniform"), .hard = {-1e6, 1e6},
             .nullMeaning = SPARKOUT_NOOP("Input", "not this form"), .count = 2, .page = Page::batch,
-            .hint = SPARKOUT_NOOP("Input", "Lowest and highest value; equal, a constant.")),
+            .hint = SPARKOUT_NOOP("Input", "Minimum and maximum value; equal, a constant.")),
         SPARKOUT_FIELD(Factor, normal, .label = SPARKOUT_NOOP("Input", "Normal"),
                        .hard = {-1e6, 1e6}, .nullMeaning = SPARKOUT_NOOP("Input", "not this form"),
                        .count = 2, .page = Page::batch,
@@ -33,7 +33,7 @@ const StructInfo& tableOf<Factor>() {
         SPARKOUT_FIELD(Factor, triangular, .label = SPARKOUT_NOOP("Input", "Triangular"),
                        .hard = {-1e6, 1e6}, .nullMeaning = SPARKOUT_NOOP("Input", "not this form"),
                        .count = 3, .page = Page::batch,
-                       .hint = SPARKOUT_NOOP("Input", "Lowest, most frequent and highest value.")),
+                       .hint = SPARKOUT_NOOP("Input", "Minimum, most frequent and maximum value.")),
         SPARKOUT_FIELD(
             Factor, measured, .label = SPARKOUT_NOOP("Input", "Measured"), .hard = {-1e6, 1e6},
             .nullMeaning = SPARKOUT_NOOP("Input", "not this form"), .page = Page::batch,
@@ -113,19 +113,20 @@ const StructInfo& tableOf<Batch>() {
             .page = Page::batch,
             .hint = SPARKOUT_NOOP(
                 "Input",
-                "Lowest and highest difference of each zone or section from the stock of the part, "
+                "Minimum and maximum difference of each zone or section from the stock of the "
+                "part, "
                 "in their order; each scatters by itself, evenly. Twice the same is a constant."),
             .source = "MODEL-8"),
-        SPARKOUT_FIELD(
-            Batch, zone_runout_mm, .label = SPARKOUT_NOOP("Input", "Further runout by zone"),
-            .symbol = "δ(ΔR)", .unit = "mm", .hard = {-5, 5},
-            .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"), .count = 2, .sparse = true,
-            .page = Page::batch,
-            .hint =
-                SPARKOUT_NOOP("Input", "Lowest and highest difference of each zone or section from "
-                                       "the initial runout of the part, in their order; each "
-                                       "scatters by itself, evenly. Twice the same is a constant."),
-            .source = "MODEL-8"),
+        SPARKOUT_FIELD(Batch, zone_runout_mm,
+                       .label = SPARKOUT_NOOP("Input", "Further runout by zone"), .symbol = "δ(ΔR)",
+                       .unit = "mm", .hard = {-5, 5},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"), .count = 2,
+                       .sparse = true, .page = Page::batch,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Minimum and maximum difference of each zone or section from "
+                                    "the initial runout of the part, in their order; each "
+                                    "scatters by itself, evenly. Twice the same is a constant."),
+                       .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Batch, zone_compliance, .label = SPARKOUT_NOOP("Input", "Compliance factor by zone"),
             .symbol = "f_γ", .hard = {1e-3, 1e3},
@@ -133,7 +134,7 @@ const StructInfo& tableOf<Batch>() {
             .page = Page::batch,
             .hint = SPARKOUT_NOOP(
                 "Input",
-                "Lowest and highest factor on the compliance of each zone or section, in their "
+                "Minimum and maximum factor on the compliance of each zone or section, in their "
                 "order; each scatters by itself, evenly. Twice the same is a constant."),
             .source = "MODEL-8"),
         SPARKOUT_FIELD(
@@ -142,14 +143,14 @@ const StructInfo& tableOf<Batch>() {
             .hint =
                 SPARKOUT_NOOP("Input", "Correlation matrix of the factors given, in their order."),
             .source = "MODEL-8"),
-        SPARKOUT_FIELD(Batch, least_ppk, .label = SPARKOUT_NOOP("Input", "Least Ppk"),
+        SPARKOUT_FIELD(Batch, least_ppk, .label = SPARKOUT_NOOP("Input", "Minimum Ppk"),
                        .symbol = "P_pk", .hard = {0, 99}, .soft = {0, 2}, .page = Page::batch,
                        .hint = SPARKOUT_NOOP("Input",
                                              "The verdict calls a cycle fit when the lower 95 % "
                                              "bounds of all Ppk reach it, else conditionally fit."),
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(
-            Batch, most_outside_share, .label = SPARKOUT_NOOP("Input", "Largest share outside"),
+            Batch, most_outside_share, .label = SPARKOUT_NOOP("Input", "Maximum share outside"),
             .hard = {0, 1}, .nullMeaning = SPARKOUT_NOOP("Input", "every part must be good"),
             .page = Page::batch,
             .hint = SPARKOUT_NOOP("Input", "Share of the parts that may fail before the cycle is "

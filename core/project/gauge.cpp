@@ -39,9 +39,9 @@ std::span<const Choice> choicesOf<Control>() {
 
 template <>
 std::span<const Choice> choicesOf<GaugeRule>() {
-    static const std::array choices{Choice{"min", SPARKOUT_NOOP("Choice", "smallest diameter")},
+    static const std::array choices{Choice{"min", SPARKOUT_NOOP("Choice", "minimum diameter")},
                                     Choice{"mean", SPARKOUT_NOOP("Choice", "mean diameter")},
-                                    Choice{"max", SPARKOUT_NOOP("Choice", "largest diameter")}};
+                                    Choice{"max", SPARKOUT_NOOP("Choice", "maximum diameter")}};
     return choices;
 }
 
@@ -57,9 +57,8 @@ const StructInfo& tableOf<Gauge>() {
         SPARKOUT_FIELD(
             Gauge, rule, .label = SPARKOUT_NOOP("Input", "The gauge reads the"),
             .page = Page::gauge,
-            .hint = SPARKOUT_NOOP("Input",
-                                  "Which of the diameters of a revolution the gauge reports. In a "
-                                  "bore smallest and largest change places."),
+            .hint = SPARKOUT_NOOP("Input", "Which of the diameters of a revolution the gauge "
+                                           "reports. In a bore minimum and maximum change places."),
             .formula = "D_k = R_k + R_(k + K/2)", .source = "MODEL-7"),
         SPARKOUT_FIELD(Gauge, section, .label = SPARKOUT_NOOP("Input", "Gauge at section"),
                        .symbol = "j", .hard = {0, 199},
@@ -101,7 +100,7 @@ const StructInfo& tableOf<Gauge>() {
                        .hint = SPARKOUT_NOOP(
                            "Input", "A gauge for interrupted surfaces, with wide contacts or a "
                                     "reading held over the gaps. Any other drops into them, so "
-                                    "that only the largest diameter (in a bore the smallest) is "
+                                    "that only the maximum diameter (in a bore the smallest) is "
                                     "of use."),
                        .source = "MODEL-7"),
         SPARKOUT_FIELD(Gauge, commands, .label = SPARKOUT_NOOP("Input", "Gauge commands"),

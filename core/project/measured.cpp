@@ -245,14 +245,14 @@ const StructInfo& tableOf<MeasuredSummary>() {
                        .hint = SPARKOUT_NOOP("Input", "Standard deviation of the parts. Where it "
                                                       "is not stated, it follows from the "
                                                       "interval of the mean.")),
-        SPARKOUT_FIELD(MeasuredSummary, least_um, .label = SPARKOUT_NOOP("Input", "Least value"),
+        SPARKOUT_FIELD(MeasuredSummary, least_um, .label = SPARKOUT_NOOP("Input", "Minimum value"),
                        .unit = "µm", .hard = sizes_um,
                        .nullMeaning = SPARKOUT_NOOP("Input", "not stated"),
-                       .hint = SPARKOUT_NOOP("Input", "Least value of all parts.")),
+                       .hint = SPARKOUT_NOOP("Input", "Minimum value of all parts.")),
         SPARKOUT_FIELD(MeasuredSummary, greatest_um,
-                       .label = SPARKOUT_NOOP("Input", "Greatest value"), .unit = "µm",
+                       .label = SPARKOUT_NOOP("Input", "Maximum value"), .unit = "µm",
                        .hard = sizes_um, .nullMeaning = SPARKOUT_NOOP("Input", "not stated"),
-                       .hint = SPARKOUT_NOOP("Input", "Greatest value of all parts.")),
+                       .hint = SPARKOUT_NOOP("Input", "Maximum value of all parts.")),
         SPARKOUT_FIELD(MeasuredSummary, note, .label = SPARKOUT_NOOP("Input", "Note"),
                        .sparse = true,
                        .hint = SPARKOUT_NOOP("Input", "Anything worth knowing of the data.")),

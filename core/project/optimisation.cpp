@@ -33,8 +33,8 @@ std::span<const Choice> choicesOf<OptimisationScenarios>() {
 template <>
 std::span<const Choice> choicesOf<SearchObjective>() {
     static const std::array choices{
-        Choice{"time", SPARKOUT_NOOP("Choice", "least time")},
-        Choice{"cost", SPARKOUT_NOOP("Choice", "least cost")},
+        Choice{"time", SPARKOUT_NOOP("Choice", "minimum time")},
+        Choice{"cost", SPARKOUT_NOOP("Choice", "minimum cost")},
         Choice{"wheel_life", SPARKOUT_NOOP("Choice", "most parts per dressing")}};
     return choices;
 }
@@ -60,16 +60,16 @@ const StructInfo& tableOf<Cost>() {
                        .hard = {0, 1e9}, .page = Page::search,
                        .hint = SPARKOUT_NOOP("Input", "Wheel and diamond, in the same currency."),
                        .formula = "C = C_m·(T + t_h + t_d/N) + C_d/N", .source = "GILBERT1950"),
-        SPARKOUT_FIELD(
-            Cost, parts_between_dressings,
-            .label = SPARKOUT_NOOP("Input", "Parts between dressings"), .symbol = "N",
-            .hard = {1, 1000000},
-            .nullMeaning =
-                SPARKOUT_NOOP("Input", "as the batch's dullness grows, else no dressing"),
-            .page = Page::search,
-            .hint = SPARKOUT_NOOP("Input", "For the least cost with a wheel that wears the search "
-                                           "finds it, and this is the most it may be."),
-            .formula = "C = C_m·(T + t_h + t_d/N) + C_d/N", .source = "GILBERT1950"),
+        SPARKOUT_FIELD(Cost, parts_between_dressings,
+                       .label = SPARKOUT_NOOP("Input", "Parts between dressings"), .symbol = "N",
+                       .hard = {1, 1000000},
+                       .nullMeaning = SPARKOUT_NOOP(
+                           "Input", "as the batch's dullness grows, else no dressing"),
+                       .page = Page::search,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "For the minimum cost with a wheel that wears the search "
+                                    "finds it, and this is the most it may be."),
+                       .formula = "C = C_m·(T + t_h + t_d/N) + C_d/N", .source = "GILBERT1950"),
     };
     static const StructInfo info = makeTable<Cost>(SPARKOUT_NOOP("Struct", "Cost of a part"), rows);
     return info;
@@ -106,22 +106,22 @@ Field adaptiveLevels() {
 Field objective() {
     return SPARKOUT_FIELD(
         Optimisation, objective, .label = SPARKOUT_NOOP("Input", "Objective"), .page = Page::search,
-        .hint = SPARKOUT_NOOP("Input",
-                              "Cost and wheel life are searched over the parts from one dressing "
-                              "to the next: the cycle holds for all of them, with the wheel as "
-                              "the part's wear makes it. The least cost needs the cost of a part."),
+        .hint = SPARKOUT_NOOP(
+            "Input", "Cost and wheel life are searched over the parts from one dressing "
+                     "to the next: the cycle holds for all of them, with the wheel as "
+                     "the part's wear makes it. The minimum cost needs the cost of a part."),
         .source = "GILBERT1950");
 }
 
 Field marginWithin() {
     return SPARKOUT_FIELD(
         Optimisation, margin_within_min,
-        .label = SPARKOUT_NOOP("Input", "Largest margin within a time"), .unit = "min",
-        .hard = {0, 600, true}, .nullMeaning = SPARKOUT_NOOP("Input", "the least time is searched"),
-        .page = Page::search,
+        .label = SPARKOUT_NOOP("Input", "Maximum margin within a time"), .unit = "min",
+        .hard = {0, 600, true},
+        .nullMeaning = SPARKOUT_NOOP("Input", "the minimum time is searched"), .page = Page::search,
         .hint = SPARKOUT_NOOP("Input",
                               "The search then answers the cycle farthest from its limits whose "
-                              "machining time is at most that: the one with the largest least "
+                              "machining time is at most that: the one with the largest minimum "
                               "margin of all requirements, each as a share of its limit."),
         .source = "MODEL-8");
 }
@@ -145,7 +145,7 @@ const StructInfo& tableOf<Optimisation>() {
             .label = SPARKOUT_NOOP("Input", "Stock per side of the last stage"), .unit = "mm",
             .hard = {0, 5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 2,
             .page = Page::search,
-            .hint = SPARKOUT_NOOP("Input", "Least and most, in cycles of several stages."),
+            .hint = SPARKOUT_NOOP("Input", "Minimum and maximum, in cycles of several stages."),
             .source = "MODEL-8"),
         SPARKOUT_FIELD(Optimisation, non_increasing,
                        .label = SPARKOUT_NOOP("Input", "Feeds never rise"), .page = Page::search,
@@ -203,24 +203,25 @@ const StructInfo& tableOf<Optimisation>() {
                 SPARKOUT_NOOP("Input", "One for the whole cycle: a list, or from, to and step."),
             .source = "MODEL-8"),
         unfedSteps(),
-        SPARKOUT_FIELD(Optimisation, stage_radial_feed_mm,
-                       .label = SPARKOUT_NOOP("Input", "Radial feed by stage"),
-                       .unit = "mm/dbl stroke", .hard = {0, 1},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
-                       .relevant = conditions::setsFeed<&Stage::radial_feed_mm>, .count = 2,
-                       .page = Page::search,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Least and most of the first stage, of the second and so on; "
-                                    "twice the same fixes it."),
-                       .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Optimisation, stage_radial_feed_mm,
+            .label = SPARKOUT_NOOP("Input", "Radial feed by stage"), .unit = "mm/dbl stroke",
+            .hard = {0, 1}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
+            .relevant = conditions::setsFeed<&Stage::radial_feed_mm>, .count = 2,
+            .page = Page::search,
+            .hint = SPARKOUT_NOOP(
+                "Input", "Minimum and maximum of the first stage, of the second and so on; "
+                         "twice the same fixes it."),
+            .source = "MODEL-8"),
         SPARKOUT_FIELD(Optimisation, stage_axial_feed_mm_min,
                        .label = SPARKOUT_NOOP("Input", "Axial feed by stage"), .unit = "mm/min",
                        .hard = {0, 1e5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
                        .relevant = conditions::setsFeed<&Stage::axial_feed_mm_min>, .count = 2,
                        .page = Page::search,
                        .hint = SPARKOUT_NOOP(
-                           "Input", "Least and most of the first stage, of the second and so on; "
-                                    "twice the same fixes it."),
+                           "Input",
+                           "Minimum and maximum of the first stage, of the second and so on; "
+                           "twice the same fixes it."),
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(Optimisation, stage_radial_feed_mm_min,
                        .label = SPARKOUT_NOOP("Input", "Plunge feed by stage"), .unit = "mm/min",
@@ -228,23 +229,26 @@ const StructInfo& tableOf<Optimisation>() {
                        .relevant = conditions::setsFeed<&Stage::radial_feed_mm_min>, .count = 2,
                        .page = Page::search,
                        .hint = SPARKOUT_NOOP(
-                           "Input", "Least and most of the first stage, of the second and so on; "
-                                    "twice the same fixes it."),
+                           "Input",
+                           "Minimum and maximum of the first stage, of the second and so on; "
+                           "twice the same fixes it."),
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(Optimisation, stage_stock_mm,
                        .label = SPARKOUT_NOOP("Input", "Stock per side by stage"), .unit = "mm",
                        .hard = {0, 5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
                        .count = 2, .page = Page::search,
                        .hint = SPARKOUT_NOOP(
-                           "Input", "Least and most of the first stage, of the second and so on; "
-                                    "twice the same fixes it."),
+                           "Input",
+                           "Minimum and maximum of the first stage, of the second and so on; "
+                           "twice the same fixes it."),
                        .source = "MODEL-8"),
-        SPARKOUT_FIELD(Optimisation, cost, .label = SPARKOUT_NOOP("Input", "Cost of a part"),
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not computed"), .page = Page::search,
-                       .hint =
-                           SPARKOUT_NOOP("Input", "Shown beside the time; the least is searched "
-                                                  "where that is the objective."),
-                       .source = "GILBERT1950"),
+        SPARKOUT_FIELD(
+            Optimisation, cost, .label = SPARKOUT_NOOP("Input", "Cost of a part"),
+            .nullMeaning = SPARKOUT_NOOP("Input", "not computed"), .page = Page::search,
+            .hint = SPARKOUT_NOOP(
+                "Input",
+                "Shown beside the time; the minimum is searched where that is the objective."),
+            .source = "GILBERT1950"),
     };
     static const StructInfo info =
         makeTable<Optimisation>(SPARKOUT_NOOP("Struct", "Optimisation"), rows);

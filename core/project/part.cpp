@@ -113,34 +113,34 @@ const StructInfo& tableOf<Tolerance>() {
             Tolerance, roundness_um, .label = SPARKOUT_NOOP("Input", "Roundness"), .symbol = "Δ_r",
             .unit = "µm", .hard = {0, 1000, true}, .soft = {0.1, 100},
             .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .page = Page::part,
-            .hint = SPARKOUT_NOOP("Input", "Greatest roundness deviation the drawing allows."),
+            .hint = SPARKOUT_NOOP("Input", "Maximum roundness deviation the drawing allows."),
             .source = "ISO12181"),
         SPARKOUT_FIELD(Tolerance, radial_runout_um,
                        .label = SPARKOUT_NOOP("Input", "Radial runout"), .symbol = "Δ_b",
                        .unit = "µm", .hard = {0, 1000, true}, .soft = {0.1, 100},
                        .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .page = Page::part,
                        .hint = SPARKOUT_NOOP(
-                           "Input", "Greatest R_max − R_min of a section about the centre axis the "
+                           "Input", "Maximum R_max − R_min of a section about the centre axis the "
                                     "drawing allows."),
                        .source = "MODEL-7"),
         SPARKOUT_FIELD(
             Tolerance, cylindricity_um, .label = SPARKOUT_NOOP("Input", "Cylindricity"),
             .symbol = "Δ_c", .unit = "µm", .hard = {0, 1000, true}, .soft = {0.1, 100},
             .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .page = Page::part,
-            .hint = SPARKOUT_NOOP("Input", "Greatest cylindricity deviation the drawing allows."),
+            .hint = SPARKOUT_NOOP("Input", "Maximum cylindricity deviation the drawing allows."),
             .source = "ISO12180"),
         SPARKOUT_FIELD(
             Tolerance, total_runout_um, .label = SPARKOUT_NOOP("Input", "Total radial runout"),
             .symbol = "Δ_t", .unit = "µm", .hard = {0, 1000, true}, .soft = {0.1, 100},
             .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .page = Page::part,
-            .hint = SPARKOUT_NOOP("Input", "Greatest radial runout over the whole ground length."),
+            .hint = SPARKOUT_NOOP("Input", "Maximum radial runout over the whole ground length."),
             .source = "MODEL-7"),
-        SPARKOUT_FIELD(Tolerance, roughness_ra_um, .label = SPARKOUT_NOOP("Input", "Roughness"),
-                       .symbol = "Ra", .unit = "µm", .hard = {0, 100, true}, .soft = {0.05, 6.3},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .page = Page::part,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Greatest arithmetic mean roughness the drawing allows."),
-                       .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Tolerance, roughness_ra_um, .label = SPARKOUT_NOOP("Input", "Roughness"),
+            .symbol = "Ra", .unit = "µm", .hard = {0, 100, true}, .soft = {0.05, 6.3},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .page = Page::part,
+            .hint = SPARKOUT_NOOP("Input", "Maximum arithmetic mean roughness the drawing allows."),
+            .source = "MODEL-8"),
     };
     static const StructInfo info =
         makeTable<Tolerance>(SPARKOUT_NOOP("Struct", "Tolerances"), rows);
@@ -321,7 +321,7 @@ const StructInfo& tableOf<Part>() {
                        .symbol = "Π", .unit = "mm", .hard = {0, 5, true}, .soft = {0.01, 0.6},
                        .required = conditions::always, .slider = true, .page = Page::part,
                        .hint = SPARKOUT_NOOP(
-                           "Input", "Minimum radial stock: what the smallest radius of the blank "
+                           "Input", "Minimum radial stock: what the minimum radius of the blank "
                                     "stands above the target radius."),
                        .formula = "R_max = R_t + Π + ΔR", .source = "MODEL-4"),
         SPARKOUT_FIELD(Part, initial_runout_mm, .label = SPARKOUT_NOOP("Input", "Initial runout"),
@@ -356,7 +356,7 @@ const StructInfo& tableOf<Part>() {
             .hard = {-10000, 10000}, .nullMeaning = SPARKOUT_NOOP("Input", "not measured"),
             .required = measured, .relevant = measured, .page = Page::part,
             .hint =
-                SPARKOUT_NOOP("Input", "Deviations from the largest radius at equal angles, one a "
+                SPARKOUT_NOOP("Input", "Deviations from the maximum radius at equal angles, one a "
                                        "radius; only their differences matter."),
             .source = "MODEL-4"),
         SPARKOUT_FIELD(Part, gaps, .label = SPARKOUT_NOOP("Input", "Gaps of the surface"),

@@ -116,7 +116,7 @@ const StructInfo& tableOf<Project>() {
                                     "that is computed; size and form are judged in all of them."),
                        .source = "MODEL-5"),
         SPARKOUT_FIELD(
-            Project, least_overlap, .label = SPARKOUT_NOOP("Input", "Least overlap of a stage"),
+            Project, least_overlap, .label = SPARKOUT_NOOP("Input", "Minimum overlap of a stage"),
             .hard = {1, 1000}, .soft = {1, 20},
             .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .relevant = conditions::travels,
             .page = Page::cycle,
@@ -125,20 +125,20 @@ const StructInfo& tableOf<Project>() {
             .formula = "B·n/S_ax", .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Project, least_overlap_last,
-            .label = SPARKOUT_NOOP("Input", "Least overlap of the last stage"), .hard = {1, 1000},
+            .label = SPARKOUT_NOOP("Input", "Minimum overlap of the last stage"), .hard = {1, 1000},
             .soft = {1, 20}, .nullMeaning = SPARKOUT_NOOP("Input", "as of every stage"),
             .relevant = conditions::travels, .page = Page::cycle,
             .hint = SPARKOUT_NOOP("Input", "The same for the last stage, which leaves the surface; "
                                            "usually 2."),
             .formula = "B·n/S_ax", .source = "MODEL-8"),
-        SPARKOUT_FIELD(Project, least_steps,
-                       .label = SPARKOUT_NOOP("Input", "Least steps of a stage"), .hard = {1, 1000},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .page = Page::cycle,
-                       .hint = SPARKOUT_NOOP(
-                           "Input",
-                           "Double strokes (usually 2) or revolutions (usually 3) that each stage "
-                           "with stock makes at least; a spark-out by number is not counted."),
-                       .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Project, least_steps, .label = SPARKOUT_NOOP("Input", "Minimum steps of a stage"),
+            .hard = {1, 1000}, .nullMeaning = SPARKOUT_NOOP("Input", "not required"),
+            .page = Page::cycle,
+            .hint = SPARKOUT_NOOP(
+                "Input", "Double strokes (usually 2) or revolutions (usually 3) that each stage "
+                         "with stock makes at least; a spark-out by number is not counted."),
+            .source = "MODEL-8"),
         SPARKOUT_FIELD(Project, card, .label = SPARKOUT_NOOP("Input", "Operation card"),
                        .sparse = true, .page = Page::part,
                        .hint = SPARKOUT_NOOP("Input", "What the head of the operation card has "

@@ -172,7 +172,7 @@ const StructInfo& tableOf<Wheel>() {
             .nullMeaning = SPARKOUT_NOOP("Input", "from the grain lattice"), .page = Page::wheel,
             .hint = SPARKOUT_NOOP("Input", "Grains on a square millimetre of the wheel."),
             .source = "MODEL-8"),
-        SPARKOUT_FIELD(Wheel, max_speed_m_s, .label = SPARKOUT_NOOP("Input", "Highest wheel speed"),
+        SPARKOUT_FIELD(Wheel, max_speed_m_s, .label = SPARKOUT_NOOP("Input", "Maximum wheel speed"),
                        .symbol = "V_m", .unit = "m/s", .hard = {1, 400}, .soft = {15, 160},
                        .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .page = Page::wheel,
                        .hint = SPARKOUT_NOOP("Input", "Working speed marked on the wheel, which "

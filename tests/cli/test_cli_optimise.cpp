@@ -398,7 +398,7 @@ private slots:
         QVERIFY(!fixed.at("edges").empty() && fixed.at("level_rounds") == 1);
         QVERIFY(fixed.at("edges").at(0).at("is_allowed_end") == false);
         const std::string text = optimize({saved}).out;
-        QVERIFY2(text.find("is the greatest level, ") != std::string::npos, text.c_str());
+        QVERIFY2(text.find("is the maximum level, ") != std::string::npos, text.c_str());
         file["optimisation"]["adaptive"] = true;
         const QString following = save("adaptive.sparkout", file);
         const json adaptive = json::parse(optimize({following, "--json"}).out);
@@ -451,9 +451,9 @@ private slots:
         QVERIFY(answer.at("bound_time_min") == answer.at("limit_time_min"));
         QVERIFY(!answer.at("binding").empty());
         const std::string text = optimize({saved}).out;
-        QVERIFY2(text.find("the largest margin of the grid within") != std::string::npos,
+        QVERIFY2(text.find("the maximum margin of the grid within") != std::string::npos,
                  text.c_str());
-        QVERIFY2(text.find("what has the least margin") != std::string::npos, text.c_str());
+        QVERIFY2(text.find("what has the minimum margin") != std::string::npos, text.c_str());
         const json robust = json::parse(optimize({saved, "--robust", "--json"}).out);
         QVERIFY(robust.at("status") == "proved" && robust.at("holds_in_sample") == true);
         QVERIFY(robust.at("least_relative_margin") < answer.at("least_relative_margin"));

@@ -18,8 +18,8 @@ struct BarWords {
     Q_DECLARE_TR_FUNCTIONS(BarChart)
 public:
     static std::array<QString, 5> ofBox() {
-        return {tr("smallest"), tr("lower quartile"), tr("median"), tr("upper quartile"),
-                tr("largest")};
+        return {tr("minimum"), tr("lower quartile"), tr("median"), tr("upper quartile"),
+                tr("maximum")};
     }
 };
 

@@ -47,7 +47,7 @@ QColor ProfileLook::fill(ProfileLine line, const QPalette& palette, bool dim) {
 QString ProfileLook::name(ProfileLine line) {
     switch (line) {
     case ProfileLine::profile: return tr("profile, along the axis its mean");
-    case ProfileLine::spread: return tr("smallest…largest over the radii");
+    case ProfileLine::spread: return tr("minimum…maximum over the radii");
     case ProfileLine::blank: return tr("blank");
     case ProfileLine::target: return tr("target radius");
     case ProfileLine::leastSquares: return tr("least-squares circle");

@@ -113,12 +113,12 @@ CsvTable zoneTable(const Outcome& outcome) {
     table.header << ResultTables::tr("Zone or section")
                  << ResultTables::tr("From the headstock end, mm")
                  << ResultTables::tr("Compliance, mm/N")
-                 << ResultTables::tr("Smallest diameter from nominal, µm")
-                 << ResultTables::tr("Largest diameter from nominal, µm")
+                 << ResultTables::tr("Minimum diameter from nominal, µm")
+                 << ResultTables::tr("Maximum diameter from nominal, µm")
                  << ResultTables::tr("Radial runout, µm")
                  << ResultTables::tr("Roundness, minimum zone, µm")
                  << ResultTables::tr("Roundness, least squares, µm")
-                 << ResultTables::tr("Largest normal force, N");
+                 << ResultTables::tr("Maximum normal force, N");
     const bool rough = std::ranges::any_of(
         result.sections, [](const SectionResult& section) { return section.lastCut.has_value(); });
     if (rough) {

@@ -51,18 +51,18 @@ constexpr const char* hints[] = {
     QT_TRANSLATE_NOOP("ShopText", "Machining time of the stage."),
     QT_TRANSLATE_NOOP(
         "ShopText", "Specific removal rate Q′_w = π·d·n·a/60: volume removed in a second by each "
-                    "millimetre of the width that cuts, at the largest actual feed a of the stage. "
+                    "millimetre of the width that cuts, at the maximum actual feed a of the stage. "
                     "No band holds for every wheel: compare with cycles known to be good."),
     QT_TRANSLATE_NOOP("ShopText", "The specific removal rate at the mean actual feed of all passes "
                                   "of the stage, those that remove nothing included."),
     QT_TRANSLATE_NOOP(
         "ShopText",
-        "Equivalent chip thickness h_eq = Q′_w/V_k, at the largest actual feed of the stage: the "
+        "Equivalent chip thickness h_eq = Q′_w/V_k, at the maximum actual feed of the stage: the "
         "layer of metal that leaves at the wheel's speed. Forces and roughness rise with it. No "
         "band holds for every wheel: compare with cycles known to be good."),
     QT_TRANSLATE_NOOP(
         "ShopText",
-        "Aggressiveness 10⁶·(V_d/V_k)·√(a/D_e), at the largest actual feed of the stage: how hard "
+        "Aggressiveness 10⁶·(V_d/V_k)·√(a/D_e), at the maximum actual feed of the stage: how hard "
         "the contact loads a grain, for wheels of any size. Large, the grains break out; small, "
         "they rub. No band holds for every wheel: compare with cycles known to be good."),
     QT_TRANSLATE_NOOP("ShopText", "Overlap ratio B/s_ax, s_ax = S_ax/n: how many revolutions a "
@@ -72,11 +72,11 @@ constexpr const char* hints[] = {
         "ShopText",
         "Specific energy: ∫P_z·V_k dt over the volume removed. Plausible for steel: %1…%2 J/mm³. A "
         "dull wheel needs more; so does spark-out, where the wheel rubs more than it cuts."),
-    QT_TRANSLATE_NOOP("ShopText", "Largest wheel power P_z·V_k of any pass of the stage."),
+    QT_TRANSLATE_NOOP("ShopText", "Maximum wheel power P_z·V_k of any pass of the stage."),
     QT_TRANSLATE_NOOP("ShopText",
                       "Mean wheel power: the energy over the time of grinding, which is the "
                       "revolutions of plunging and dwelling and L_p/S_ax for each stroke."),
-    QT_TRANSLATE_NOOP("ShopText", "Largest normal force P_y of any pass of the stage."),
+    QT_TRANSLATE_NOOP("ShopText", "Maximum normal force P_y of any pass of the stage."),
     QT_TRANSLATE_NOOP("ShopText", "Wheel rev/min to work rev/min. Within %1 of a whole number the "
                                   "waves of a wheel out of true print onto one another: over ten "
                                   "revolutions they shift by less than half of their length.")};

@@ -264,7 +264,7 @@ CsvTable searchFacts(const SearchOutcome& outcome, const std::optional<double>& 
     const FoundCycle* found = outcome.refined() ? outcome.refined() : outcome.best();
     if (found) {
         addTime(StudyBook::tr("Time of the cycle found"), found->time_s);
-        addFact(table, StudyBook::tr("Least margin of all requirements, of its limit"),
+        addFact(table, StudyBook::tr("Minimum margin of all requirements, of its limit"),
                 shareCell(found->leastRelativeMargin), percent);
         addFact(table, StudyBook::tr("Gap to the stepless limit"),
                 shareCell(gapToLimit(found->time_s, outcome.limit_s)), percent);

@@ -144,7 +144,7 @@ QString LessonText::numbers(const Goal& goal, const GoalResult& result) {
     switch (goal.kind()) {
     case GoalKind::requirements:
         if (result.value) {
-            parts += tr("least margin %1 %").arg(withDecimals(*result.value, marginDigits));
+            parts += tr("minimum margin %1 %").arg(withDecimals(*result.value, marginDigits));
         }
         break;
     case GoalKind::time:

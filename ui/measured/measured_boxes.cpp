@@ -120,8 +120,8 @@ BarChart MeasuredBoxes::chart(const Project& project, const std::vector<Adequacy
     chart.number = [quantity](double value) { return MeasuredText::value(value, quantity); };
     chart.boxKinds = kinds();
     addLimits(chart, project, quantity);
-    QStringList remarks{tr("Box: the middle half of the parts, with their median; whiskers: the "
-                           "smallest and the largest part.")};
+    QStringList remarks{tr("Box: the middle half of the parts; its line and the figure at the box "
+                           "are the median; whiskers: the smallest and the largest part.")};
     if (hasSummary) {
         remarks << summaryRemark();
     }

@@ -123,7 +123,7 @@ QVariant PartModel::head(int column, int role) const {
     case diameter: return tr("⌀, mm");
     case time: return tr("Cycle, min");
     case verdict: return tr("Verdict");
-    case margin: return tr("Least margin");
+    case margin: return tr("Minimum margin");
     case search: return tr("Found, min");
     case batch: return tr("Batch");
     default: return {};

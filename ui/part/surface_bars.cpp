@@ -54,9 +54,12 @@ BarChart SurfaceBars::chartOf(const SetupState& state, const std::vector<Surface
     chart.secondNumber = [](double value) {
         return Names::fixed(value, std::abs(value) < 10 ? 1 : 0);
     };
-    chart.series = {
-        {tr("cycle time"), barColour(style::Drawn::yourCycle), hatchAt(0), {}},
-        {tr("least margin"), barColour(style::Drawn::everyRequirementHolds), hatchAt(1), {}, true}};
+    chart.series = {{tr("cycle time"), barColour(style::Drawn::yourCycle), hatchAt(0), {}},
+                    {tr("minimum margin"),
+                     barColour(style::Drawn::everyRequirementHolds),
+                     hatchAt(1),
+                     {},
+                     true}};
     for (std::size_t i = 0; i < statuses.size(); ++i) {
         const SurfaceStatus& status = statuses[i];
         chart.categories << printableText(SurfaceEdits::nameOf(state, i));

@@ -31,7 +31,7 @@ public:
     /// The same without the zone or section, for a table that names it already.
     static QString moment(const Place& place, Operation operation);
     static QString status(RunStatus status);
-    static QString constraint(ConstraintKind kind);      ///< "Largest diameter"
+    static QString constraint(ConstraintKind kind);      ///< "Maximum diameter"
     static QString constraintBrief(ConstraintKind kind); ///< "Max. diameter"
     /// A name as it stands within a sentence; a symbol, as Ra, stays.
     static QString inSentence(QString name);

@@ -321,7 +321,7 @@ private slots:
     /// In smaller type, as under standing bars.
     void aLongNameBesideALyingBarIsReadInFull() {
         BarChart chart = chartOf(Shape::stacked, true, 3, 1);
-        QString name = QStringLiteral("Least overlap, stage 2");
+        QString name = QStringLiteral("Minimum overlap, stage 2");
         while (QFontMetrics(QApplication::font()).horizontalAdvance(name) < size.width() / 2) {
             name += u'0';
         }

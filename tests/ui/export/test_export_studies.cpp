@@ -143,8 +143,8 @@ private slots:
         const std::pair<const char*, double (*)(const CharacteristicSummary&)> figures[] = {
             {"Mean", [](const CharacteristicSummary& of) { return of.moments.mean; }},
             {"s", [](const CharacteristicSummary& of) { return of.moments.deviation; }},
-            {"Smallest", [](const CharacteristicSummary& of) { return of.least.value; }},
-            {"Largest", [](const CharacteristicSummary& of) { return of.most.value; }},
+            {"Minimum", [](const CharacteristicSummary& of) { return of.least.value; }},
+            {"Maximum", [](const CharacteristicSummary& of) { return of.most.value; }},
         };
         const auto& all = outcome.summary.characteristics;
         QCOMPARE(book.rows(1), static_cast<int>(all.size()) + 1);

@@ -248,7 +248,8 @@ private slots:
             QVERIFY(worst > 0);
         }
         const QString text = textOfHtml(made(project, Format::html));
-        const qsizetype at = text.indexOf(QStringLiteral("number %1 has the least").arg(worst + 1));
+        const qsizetype at =
+            text.indexOf(QStringLiteral("number %1 has the minimum").arg(worst + 1));
         QVERIFY(at >= 0);
         const QString there = text.mid(at, 800);
         const std::vector<double> values = source.values(worst);

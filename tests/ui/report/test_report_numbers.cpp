@@ -120,8 +120,8 @@ private slots:
     void theCardGivesEachZoneItsOwnDeviationsAndRoughness() {
         const Outcome outcome = unlikeZones();
         const report::Table table = CycleCard::accuracy(outcome);
-        QCOMPARE(table.head.value(2), QStringLiteral("Smallest deviation, µm"));
-        QCOMPARE(table.head.value(3), QStringLiteral("Largest deviation, µm"));
+        QCOMPARE(table.head.value(2), QStringLiteral("Minimum deviation, µm"));
+        QCOMPARE(table.head.value(3), QStringLiteral("Maximum deviation, µm"));
         QCOMPARE(table.head.last(), QStringLiteral("Ra, µm"));
         QCOMPARE(table.rows.size(), std::size_t{3});
         for (std::size_t i = 0; i < table.rows.size(); ++i) {

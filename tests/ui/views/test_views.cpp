@@ -159,7 +159,7 @@ void TestViews::copyGivesTabSeparatedText() {
     for (const QString& line : lines) {
         QCOMPARE(line.count(u'\t'), 6);
     }
-    QVERIFY(lines[1].startsWith(QStringLiteral("RZ1\tSmallest diameter\t")));
+    QVERIFY(lines[1].startsWith(QStringLiteral("RZ1\tMinimum diameter\t")));
 }
 
 /// The names of the groups are no rows to copy, and shift none.

@@ -37,22 +37,22 @@ public:
         switch (form) {
         case FactorForm::constant: addConstant(); break;
         case FactorForm::uniform:
-            add(&Factor::uniform, "uniform", 0, QT_TR_NOOP("Lowest"));
-            add(&Factor::uniform, "uniform", 1, QT_TR_NOOP("Highest"));
+            add(&Factor::uniform, "uniform", 0, QT_TR_NOOP("Minimum"));
+            add(&Factor::uniform, "uniform", 1, QT_TR_NOOP("Maximum"));
             break;
         case FactorForm::normal:
             add(&Factor::normal, "normal", 0, QT_TR_NOOP("Mean"));
             add(&Factor::normal, "normal", 1, QT_TR_NOOP("Standard deviation"));
             m_lines.back().spec.hard = {0, std::numeric_limits<double>::infinity()};
             if (truncated) {
-                add(&Factor::within, "within", 0, QT_TR_NOOP("Lowest"));
-                add(&Factor::within, "within", 1, QT_TR_NOOP("Highest"));
+                add(&Factor::within, "within", 0, QT_TR_NOOP("Minimum"));
+                add(&Factor::within, "within", 1, QT_TR_NOOP("Maximum"));
             }
             break;
         case FactorForm::triangular:
-            add(&Factor::triangular, "triangular", 0, QT_TR_NOOP("Lowest"));
+            add(&Factor::triangular, "triangular", 0, QT_TR_NOOP("Minimum"));
             add(&Factor::triangular, "triangular", 1, QT_TR_NOOP("Most frequent"));
-            add(&Factor::triangular, "triangular", 2, QT_TR_NOOP("Highest"));
+            add(&Factor::triangular, "triangular", 2, QT_TR_NOOP("Maximum"));
             break;
         case FactorForm::measured: break;
         case FactorForm::grows:

@@ -63,10 +63,10 @@ QString RangeEditor::fault() const {
     const auto given = std::count_if(m_fields.begin(), m_fields.end(),
                                      [](const NumberField* f) { return f->value().has_value(); });
     if (given != 0 && given != 3) {
-        return tr("lowest, highest and step are needed, or none of them");
+        return tr("minimum, maximum and step are needed, or none of them");
     }
     return given == 3 && *m_fields[0]->value() > *m_fields[1]->value()
-               ? tr("the lowest value is above the highest")
+               ? tr("the minimum is above the maximum")
                : QString();
 }
 
@@ -97,7 +97,7 @@ void RangeEditor::show(bool replaced) {
 }
 
 void RangeEditor::retranslate() {
-    const std::array names{tr("lowest"), tr("highest"), tr("step")};
+    const std::array names{tr("minimum"), tr("maximum"), tr("step")};
     const std::array brief{tr("from"), tr("to"), tr("step", "after from and to")};
     const QString label = inputText(field().label);
     const QString unit = unitText(field().unit);

@@ -70,7 +70,7 @@ const Offer usualSearch{
     QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Add a typical search"),
     QT_TRANSLATE_NOOP("sparkout::OfferHelper",
                       "Levels of each feed over the machine's range, which follow the answer, "
-                      "steps of stock, and the usual least overlap and steps of a stage where "
+                      "steps of stock, and the usual minimum overlap and steps of a stage where "
                       "none are given")};
 
 std::optional<double> estimatedMass_kg(const Project& project) {

@@ -56,8 +56,8 @@ Table CycleCard::accuracy(const Outcome& outcome) {
     Table table;
     table.head = {tr("Zone or section"),
                   tr("From the headstock end, mm"),
-                  tr("Smallest deviation, µm"),
-                  tr("Largest deviation, µm"),
+                  tr("Minimum deviation, µm"),
+                  tr("Maximum deviation, µm"),
                   tr("Radial runout, µm"),
                   tr("Roundness, µm"),
                   RequirementCells::roughnessHead(outcome.result.project)};

@@ -45,7 +45,7 @@ Figure PassportFigures::histograms(const BatchSummary& summary, const std::strin
     }
     const QString axis = BatchText::axis(shown.front().characteristic);
     const QString caption = placesOf(summary, name).size() > shown.size()
-                                ? tr("%1: number of parts, where the Ppk is least").arg(axis)
+                                ? tr("%1: number of parts, where the Ppk is lowest").arg(axis)
                                 : tr("%1: number of parts").arg(axis);
     HistogramPlot plot;
     setUpForPaper(plot, histogramHeight);

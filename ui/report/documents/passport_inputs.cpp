@@ -163,8 +163,8 @@ std::vector<Block> PassportInputs::scenarios(const Subject& subject) {
         return blocks;
     }
     Table table;
-    table.head = {tr("Factor"), tr("Unit"), tr("Distribution"), tr("Smallest tried"),
-                  tr("Largest tried")};
+    table.head = {tr("Factor"), tr("Unit"), tr("Distribution"), tr("Minimum tried"),
+                  tr("Maximum tried")};
     table.texts = {true, true, true};
     const auto ranges = drawnRanges(source);
     for (std::size_t f = 0; f < factors.size(); ++f) {
@@ -175,7 +175,7 @@ std::vector<Block> PassportInputs::scenarios(const Subject& subject) {
     blocks.push_back(std::move(table));
     if (source.parts() > mostDrawn) {
         blocks.push_back(Paragraph{
-            tr("Smallest and largest tried: of the first %n parts.", nullptr, int(mostDrawn))});
+            tr("Minimum and maximum tried: of the first %n parts.", nullptr, int(mostDrawn))});
     }
     if (batch.correlation) {
         blocks.push_back(correlations(factors, *batch.correlation));

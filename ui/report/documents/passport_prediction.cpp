@@ -81,9 +81,8 @@ Table PassportPrediction::values(const Subject& subject) {
     const std::vector<QString> texts =
         nominalTexts(*subject.outcome, characteristicsOf(subject.outcome->result.project));
     Table table;
-    table.head = {tr("Characteristic"), tr("Unit"),     tr("Limits"),
-                  tr("Nominal part"),   tr("Smallest"), tr("Mean"),
-                  tr("Largest"),        tr("s"),        tr("Mean, 95 %")};
+    table.head = {tr("Characteristic"), tr("Unit"), tr("Limits"), tr("Nominal part"), tr("Min."),
+                  tr("Mean"),           tr("Max."), tr("s"),      tr("Mean, 95 %")};
     table.texts = {true, true};
     for (std::size_t i = 0; i < summary.characteristics.size(); ++i) {
         const CharacteristicSummary& of = summary.characteristics[i];
@@ -142,7 +141,7 @@ std::vector<Block> PassportPrediction::worst(const Subject& subject) {
     const ScenarioSource source(subject.batch->result.project);
     const std::vector<double> values = source.values(summary.worstPart);
     std::vector<Block> blocks{Paragraph{
-        tr("Of the %n part(s) number %1 has the least margin. %2.", nullptr,
+        tr("Of the %n part(s) number %1 has the minimum margin. %2.", nullptr,
            static_cast<int>(summary.parts))
             .arg(Names::part(summary.worstPart), sparkout::verdict::overall(*subject.worst))}};
     if (!values.empty()) {

@@ -56,9 +56,10 @@ std::vector<Block> PassportVerdict::verdict(const Subject& subject) {
         facts.facts.emplace_back(tr("Parts of the batch that are not good"),
                                  BatchText::share(summary.bad));
         if (const CharacteristicSummary* least = leastCapable(summary)) {
-            facts.facts.emplace_back(tr("Least Ppk"), QStringLiteral("%1: %2").arg(
-                                                          BatchText::capability(least->ppk),
-                                                          BatchText::full(least->characteristic)));
+            facts.facts.emplace_back(
+                tr("Minimum Ppk"),
+                QStringLiteral("%1: %2").arg(BatchText::capability(least->ppk),
+                                             BatchText::full(least->characteristic)));
         }
         reasons << BatchText::run(*subject.batch) + u' ' + BatchText::counts(summary);
         for (const CharacteristicSummary& of : summary.characteristics) {

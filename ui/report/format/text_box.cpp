@@ -16,20 +16,27 @@ namespace sparkout::report {
 namespace {
 constexpr double unitsPerPoint = 10;
 constexpr QChar wordJoiner(0x2060);
-const QString keptSlash = u'/' + QString(wordJoiner);
+
+/// Units and double names stay whole.
+QString kept(QString paragraph) {
+    for (const QChar mark : {QChar(u'/'), QChar(u'–')}) {
+        paragraph.replace(mark, mark + QString(wordJoiner));
+    }
+    return paragraph;
+}
 
 } // namespace
 
 void TextBox::wrap(const QString& text, double indent) {
-    for (QString paragraph : text.split(u'\n')) {
+    for (const QString& given : text.split(u'\n')) {
         double start = indent;
-        if (paragraph.isEmpty()) { // of which Qt 6.4 makes no line, and later ones an empty one
+        if (given.isEmpty()) { // of which Qt 6.4 makes no line, and later ones an empty one
             m_lines += QString();
             m_goesOn += true;
             m_starts += start;
             continue;
         }
-        paragraph.replace(u'/', keptSlash); // a unit stays whole
+        const QString paragraph = kept(given);
         QTextLayout layout(paragraph, m_font);
         QTextOption option;
         option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);

@@ -235,10 +235,10 @@ QString askedQuantity(Asked asked, Operation operation) {
     case Asked::count:
         return operation->countsStrokes ? ExerciseText::tr("Number of double strokes")
                                         : ExerciseText::tr("Number of revolutions");
-    case Asked::spread_um: return ExerciseText::tr("Largest less smallest diameter along the part");
-    case Asked::runout_um: return ExerciseText::tr("Largest radial runout");
-    case Asked::peakForce_n: return ExerciseText::tr("Largest normal force Py");
-    case Asked::peakPower_kw: return ExerciseText::tr("Largest power");
+    case Asked::spread_um: return ExerciseText::tr("Maximum minus minimum diameter along the part");
+    case Asked::runout_um: return ExerciseText::tr("Maximum radial runout");
+    case Asked::peakForce_n: return ExerciseText::tr("Maximum normal force Py");
+    case Asked::peakPower_kw: return ExerciseText::tr("Maximum power");
     }
     return {};
 }

@@ -87,11 +87,11 @@ std::vector<Block> StateGridSheet::blocks(const OutcomePtr& outcome,
     }
     const StateGridOutcomePtr filled = filledGrid(project, breathe);
     const StateGrid& grid = filled->grid;
-    std::vector<Block> blocks{Paragraph{
-        tr("A cell [n, m] holds the least time T[n,m] in which n levels of stock are removed, the "
-           "last with feed m, and m*, the feed before it: T[n,m] = min over m' of (T[n−1,m'] + τ), "
-           "T[0,0] = 0, over the moves that break no requirement. The least time of the last level "
-           "is that of the cycle; its feeds are read back along m*.")}};
+    std::vector<Block> blocks{Paragraph{tr(
+        "A cell [n, m] holds the minimum time T[n,m] in which n levels of stock are removed, the "
+        "last with feed m, and m*, the feed before it: T[n,m] = min over m' of (T[n−1,m'] + τ), "
+        "T[0,0] = 0, over the moves that break no requirement. The minimum time of the last level "
+        "is that of the cycle; its feeds are read back along m*.")}};
     StateGridPlot plot;
     setUpForPaper(plot, gridHeight);
     plot.setGrid(filled);

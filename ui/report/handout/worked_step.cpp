@@ -143,9 +143,9 @@ StepBlocks WorkedStep::formulas(const Outcome& outcome, const HandoutStep& step,
     }
     formulas.say(
         limitsRa && calibrated
-            ? tr("Each requirement allows a greatest depth of cut; the formulas below say where "
+            ? tr("Each requirement allows a maximum depth of cut; the formulas below say where "
                  "it comes from. Roughness limits the last cut of the cycle alone.")
-            : tr("Each requirement allows a greatest depth of cut; the formulas below say where "
+            : tr("Each requirement allows a maximum depth of cut; the formulas below say where "
                  "it comes from."));
     formulas.add(limits(outcome, step, !hidden));
     for (const FormulaSheet& sheet : sheets) {

@@ -120,8 +120,8 @@ Table OperationSetup::stages(const Outcome& outcome, bool results) {
     }
     table.head << tr("Stock per side, mm")
                << (project.operation->countsStrokes ? tr("Double strokes") : tr("Revolutions"))
-               << tr("Machining time, min") << tr("Spark-out") << tr("Largest power, kW")
-               << tr("Largest force Py, N");
+               << tr("Machining time, min") << tr("Spark-out") << tr("Maximum power, kW")
+               << tr("Maximum force Py, N");
     double stock = 0;
     const auto count = project.cycle->stages.size();
     const auto rest = [&](QStringList row, const ShopColumn& shop, const QString& sparkOut) {

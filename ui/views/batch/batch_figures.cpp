@@ -125,8 +125,8 @@ QVariant BatchFigures::side(int row, int role) const {
         return {};
     }
     switch (row) {
-    case least: return tr("Smallest");
-    case most: return tr("Largest");
+    case least: return tr("Minimum");
+    case most: return tr("Maximum");
     case mean: return tr("Mean");
     case meanInterval:
         return tip ? tr("Student's interval: the mean of endlessly many such parts lies in it with "
@@ -174,7 +174,7 @@ CsvTable batchFiguresTable(const BatchSummary& summary) {
     table.header << BatchFigures::tr("Where") << BatchFigures::tr("Characteristic")
                  << BatchFigures::tr("Unit") << BatchFigures::tr("Lower limit")
                  << BatchFigures::tr("Upper limit") << BatchFigures::tr("Values")
-                 << BatchFigures::tr("Smallest") << BatchFigures::tr("Largest")
+                 << BatchFigures::tr("Minimum") << BatchFigures::tr("Maximum")
                  << BatchFigures::tr("Mean") << BatchFigures::tr("s")
                  << BatchFigures::tr("Skewness") << BatchFigures::tr("Excess kurtosis")
                  << BatchFigures::tr("Mean, 95 % from") << BatchFigures::tr("Mean, 95 % to")

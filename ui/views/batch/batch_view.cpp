@@ -511,7 +511,7 @@ void BatchView::nameButtons() {
                tr("Run the parts of the batch; a quick one runs by itself"));
     tellButton(*m_bar->stop(), tr("Stop"), tr("End the batch; what was done is kept and shown"));
     tellButton(*m_worst, tr("Worst part"),
-               tr("Keep the part with the least margin as a run beside this project and compare "
+               tr("Keep the part with the minimum margin as a run beside this project and compare "
                   "the two; the project stays as it is"));
     tellButton(*m_rows, tr("All parts as CSV"),
                tr("Run the batch again and save a row for every part: its factors, every quantity, "

@@ -36,7 +36,7 @@ PartTable::Dialect dialectOfParts(TableFormat format) {
 
 std::vector<std::string> headOfParts(const PartColumns& columns) {
     QStringList names{PartRows::tr("Part"), PartRows::tr("State"), PartRows::tr("Good"),
-                      PartRows::tr("Least margin, of its limit")};
+                      PartRows::tr("Minimum margin, of its limit")};
     for (const GivenFactor& factor : columns.factors) {
         names << BatchText::factorAxis(factor);
     }

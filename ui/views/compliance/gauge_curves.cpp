@@ -184,10 +184,9 @@ CsvTable GaugeCurves::table() const {
     if (!m_placement) {
         return table;
     }
-    table.header << tr("Gauge at, mm") << tr("Compliance there, mm/N")
-                 << tr("Smallest diameter, µm") << tr("Largest diameter, µm")
-                 << tr("Farthest from the middle, µm") << tr("Margin to the limits, µm")
-                 << tr("Time, s") << tr("End of the cycle");
+    table.header << tr("Gauge at, mm") << tr("Compliance there, mm/N") << tr("Minimum diameter, µm")
+                 << tr("Maximum diameter, µm") << tr("Farthest from the middle, µm")
+                 << tr("Margin to the limits, µm") << tr("Time, s") << tr("End of the cycle");
     for (std::size_t i = 0; i < m_outcome->result.sections.size(); ++i) {
         table.header << tr("%1, mean diameter, µm").arg(nameOf(i));
     }

@@ -89,7 +89,7 @@ ReadCurves LengthCurves::readCurves() const {
         const bool spread = drawn.size() == 2; // the lower edge first
         for (const QCPGraph* graph : drawn) {
             const QString edge =
-                graph == drawn.front() ? tr("%1: smallest, µm") : tr("%1: largest, µm");
+                graph == drawn.front() ? tr("%1: minimum, µm") : tr("%1: maximum, µm");
             const QString one = tr("%1, µm");
             curves.push_back({QString(), (spread ? edge : one).arg(entry.text), digits(),
                               [graph](double x) { return valueAt(*graph, x); }});

@@ -468,7 +468,7 @@ LegendEntries ConstraintsPlot::legendEntries() const {
     addLimit(estimateKey, *m_estimate, tr("accuracy at steady feed, estimate"));
     addLimit(publishedKey, *m_published, tr("runout in every pass, as published (22)"));
     addLimit(programmedKey, *m_programmed, tr("programmed feed"));
-    addLimit(machineKey, *m_machine, tr("machine's greatest feed"));
+    addLimit(machineKey, *m_machine, tr("machine's maximum feed"));
     if (!m_chart.envelope().empty()) {
         QStringList names;
         for (const BoundCurve& piece : m_chart.envelope()) {
@@ -581,7 +581,7 @@ ReadCurves ConstraintsPlot::readCurves() const {
     add(m_estimate, tr("limit: %1, µm").arg(tr("accuracy at steady feed, estimate")));
     add(m_published, tr("limit: %1, µm").arg(tr("runout in every pass, as published (22)")));
     add(m_programmed, tr("programmed feed, µm"));
-    add(m_machine, tr("limit: %1, µm").arg(tr("machine's greatest feed")));
+    add(m_machine, tr("limit: %1, µm").arg(tr("machine's maximum feed")));
     return curves;
 }
 

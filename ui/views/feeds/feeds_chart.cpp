@@ -221,7 +221,7 @@ CsvTable FeedsChart::table(const CurveChoice& choice) const {
         if (spread && hasSpread(quantity)) {
             figures.emplace_back(quantity, Edge::low);
             figures.emplace_back(quantity, Edge::high);
-            table.header << tr("%1: smallest").arg(name) << tr("%1: largest").arg(name);
+            table.header << tr("%1: minimum").arg(name) << tr("%1: maximum").arg(name);
         }
     }
     for (std::size_t i = 0; i < m_columns.size(); ++i) {

@@ -119,7 +119,7 @@ void FeedsNote::retranslate() {
              << tr("A point is one revolution, in long cycles several of them; closer, it is one "
                    "radius under the wheel.");
     }
-    text << tr("The spread reaches from the smallest to the largest value over the radii of a "
+    text << tr("The spread reaches from the minimum to the maximum value over the radii of a "
                "cross-section, the line is their mean.")
          << tr("The thick upright line is where the cycle stands: the bar below the views moves "
                "it, and so does a click into a plot. Without it the cycle is at its end.");

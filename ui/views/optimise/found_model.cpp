@@ -124,7 +124,7 @@ QVariant FoundModel::head(int column, int role) const {
         return tr("Against the time of your cycle: the present one, or the one that a cycle found "
                   "took the place of");
     case gap: return tr("By how much a stepless cycle might at most be quicker");
-    case margin: return tr("The least margin of all requirements, of its limit");
+    case margin: return tr("The minimum margin of all requirements, of its limit");
     case parts: return tr("Parts from one dressing to the next that it holds for");
     case cost: return tr("Cost of a part with its share of the dressing");
     default:

@@ -262,7 +262,7 @@ LegendEntries MarginFrontPlot::legendEntries() const {
     if (!hasFront()) {
         return {};
     }
-    LegendEntries entries{lineEntry(frontKey, m_curve->pen(), tr("largest margin by time"))};
+    LegendEntries entries{lineEntry(frontKey, m_curve->pen(), tr("maximum margin by time"))};
     if (m_yours->dataCount() > 0) {
         entries.push_back(
             areaEntry(yoursKey, m_yours->scatterStyle().pen().color(), tr("your cycle")));
@@ -279,7 +279,7 @@ LegendEntries MarginFrontPlot::legendEntries() const {
 
 void MarginFrontPlot::setTexts() {
     across()->setLabel(tr("Machining time, min"));
-    up()->setLabel(tr("Least margin, %"));
+    up()->setLabel(tr("Minimum margin, %"));
 }
 
 } // namespace sparkout

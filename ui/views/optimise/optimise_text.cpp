@@ -144,9 +144,9 @@ QString OptimiseText::objectiveFault(ObjectiveFault fault) {
     switch (fault) {
     case ObjectiveFault::none: break;
     case ObjectiveFault::noRates:
-        return tr("The least cost needs the cost of a part: page Search of the inputs.");
+        return tr("The minimum cost needs the cost of a part: page Search of the inputs.");
     case ObjectiveFault::otherAim:
-        return tr("The largest margin within a time is searched with the objective “least time” "
+        return tr("The maximum margin within a time is searched with the objective “minimum time” "
                   "alone.");
     case ObjectiveFault::otherParts:
         return tr("Cost and wheel life are searched for the part as it stands, without the phases "
@@ -166,8 +166,9 @@ QString OptimiseText::cost(double cost) {
 
 QString OptimiseText::offer(SearchObjective objective) {
     return objective == SearchObjective::cost
-               ? tr("“Search” finds the cycle of the grid with the least cost of a part, together "
-                    "with the parts between dressings: it holds for all of them.")
+               ? tr(
+                   "“Search” finds the cycle of the grid with the minimum cost of a part, together "
+                   "with the parts between dressings: it holds for all of them.")
                : tr("“Search” finds the cycle of the grid that holds for the most parts from one "
                     "dressing to the next, the quickest of these.");
 }
@@ -239,9 +240,9 @@ QString OptimiseText::intervalAnswer(const SearchOutcome& outcome, const FoundCy
     }
     QStringList lines;
     if (isCost) {
-        lines << (outcome.proved() ? tr("%1 a part, in %2 min: of %3 the least cost, proved.")
+        lines << (outcome.proved() ? tr("%1 a part, in %2 min: of %3 the minimum cost, proved.")
                                          .arg(cost(best.cost.value_or(0)), taken, size)
-                                   : tr("%1 a part, in %2 min, is the least cost so far.")
+                                   : tr("%1 a part, in %2 min, is the minimum cost so far.")
                                          .arg(cost(best.cost.value_or(0)), taken));
     } else {
         lines << (outcome.proved()
@@ -263,7 +264,7 @@ QString OptimiseText::intervalAnswer(const SearchOutcome& outcome, const FoundCy
 
 QString OptimiseText::front(const SearchOutcome& outcome) {
     if (outcome.wear) {
-        return tr("Margins by time are searched for the least time, or for the largest margin; "
+        return tr("Margins by time are searched for the minimum time, or for the maximum margin; "
                   "this search is of parts between dressings.");
     }
     const std::vector<const FoundCycle*> points = outcome.front();
@@ -384,12 +385,12 @@ QString OptimiseText::sampled(int candidate) {
 QString OptimiseText::bindingOf(const SearchOutcome& outcome) {
     if (!outcome.binding) {
         return outcome.marginWithin_us
-                   ? tr("What has the least margin is not known: the search was stopped before.")
+                   ? tr("What has the minimum margin is not known: the search was stopped before.")
                    : tr("What keeps it from being quicker is not known: the search was stopped "
                         "before.");
     }
     if (outcome.marginWithin_us) {
-        return tr("The least margin is that of: %1.").arg(names(*outcome.binding));
+        return tr("The minimum margin is that of: %1.").arg(names(*outcome.binding));
     }
     if (!outcome.binding->empty()) {
         return tr("What keeps it from being quicker: %1.").arg(names(*outcome.binding));
@@ -413,8 +414,8 @@ QString OptimiseText::levelsOf(const SearchOutcome& outcome) {
         const auto value = [&field](double number) {
             return printedNumber(number) + u'\u00a0' + unitText(field.unit);
         };
-        const QString where = (edge.isMost ? tr("Stage %1: “%2” has the greatest level, %3;")
-                                           : tr("Stage %1: “%2” has the least level, %3;"))
+        const QString where = (edge.isMost ? tr("Stage %1: “%2” has the maximum level, %3;")
+                                           : tr("Stage %1: “%2” has the minimum level, %3;"))
                                   .arg(QLocale().toString(qulonglong(edge.stage + 1)),
                                        inputText(field.label), value(edge.level))
                               + u' ';

@@ -512,7 +512,7 @@ void OptimiseView::nameParts() {
     m_curves->setAccessibleName(tr("Feeds and radii of your cycle and of the one found"));
     m_times->setAccessibleName(tr("Machining time over the number of stages"));
     m_margins->setAccessibleName(
-        tr("Largest margin over the machining time; the table below lists its cycles"));
+        tr("Maximum margin over the machining time; the table below lists its cycles"));
     m_grid->setAccessibleName(tr("Grid of dynamic programming"));
     m_bar->state()->setAccessibleName(tr("Size of the grid"));
     m_bar->progress()->setAccessibleName(tr("Progress of the search"));
@@ -544,7 +544,7 @@ void OptimiseView::nameButtons() {
     tellButton(
         *m_add, tr("Add a typical search"),
         tr("Levels of each feed over the machine's range, which follow the answer, steps of "
-           "stock, and the usual least overlap and steps of a stage where none are given; can be "
+           "stock, and the usual minimum overlap and steps of a stage where none are given; can be "
            "undone and changed on the pages Search and Cycle"));
 }
 

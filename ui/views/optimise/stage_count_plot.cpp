@@ -39,7 +39,7 @@ BarChart StageCountPlot::makeChart() const {
     chart.unit = unitText("min");
     using style::Drawn;
     const QString best =
-        m_outcome->marginWithin_us ? tr("cycle with the largest margin") : tr("quickest cycle");
+        m_outcome->marginWithin_us ? tr("cycle with the maximum margin") : tr("quickest cycle");
     BarSeries quickest{best, barColour(Drawn::quickestCycle), hatchAt(0), {}};
     BarSeries proven{tr("none is below"), barColour(Drawn::lowerBound), hatchAt(1), {}};
     constexpr double none = std::numeric_limits<double>::quiet_NaN();

@@ -87,10 +87,10 @@ double shareOrNone(const std::optional<double>& value) {
 QString OverviewCharts::title(OverviewChart chart) {
     switch (chart) {
     case OverviewChart::times: return tr("Time by stage and step");
-    case OverviewChart::stock: return tr("Removed by stage, zone and step");
+    case OverviewChart::stock: return tr("Removed by stage and step");
     case OverviewChart::diameters: return tr("What the diameter deviations are made of");
     case OverviewChart::requirements: return tr("Limits used up");
-    case OverviewChart::boxes: return tr("Batch: mean diameter by zone");
+    case OverviewChart::boxes: return tr("Batch: mean diameters");
     case OverviewChart::parts: return tr("Batch: good and rejected parts");
     case OverviewChart::runs: return tr("Kept runs: time and margin");
     }
@@ -337,8 +337,8 @@ BarChart OverviewCharts::boxes(const BatchOutcome& batch,
     if (hasMeasured) {
         chart.boxKinds = MeasuredBoxes::kinds();
     }
-    QStringList remarks{tr("Box: the middle half of the parts, with their median; whiskers: the "
-                           "smallest and the largest part.")};
+    QStringList remarks{tr("Box: the middle half of the parts; its line and the figure at the box "
+                           "are the median; whiskers: the smallest and the largest part.")};
     if (hasSummary) {
         remarks << MeasuredBoxes::summaryRemark();
     }
@@ -346,7 +346,7 @@ BarChart OverviewCharts::boxes(const BatchOutcome& batch,
         remarks << tr("The quartiles are exact to within a bin.");
     }
     if (const std::size_t all = placesOf(summary, "diameter").size(); places.size() < all) {
-        remarks << tr("%1 of %2 sections, where the Ppk is least.").arg(places.size()).arg(all);
+        remarks << tr("%1 of %2 sections, where the Ppk is lowest.").arg(places.size()).arg(all);
     }
     chart.remark = remarks.join(u' ');
     return chart;
@@ -392,7 +392,7 @@ BarChart OverviewCharts::runs(const std::vector<RunBars>& runs, int kept) {
     chart.what = tr("Run");
     chart.axis = tr("Machining time");
     chart.unit = unitText("min");
-    chart.secondAxis = tr("Least margin");
+    chart.secondAxis = tr("Minimum margin");
     chart.secondUnit = QStringLiteral("%");
     chart.number = threeDigits;
     chart.secondNumber = [](double value) {
@@ -400,7 +400,7 @@ BarChart OverviewCharts::runs(const std::vector<RunBars>& runs, int kept) {
     };
     chart.series = {
         {tr("machining time"), barColour(Drawn::yourCycle), hatchAt(0), {}},
-        {tr("least margin"), barColour(Drawn::everyRequirementHolds), hatchAt(1), {}, true}};
+        {tr("minimum margin"), barColour(Drawn::everyRequirementHolds), hatchAt(1), {}, true}};
     for (const RunBars& run : runs) {
         chart.categories << run.name;
         chart.series[0].values.push_back(run.time_min.value_or(noNumber));

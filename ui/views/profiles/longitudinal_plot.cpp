@@ -375,10 +375,10 @@ QString LongitudinalPlot::nameOf(const Curve& curve) const {
     case LengthLine::lowerLimit: name = tr("lower limit"); break;
     case LengthLine::upperLimit: name = tr("upper limit"); break;
     case LengthLine::target: name = tr("target"); break;
-    case LengthLine::blankMin: name = tr("blank, smallest"); break;
-    case LengthLine::blankMax: name = tr("blank, largest"); break;
-    case LengthLine::min: name = tr("smallest"); break;
-    case LengthLine::max: name = tr("largest"); break;
+    case LengthLine::blankMin: name = tr("blank, minimum"); break;
+    case LengthLine::blankMax: name = tr("blank, maximum"); break;
+    case LengthLine::min: name = tr("minimum"); break;
+    case LengthLine::max: name = tr("maximum"); break;
     case LengthLine::mean: name = tr("mean"); break;
     }
     return curve.mirrored ? tr("%1, other side").arg(name) : name;

@@ -121,10 +121,10 @@ CsvTable ProfilesTable::along(const ProfileSeries& series, LengthQuantity quanti
     };
     const Column columns[] = {
         {ProfileLine::profile, LengthLine::mean, tr("mean %1")},
-        {ProfileLine::spread, LengthLine::min, tr("smallest %1")},
-        {ProfileLine::spread, LengthLine::max, tr("largest %1")},
-        {ProfileLine::blank, LengthLine::blankMin, tr("blank, smallest %1")},
-        {ProfileLine::blank, LengthLine::blankMax, tr("blank, largest %1")},
+        {ProfileLine::spread, LengthLine::min, tr("minimum %1")},
+        {ProfileLine::spread, LengthLine::max, tr("maximum %1")},
+        {ProfileLine::blank, LengthLine::blankMin, tr("blank, minimum %1")},
+        {ProfileLine::blank, LengthLine::blankMax, tr("blank, maximum %1")},
         {ProfileLine::target, LengthLine::target, tr("target %1")},
         {ProfileLine::field, LengthLine::lowerLimit, tr("lower limit %1")},
         {ProfileLine::field, LengthLine::upperLimit, tr("upper limit %1")},

@@ -193,8 +193,8 @@ void PhaseBar::retranslate() {
         widget.setAccessibleName(text);
         widget.setToolTip(text);
     };
-    name(*m_from, tr("Least stock per side decided; empty: half the largest infeed below"));
-    name(*m_to, tr("Greatest stock per side decided; empty: half the largest infeed above"));
+    name(*m_from, tr("Minimum stock per side decided; empty: half the maximum infeed below"));
+    name(*m_to, tr("Maximum stock per side decided; empty: half the maximum infeed above"));
     m_bar->run()->setText(tr("Run"));
     name(*m_bar->run(), tr("Decide the phases of the range; that runs by itself after an edit"));
     m_bar->stop()->setText(tr("Stop"));

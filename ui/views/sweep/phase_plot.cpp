@@ -137,8 +137,8 @@ CsvTable PhasePlot::table() const {
     for (std::size_t i = 0; i < stages; ++i) {
         table.header << tr("Steps of stage %1").arg(i + 1);
     }
-    table.header << tr("Time, min") << tr("Least deviation of the diameter, µm")
-                 << tr("Largest deviation of the diameter, µm") << tr("Verdict");
+    table.header << tr("Time, min") << tr("Minimum deviation of the diameter, µm")
+                 << tr("Maximum deviation of the diameter, µm") << tr("Verdict");
     const QCPRange seen = across()->range();
     for (const DecidedPiece& each : pieces) {
         if (each.piece.to_mm < seen.lower || each.piece.from_mm > seen.upper) {
@@ -176,8 +176,8 @@ LegendEntries PhasePlot::legendEntries() const {
     if (!m_phases) {
         return {};
     }
-    LegendEntries entries{lineEntry(largestKey, m_largest->pen(), tr("largest diameter")),
-                          lineEntry(smallestKey, m_smallest->pen(), tr("smallest diameter")),
+    LegendEntries entries{lineEntry(largestKey, m_largest->pen(), tr("maximum diameter")),
+                          lineEntry(smallestKey, m_smallest->pen(), tr("minimum diameter")),
                           areaEntry(toleranceKey, m_field->brush().color(), tr("tolerance field"))};
     if (!m_failing->ranges().empty()) {
         entries.push_back(areaEntry(failsKey, m_failing->area(), tr("stocks that fail")));

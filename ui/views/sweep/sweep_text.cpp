@@ -64,10 +64,10 @@ QString SweepText::name(const SweepQuantity& quantity) {
         return Names::constraint(row->kind);
     }
     return quantity.name == "time"                ? tr("Machining time")
-           : quantity.name == "least_margin"      ? tr("Least margin of all requirements")
+           : quantity.name == "least_margin"      ? tr("Minimum margin of all requirements")
            : quantity.name == "diameter"          ? tr("Mean diameter")
-           : quantity.name == "peak_normal_force" ? tr("Largest normal force")
-                                                  : tr("Largest power");
+           : quantity.name == "peak_normal_force" ? tr("Maximum normal force")
+                                                  : tr("Maximum power");
 }
 
 QString SweepText::where(const SweepQuantity& quantity) {

@@ -57,7 +57,7 @@ private slots:
         const RunRow* time = desk.find(QStringLiteral("Cycle time"));
         QVERIFY(time && time->isResult);
         QCOMPARE(std::get<double>(time->cells[0]) * 60, desk.outcome->result.time_s);
-        const RunRow* largest = desk.find(QStringLiteral("NZ › Largest diameter, deviation"));
+        const RunRow* largest = desk.find(QStringLiteral("NZ › Maximum diameter, deviation"));
         QVERIFY(largest);
         QCOMPARE(std::get<double>(largest->cells[0]),
                  desk.outcome->result.sections[1].diameterDeviationMax_mm * 1e3);

@@ -222,13 +222,13 @@ private slots:
         desk.bench.settle();
         QVERIFY(!desk.part<QCheckBox>("optimiseRefine").isEnabled());
         QVERIFY(!desk.part<QCheckBox>("optimisePhases").isEnabled());
-        QVERIFY(desk.told().contains(QStringLiteral("least cost")));
+        QVERIFY(desk.told().contains(QStringLiteral("minimum cost")));
         QVERIFY(desk.searched());
         QCOMPARE(desk.cell(0, FoundModel::cycle), OptimiseText::cycle(engine.search.cycle));
         QCOMPARE(desk.cell(0, FoundModel::parts), OptimiseText::parts(*engine.held));
         QCOMPARE(desk.cell(0, FoundModel::cost), OptimiseText::cost(*engine.cost));
         QVERIFY2(desk.told().contains(OptimiseText::cost(*engine.cost))
-                     && desk.told().contains(QStringLiteral("the least cost, proved")),
+                     && desk.told().contains(QStringLiteral("the minimum cost, proved")),
                  qPrintable(desk.told()));
         QVERIFY(!desk.view->stale());
         SetupState worn = desk.bench.window->document().state();
@@ -460,7 +460,7 @@ private slots:
         cycle.stages[1].axial_feed_mm_min = 1200;
         outcome.edges = edgesReached(outcome.searched, cycle);
         QString text = OptimiseText::answer(outcome, {});
-        QVERIFY2(text.contains(QStringLiteral("Stage 1: “Axial feed” has the greatest level"))
+        QVERIFY2(text.contains(QStringLiteral("Stage 1: “Axial feed” has the maximum level"))
                      && text.contains(QStringLiteral("allowed is 5000")),
                  qPrintable(text));
         QVERIFY(!text.contains(QStringLiteral("Stage 2:")));

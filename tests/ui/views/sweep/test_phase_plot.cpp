@@ -164,7 +164,7 @@ private slots:
         QCOMPARE(plot.statedStock_mm(), project.part->stock_mm);
         QVERIFY2(bench.notice().startsWith(QStringLiteral("Fails for stocks per side from ")),
                  qPrintable(bench.notice()));
-        QVERIFY(bench.notice().contains(QStringLiteral("largest diameter")));
+        QVERIFY(bench.notice().contains(QStringLiteral("maximum diameter")));
         const CsvTable table = plot.table();
         QCOMPARE(table.rows.size(), decided.pieces.size());
         QCOMPARE(table.header.size(), qsizetype(6 + project.cycle->stages.size()));
@@ -284,7 +284,7 @@ private slots:
                          static_cast<double>(bench.view.phases()->cell()->center().y())});
         const QString values = bench.part<QLabel>("sweepValues").text();
         QVERIFY2(values.startsWith(QStringLiteral("Stock 0."))
-                     && values.contains(QStringLiteral("fails: largest diameter")),
+                     && values.contains(QStringLiteral("fails: maximum diameter")),
                  qPrintable(values));
     }
 

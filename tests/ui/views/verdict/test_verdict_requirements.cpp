@@ -168,7 +168,7 @@ private slots:
         QCOMPARE(verdict::worst(*outcome)->kind, ConstraintKind::leastOverlapLast);
         const QString text = verdict::overall(*outcome);
         QVERIFY2(text.contains(
-                     QStringLiteral("overlap B/s in the last stage is 1.5, 0.5 below the least")),
+                     QStringLiteral("overlap B/s in the last stage is 1.5, 0.5 below the minimum")),
                  qPrintable(text));
         QVERIFY(
             verdict::why(*outcome, *verdict::worst(*outcome))
