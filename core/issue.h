@@ -53,6 +53,8 @@ enum class IssueCode {
     gaugeDropsIn,
     wallOverrun,
     stripAtWall,
+    shoulderInTheWay, ///< of the wheel as it overruns
+    shouldersTooNear, ///< for the wheel to plunge between them
     shaftTooShort,
     targetOutsideField,
     sparkOutLeaves,

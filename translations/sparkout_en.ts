@@ -290,10 +290,10 @@
     <context>
         <name>OverviewCharts</name>
         <message numerus="yes">
-            <source>%n ranges of the machine hold and are not drawn.</source>
+            <source>%n ranges of the machine are met and not drawn.</source>
             <translation>
-                <numerusform>%n range of the machine holds and is not drawn.</numerusform>
-                <numerusform>%n ranges of the machine hold and are not drawn.</numerusform>
+                <numerusform>%n range of the machine is met and not drawn.</numerusform>
+                <numerusform>%n ranges of the machine are met and not drawn.</numerusform>
             </translation>
         </message>
     </context>

@@ -49,7 +49,7 @@
             <translation>Остановлено после %1 из %2 деталей, %3.</translation>
         </message>
         <message>
-            <source>Not good: %1.</source>
+            <source>Rejected: %1.</source>
             <translation>Не годны: %1.</translation>
         </message>
         <message>
@@ -143,7 +143,7 @@
             <translation>Ppk %1, нижняя граница меньше %2: %3</translation>
         </message>
         <message>
-            <source>every part is good, and the lower bound of Ppk is at least %1 everywhere; least Ppk %2, %3</source>
+            <source>every part is good, and the lower bound of Ppk is at least %1 everywhere; lowest Ppk %2, %3</source>
             <translation>все детали годны, нижняя граница Ppk везде не меньше %1; наименьший Ppk %2, %3</translation>
         </message>
         <message>
@@ -4360,7 +4360,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Целевой диаметр</translation>
         </message>
         <message>
-            <source>middle of the tolerance field</source>
+            <source>middle of the tolerance band</source>
             <translation>середина поля допуска</translation>
         </message>
         <message>
@@ -4676,7 +4676,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Перекрытие последней ступени, не менее</translation>
         </message>
         <message>
-            <source>as of every stage</source>
+            <source>same as for every stage</source>
             <translation>как у каждой ступени</translation>
         </message>
         <message>
@@ -6291,7 +6291,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>длина вала {value}; нужно: {limit}</translation>
         </message>
         <message>
-            <source>the target {value} lies outside the tolerance field {limit}</source>
+            <source>the target {value} lies outside the tolerance band {limit}</source>
             <translation>целевой размер {value} лежит вне поля допуска {limit}</translation>
         </message>
         <message>
@@ -6370,7 +6370,15 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>{value} is unusual beside the other inputs; usual: {limit}</source>
             <translation>{value} — необычное значение при остальных исходных данных; обычно: {limit}</translation>
         </message>
-    </context>
+        <message>
+        <source>an overrun of {value} takes the wheel into a shoulder of the shaft; allowed: {limit}</source>
+        <translation>при перебеге {value} круг набегает на уступ вала; допускается: {limit}</translation>
+    </message>
+    <message>
+        <source>a wheel {value} wide does not fit between the shoulders of the shaft; allowed: {limit}</source>
+        <translation>круг высотой {value} не проходит между уступами вала; допускается: {limit}</translation>
+    </message>
+</context>
     <context>
         <name>LayersLook</name>
         <message>
@@ -7329,7 +7337,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Квантили</translation>
         </message>
         <message>
-            <source>Distribution against the tolerance field</source>
+            <source>Distribution against the tolerance band</source>
             <translation>Распределение относительно поля допуска</translation>
         </message>
         <message>
@@ -7778,7 +7786,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>%1: число деталей</translation>
         </message>
         <message>
-            <source>Diameter along the part against the tolerance field</source>
+            <source>Diameter along the part against the tolerance band</source>
             <translation>Диаметр вдоль детали в поле допуска</translation>
         </message>
         <message>
@@ -7835,7 +7843,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>средняя окружность (МНК)</translation>
         </message>
         <message>
-            <source>tolerance field</source>
+            <source>tolerance band</source>
             <translation>поле допуска</translation>
         </message>
         <message>
@@ -11709,7 +11717,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>accuracy at steady feed, estimate</source>
-            <translation>точность при ровной подаче, оценка</translation>
+            <translation>точность при постоянной подаче, оценка</translation>
         </message>
         <message>
             <source>mm/min</source>
@@ -11717,7 +11725,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>runout in every pass, as published (22)</source>
-            <translation>биение в каждом проходе, как опубликовано (22)</translation>
+            <translation>биение в каждом проходе по опубликованной формуле (22)</translation>
         </message>
         <message>
             <source>programmed feed</source>
@@ -12959,7 +12967,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>целевой радиус</translation>
         </message>
         <message>
-            <source>tolerance field</source>
+            <source>tolerance band</source>
             <translation>поле допуска</translation>
         </message>
         <message>
@@ -15106,7 +15114,7 @@ target, µm</source>
             <translation>без нагрузки</translation>
         </message>
         <message>
-            <source>tolerance field</source>
+            <source>tolerance band</source>
             <translation>поле допуска</translation>
         </message>
         <message>
@@ -15506,7 +15514,7 @@ target, µm</source>
             <translation>наименьший диаметр</translation>
         </message>
         <message>
-            <source>tolerance field</source>
+            <source>tolerance band</source>
             <translation>поле допуска</translation>
         </message>
         <message>
@@ -16317,11 +16325,11 @@ target, µm</source>
             <translation>γ</translation>
         </message>
         <message>
-            <source>γ of the zones, as ground with</source>
+            <source>γ of the zones used in the run</source>
             <translation>γ зон, принятая в расчёте</translation>
         </message>
         <message>
-            <source>γ of the sections, as ground with</source>
+            <source>γ of the sections used in the run</source>
             <translation>γ сечений, принятая в расчёте</translation>
         </message>
         <message>
@@ -16571,7 +16579,7 @@ feed, µm</source>
             <source>Radius above
 target, µm</source>
             <translation>Радиус сверх
-цели, мкм</translation>
+заданного, мкм</translation>
         </message>
         <message>
             <source>%1 (gauge)</source>
@@ -16731,7 +16739,7 @@ mm/min</source>
             <translation>Снятый припуск по ступеням и этапам</translation>
         </message>
         <message>
-            <source>What the diameter deviations are made of</source>
+            <source>Make-up of the diameter deviations</source>
             <translation>Из чего складываются отклонения диаметра</translation>
         </message>
         <message>
@@ -16792,7 +16800,7 @@ mm/min</source>
             <translation>От номинала</translation>
         </message>
         <message>
-            <source>tolerance field</source>
+            <source>tolerance band</source>
             <translation>поле допуска</translation>
         </message>
         <message>
@@ -16835,7 +16843,7 @@ mm/min</source>
             <translation>Требование</translation>
         </message>
         <message>
-            <source>Of the field or limit</source>
+            <source>Share of tolerance or limit</source>
             <translation>Доля допуска или предела</translation>
         </message>
         <message>
@@ -16843,7 +16851,7 @@ mm/min</source>
             <translation>предел</translation>
         </message>
         <message numerus="yes">
-            <source>%n ranges of the machine hold and are not drawn.</source>
+            <source>%n ranges of the machine are met and not drawn.</source>
             <translation>
                 <numerusform>%n диапазон станка соблюдён и не показан.</numerusform>
                 <numerusform>%n диапазона станка соблюдены и не показаны.</numerusform>
@@ -18129,7 +18137,7 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>По введённой статистике: нормальный закон с её средним и отклонением.</translation>
         </message>
         <message>
-            <source>tolerance field</source>
+            <source>tolerance band</source>
             <translation>поле допуска</translation>
         </message>
         <message>
@@ -18754,7 +18762,11 @@ The size alone gives α and β, that is the compliance with the force together; 
             <source>So many cells are refused that the lines are not read to the end. Are the delimiter, the decimal mark and the columns right?</source>
             <translation>Не принято столько ячеек, что строки не прочитаны до конца. Верны ли разделитель, десятичный знак и столбцы?</translation>
         </message>
-    </context>
+        <message>
+        <source>no column names a zone or section: all values are taken as those of %1</source>
+        <translation>ни один столбец не называет зону или сечение: все значения приняты для %1</translation>
+    </message>
+</context>
     <context>
         <name>sparkout::MeasuredImport</name>
         <message>
@@ -19601,11 +19613,11 @@ s</source>
         </message>
         <message>
             <source>Taper, in radius</source>
-            <translation>Конусообразность, на радиус</translation>
+            <translation>Конусообразность по радиусу</translation>
         </message>
         <message>
             <source>Barrel (+) or saddle (−) shape, in radius</source>
-            <translation>Бочкообразность (+) или седлообразность (−), на радиус</translation>
+            <translation>Бочкообразность (+) или седлообразность (−) по радиусу</translation>
         </message>
         <message>
             <source>Maximum normal force</source>
@@ -19665,7 +19677,7 @@ s</source>
         </message>
         <message>
             <source>Mean diameter, deviation</source>
-            <translation>Средний диаметр, отклонение</translation>
+            <translation>Отклонение среднего диаметра</translation>
         </message>
         <message>
             <source>Radial runout</source>
@@ -19693,7 +19705,7 @@ s</source>
         </message>
         <message>
             <source>Programmed less actual feed, accumulated</source>
-            <translation>Программная подача за вычетом фактической, накопленные</translation>
+            <translation>Отставание накопленной фактической подачи от программной</translation>
         </message>
         <message>
             <source>Accumulated actual feed</source>
@@ -21057,8 +21069,8 @@ s</source>
             <translation>Баллы: %1 из %2</translation>
         </message>
         <message>
-            <source>The first prediction counts. The result is shown once it is given.</source>
-            <translation>Засчитывается первый прогноз. Результат появится, когда он дан.</translation>
+            <source>Your first prediction counts. The result is shown once you have given it.</source>
+            <translation>Засчитывается первый прогноз; после него появится результат расчёта.</translation>
         </message>
         <message>
             <source>Submit prediction</source>
@@ -21134,7 +21146,7 @@ s</source>
         </message>
         <message>
             <source>Some views stay hidden until the predictions they would reveal are given.</source>
-            <translation>Некоторые виды скрыты, пока не даны прогнозы, которые они раскрыли бы.</translation>
+            <translation>Некоторые виды скрыты, пока не даны прогнозы: в них виден ответ.</translation>
         </message>
     </context>
     <context>
@@ -21176,24 +21188,24 @@ s</source>
             <translation>Сечение</translation>
         </message>
         <message>
-            <source>Checked: every requirement holds, with a margin of at least %1 %.</source>
-            <translation>Проверяется: выполнены все требования, запас не менее %1 %.</translation>
+            <source>To pass: every requirement holds, with a margin of at least %1 %.</source>
+            <translation>Требуется: выполнены все требования, запас не менее %1 %.</translation>
         </message>
         <message>
-            <source>Checked: every requirement holds.</source>
-            <translation>Проверяется: выполнены все требования.</translation>
+            <source>To pass: every requirement holds.</source>
+            <translation>Требуется: выполнены все требования.</translation>
         </message>
         <message>
-            <source>Checked: cycle time at most %1 min, every requirement holds.</source>
-            <translation>Проверяется: время цикла не более %1 мин, выполнены все требования.</translation>
+            <source>To pass: cycle time at most %1 min, every requirement holds.</source>
+            <translation>Требуется: время цикла не более %1 мин, выполнены все требования.</translation>
         </message>
         <message>
-            <source>Checked: cycle time at most %1 min.</source>
-            <translation>Проверяется: время цикла не более %1 мин.</translation>
+            <source>To pass: cycle time at most %1 min.</source>
+            <translation>Требуется: время цикла не более %1 мин.</translation>
         </message>
         <message>
-            <source>Checked: %1 is %2 ± %3.</source>
-            <translation>Проверяется: %1 — %2 ± %3.</translation>
+            <source>To pass: %1 = %2 ± %3.</source>
+            <translation>Требуется: %1 — %2 ± %3.</translation>
         </message>
         <message>
             <source>minimum margin %1 %</source>

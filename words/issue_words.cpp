@@ -167,13 +167,22 @@ IssueWords wordsOf(IssueCode code) {
         return {"strip_at_wall",
                 SPARKOUT_NOOP("Issue", "the wheel turns {value} before the wall of the blind bore: "
                                        "what it does not reach must be relieved")};
+    case IssueCode::shoulderInTheWay:
+        return {"shoulder_in_the_way",
+                SPARKOUT_NOOP("Issue",
+                              "an overrun of {value} takes the wheel into a shoulder of the "
+                              "shaft; allowed: {limit}")};
+    case IssueCode::shouldersTooNear:
+        return {"shoulders_too_near",
+                SPARKOUT_NOOP("Issue", "a wheel {value} wide does not fit between the shoulders of "
+                                       "the shaft; allowed: {limit}")};
     case IssueCode::shaftTooShort:
         return {"shaft_too_short",
                 SPARKOUT_NOOP("Issue", "the shaft is {value} long; needed: {limit}")};
     case IssueCode::targetOutsideField:
         return {
             "target_outside_field",
-            SPARKOUT_NOOP("Issue", "the target {value} lies outside the tolerance field {limit}")};
+            SPARKOUT_NOOP("Issue", "the target {value} lies outside the tolerance band {limit}")};
     case IssueCode::sparkOutLeaves:
         return {"spark_out_leaves",
                 SPARKOUT_NOOP("Issue", "the part stays {value} above size: a spark-out feeds "

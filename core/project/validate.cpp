@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <string>
@@ -30,6 +31,32 @@ double lengthOf(const Shaft& shaft) {
     return std::accumulate(
         shaft.segments.begin(), shaft.segments.end(), 0.0,
         [](double sum, const ShaftSegment& segment) { return sum + segment.length_mm; });
+}
+
+/// How far beyond each end of the ground length the shaft stands no higher than a diameter: up to
+/// the next shoulder, or infinitely where there is none [mm].
+struct Clearance {
+    double headstock = std::numeric_limits<double>::infinity();
+    double tailstock = std::numeric_limits<double>::infinity();
+};
+Clearance clearanceOf(const Part& part, double diameter_mm) {
+    constexpr double rounding = 1e-9;
+    const double from = part.shaft.ground_from_mm;
+    const double to = from + part.length_mm;
+    Clearance clearance;
+    double begin = 0;
+    for (const ShaftSegment& segment : part.shaft.segments) {
+        const double end = begin + segment.length_mm;
+        if (segment.diameter_mm > diameter_mm + rounding) {
+            if (end <= from + rounding) {
+                clearance.headstock = std::max(from - end, 0.0);
+            } else if (begin >= to - rounding) {
+                clearance.tailstock = std::min(clearance.tailstock, std::max(begin - to, 0.0));
+            }
+        }
+        begin = end;
+    }
+    return clearance;
 }
 
 /// A bound that follows from other inputs, to so many digits as one can enter, within what is
@@ -546,6 +573,37 @@ private:
                 add(IssueCode::outOfRange, path, mm(shaft.steady_rests[i].position_mm),
                     mm(Range{0, length}));
             }
+        }
+        checkShoulders();
+    }
+
+    /// Whether the wheel has room beside the ground length, where the shaft is known. What is no
+    /// higher than the blank is no shoulder.
+    void checkShoulders() {
+        const Part& part = *project().part;
+        const Wheel& wheel = *project().wheel;
+        if (!sound({"/part"})) {
+            return;
+        }
+        const Clearance clearance = clearanceOf(
+            part, part.diameter_mm + 2 * (part.stock_mm + blankRunout() + furthestZone_mm(part)));
+        if (project().operation->hasZones) {
+            const Machine& machine = *project().machine;
+            const bool entersAtHeadstock = machine.entry_side == EntrySide::headstock;
+            const auto compare = [this](const char* path, double overrun_mm, double free_mm) {
+                if (overrun_mm > free_mm && sound({path})) {
+                    warn(IssueCode::shoulderInTheWay, path, mm(overrun_mm),
+                         Bounds{{.high = roundedDown(free_mm)}, "mm"});
+                }
+            };
+            compare("/machine/overrun_entry_mm", machine.overrun_entry_mm,
+                    entersAtHeadstock ? clearance.headstock : clearance.tailstock);
+            compare("/machine/overrun_exit_mm", machine.overrun_exit_mm,
+                    entersAtHeadstock ? clearance.tailstock : clearance.headstock);
+        } else if (const double room = clearance.headstock + part.length_mm + clearance.tailstock;
+                   wheel.width_mm > room && sound({"/wheel/width_mm"})) {
+            warn(IssueCode::shouldersTooNear, "/wheel/width_mm", mm(wheel.width_mm),
+                 Bounds{{.high = roundedDown(room)}, "mm"});
         }
     }
 

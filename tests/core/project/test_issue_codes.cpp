@@ -262,6 +262,19 @@ private:
             warning);
         row("no wall to turn before", IssueCode::outOfRange, "/machine/overrun_exit_mm", traverse,
             {{"/part/length_mm", 150}, {"/machine/overrun_exit_mm", -2}});
+        row("overrun into a shoulder", IssueCode::shoulderInTheWay, "/machine/overrun_entry_mm",
+            "stiffness-traverse", {{"/part/shaft/segments/0/diameter_mm", 40}}, warning);
+        row("wheel between shoulders", IssueCode::shouldersTooNear, "/wheel/width_mm", plunge,
+            {{"/machine/compliance_mm_per_n", nullptr},
+             {"/machine/stiffness_n_um",
+              {{"headstock", 60}, {"tailstock", 40}, {"wheel_head", 50}}},
+             {"/part/shaft",
+              {{"segments",
+                {{{"length_mm", 30}, {"diameter_mm", 40}},
+                 {{"length_mm", 40}, {"diameter_mm", 30}},
+                 {{"length_mm", 30}, {"diameter_mm", 40}}}},
+               {"ground_from_mm", 30}}}},
+            warning);
         row("shaft too short", IssueCode::shaftTooShort, "/part/shaft/segments",
             "stiffness-traverse", {{"/part/shaft/ground_from_mm", 61}});
         row("rest beside the shaft", IssueCode::outOfRange,

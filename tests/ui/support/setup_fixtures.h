@@ -29,6 +29,11 @@ inline sparkout::Setup steppedShaft() {
         Project surface = project;
         surface.part->shaft.ground_from_mm = i == 0 ? 0 : 4 + i * length_mm;
         surface.part->diameter_mm = project.part->shaft.segments[std::size_t(i)].diameter_mm;
+        if (i == 0) { // the seat between the journals has a shoulder on both sides
+            surface.machine->overrun_exit_mm = 4;
+        } else if (i == 2) {
+            surface.machine->overrun_entry_mm = 0;
+        }
         setup.surfaces.push_back({names[i], std::move(surface)});
     }
     setup.surfaces.back().project.machine->work_speed_rpm -= 20;
