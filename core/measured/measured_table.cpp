@@ -11,29 +11,25 @@ namespace sparkout {
 
 namespace {
 
-/// Counted from 1, if the first parts name a place beyond the first and none the place 0.
+/// Counted from 0, if one of the first parts names the place 0.
 int firstPlaceIn(std::string_view text, const MeasuredTable& table) {
     const auto column =
         std::ranges::find(table.columns, ColumnQuantity::place, &ColumnMatch::quantity);
     if (column == table.columns.end()) {
-        return 0;
+        return 1;
     }
     constexpr int linesLookedAt = 1000;
     const auto index = static_cast<std::size_t>(column - table.columns.begin());
     TableLines lines(text);
     (void)lines.next(); // the headings
     std::vector<std::string_view> cells;
-    bool isCounted = false;
     for (int i = 0; i < linesLookedAt && !lines.atEnd(); ++i) {
         splitCells(lines.next(), table.dialect.delimiter, cells);
-        const auto number =
-            index < cells.size() ? cellNumber(cells[index], table.dialect.decimal) : std::nullopt;
-        if (number == 0.0) {
+        if (index < cells.size() && cellNumber(cells[index], table.dialect.decimal) == 0.0) {
             return 0;
         }
-        isCounted = isCounted || number;
     }
-    return isCounted ? 1 : 0;
+    return 1;
 }
 
 bool isBlank(std::string_view text) {

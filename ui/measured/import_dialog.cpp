@@ -328,6 +328,13 @@ QString ImportDialog::resultText() const {
             found << tr("%n row(s) of zones or sections that the project does not have", nullptr,
                         beyond);
         }
+        if (!m_table.isKeyValue && placeCount(m_project) > 1
+            && std::ranges::none_of(m_table.columns, [](const ColumnMatch& column) {
+                   return column.quantity == ColumnQuantity::place || column.place;
+               })) {
+            found << tr("no column names a zone or section: all values are taken as those of %1")
+                         .arg(MeasuredText::place(m_project, 0));
+        }
     }
     for (const MeasuredTrace& trace : have.traces) {
         const QLocale locale;

@@ -64,6 +64,19 @@ private slots:
         QCOMPARE(bench.stages()[0].radial_feed_mm, std::optional(0.004));
     }
 
+    void headsOfAnotherTableAreLeftOut() {
+        Bench bench;
+        bench.select(0, 0);
+        paste(bench, QStringLiteral("St, mm\tSax, mm/min\tStock\n0.006\t1500\t0.09\n"
+                                    "0.003\t900\t0.06\n"));
+        QCOMPARE(bench.stages().size(), 2u);
+        QCOMPARE(bench.stages()[0].radial_feed_mm, std::optional(0.006));
+        QCOMPARE(bench.stages()[1].axial_feed_mm_min, std::optional(900.0));
+        QCOMPARE(bench.stages()[1].stock_mm, 0.06);
+        paste(bench, QStringLiteral("0.006\tfast\n0.003\t900")); // no heads: a number beside
+        QVERIFY(reasons(bench).contains(QStringLiteral("“fast” is not a number")));
+    }
+
     void rowsThatDoNotSufficeAreAdded() {
         Bench bench;
         const Stage last = bench.stages()[1];

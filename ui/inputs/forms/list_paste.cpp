@@ -26,6 +26,16 @@ QString columnInOtherReading(const Field& field) {
     return QStringLiteral("%1, %2").arg(name, unitText(field.unit));
 }
 
+bool isWord(const QString& cell) {
+    const QString text = cell.trimmed();
+    return !text.isEmpty() && text.front().isLetter() && !pastedNumber(text);
+}
+
+bool takesNumbers(const Field& field) {
+    return field.kind == Kind::number || field.kind == Kind::optionalNumber
+           || field.kind == Kind::integer || field.kind == Kind::optionalInteger;
+}
+
 QString scaled(const QString& text, double factor) {
     const std::optional<double> value = factor == 1 ? std::nullopt : pastedNumber(text);
     return value ? showNumber(*value * factor, QLocale()) : text;
@@ -49,6 +59,9 @@ void ListPaste::paste(PastedCells cells, const QModelIndex& at) {
         }
         m_first = std::max(0, at.row());
         columns = columnsFrom(std::max(0, at.column()), width);
+    }
+    if (!withHeads && hasForeignHeads(cells.rows, columns)) {
+        cells.rows.erase(cells.rows.begin());
     }
     if (cells.rows.empty()) {
         m_faults += tr("there are no rows below the heads");
@@ -85,6 +98,23 @@ std::vector<ListPaste::Column> ListPaste::columnsByHeads(const QStringList& head
         }
     }
     return columns;
+}
+
+/// Whether the first row has the heads of another table: words alone, over numbers in some column
+/// that takes numbers.
+bool ListPaste::hasForeignHeads(const std::vector<QStringList>& rows,
+                                const std::vector<Column>& columns) {
+    if (rows.size() < 2) {
+        return false;
+    }
+    const auto isHead = [&rows](const Column& column) {
+        return takesNumbers(*column.field) && isWord(rows[0].value(column.from))
+               && pastedNumber(rows[1].value(column.from));
+    };
+    return std::ranges::none_of(
+               rows[0],
+               [](const QString& cell) { return !cell.trimmed().isEmpty() && !isWord(cell); })
+           && std::ranges::any_of(columns, isHead);
 }
 
 std::vector<ListPaste::Column> ListPaste::columnsFrom(int first, qsizetype width) {

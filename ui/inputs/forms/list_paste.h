@@ -18,7 +18,8 @@ namespace sparkout {
 class ListModel;
 
 /// Rows of a spreadsheet on their way into a list of the project: from a cell on, rows added at the
-/// end; or, where the first row has heads of the table, under these and in place of all rows.
+/// end; or, where the first row has heads of the table, under these and in place of all rows. Heads
+/// of another table are left out.
 /// Either all cells are taken or none.
 class ListPaste {
     Q_DECLARE_TR_FUNCTIONS(ListPaste)
@@ -44,6 +45,8 @@ private:
     };
 
     [[nodiscard]] std::vector<Column> columnsByHeads(const QStringList& heads) const;
+    [[nodiscard]] static bool hasForeignHeads(const std::vector<QStringList>& rows,
+                                              const std::vector<Column>& columns);
     [[nodiscard]] std::vector<Column> columnsFrom(int first, qsizetype width);
     void makeRoom(std::size_t rows, const std::vector<Column>& columns, bool all);
     void take(const std::vector<QStringList>& rows, const std::vector<Column>& columns);

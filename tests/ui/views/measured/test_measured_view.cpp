@@ -232,6 +232,11 @@ private slots:
                 QCOMPARE(faults->count(), 1);
                 QVERIFY(faults->item(0)->text().startsWith(QStringLiteral("Line 3, column 2:")));
                 QVERIFY(!dialog.findChild<QPushButton*>(QStringLiteral("importGo"))->isEnabled());
+                const QString said =
+                    dialog.findChild<QLabel*>(QStringLiteral("importState"))->text();
+                QVERIFY2(said.contains(QStringLiteral("taken as those of RZ1")), qPrintable(said));
+                QCOMPARE(dialog.findChild<QComboBox*>(QStringLiteral("importFirst"))->currentText(),
+                         QStringLiteral("from 1"));
             }
         };
         desk.click("measuredPaste");
