@@ -29,7 +29,7 @@ struct Blank {
     }
 };
 
-/// R_t [mm]: half the target diameter, else the middle of the tolerance field.
+/// R_t [mm]: half the target diameter, else the middle of the tolerance band.
 [[nodiscard]] double targetRadius(const Part& part);
 
 /// ΔR [mm]: given, or max − min of a measured profile.

@@ -386,7 +386,7 @@ const StructInfo& tableOf<Part>() {
             .source = "MODEL-4"),
         SPARKOUT_FIELD(Part, target_diameter_mm, .label = SPARKOUT_NOOP("Input", "Target diameter"),
                        .symbol = "2R_t", .unit = "mm", .hard = {1, 2000},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "middle of the tolerance field"),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "middle of the tolerance band"),
                        .page = Page::part,
                        .hint = SPARKOUT_NOOP("Input", "The diameter the gauge is set to."),
                        .formula = "R_t = d/2 + (es + ei)/4", .source = "MODEL-4"),

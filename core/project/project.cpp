@@ -126,7 +126,7 @@ const StructInfo& tableOf<Project>() {
         SPARKOUT_FIELD(
             Project, least_overlap_last,
             .label = SPARKOUT_NOOP("Input", "Minimum overlap of the last stage"), .hard = {1, 1000},
-            .soft = {1, 20}, .nullMeaning = SPARKOUT_NOOP("Input", "as of every stage"),
+            .soft = {1, 20}, .nullMeaning = SPARKOUT_NOOP("Input", "same as for every stage"),
             .relevant = conditions::travels, .page = Page::cycle,
             .hint = SPARKOUT_NOOP("Input", "The same for the last stage, which leaves the surface; "
                                            "usually 2."),

@@ -54,7 +54,7 @@ QString ProfileLook::name(ProfileLine line) {
     case ProfileLine::minimumZone: return tr("circles of the minimum zone");
     case ProfileLine::inscribed: return tr("maximum inscribed circle");
     case ProfileLine::circumscribed: return tr("minimum circumscribed circle");
-    case ProfileLine::field: return tr("tolerance field");
+    case ProfileLine::field: return tr("tolerance band");
     case ProfileLine::gauge: return tr("gauge");
     }
     return {};

@@ -20,7 +20,7 @@ enum class ProfileLine {
     minimumZone,   ///< the two circles of the minimum zone, across the axis
     inscribed,     ///< maximum inscribed circle and the one about its centre that holds all
     circumscribed, ///< minimum circumscribed circle and the one about its centre within all
-    field,         ///< tolerance field of the drawing
+    field,         ///< tolerance band of the drawing
     gauge,         ///< where the gauge stands, along the axis
 };
 using ProfileLines = std::set<ProfileLine>;

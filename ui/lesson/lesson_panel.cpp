@@ -225,10 +225,10 @@ void LessonPanel::showAnswered() {
         }
     }
     const bool isCovered = predicts && !isOver;
-    m_note->setText(isCovered
-                        ? tr("The first prediction counts. The result is shown once it is given.")
-                        : tr("Some views stay hidden until the predictions they would reveal "
-                             "are given."));
+    m_note->setText(
+        isCovered ? tr("Your first prediction counts. The result is shown once you have given it.")
+                  : tr("Some views stay hidden until the predictions they would reveal "
+                       "are given."));
     m_note->setVisible(isCovered || !m_run.openPredictions().empty());
     m_handIn->setText(predicts ? tr("Submit prediction") : m_field ? tr("Hand in") : tr("Check"));
     m_handIn->setVisible(!isOver);

@@ -111,19 +111,19 @@ QString LessonText::asked(const Goal& goal, const Project& project) {
     switch (goal.kind()) {
     case GoalKind::requirements:
         return goal.requirements->least_margin_percent > 0
-                   ? tr("Checked: every requirement holds, with a margin of at least %1 %.")
+                   ? tr("To pass: every requirement holds, with a margin of at least %1 %.")
                          .arg(printedNumber(goal.requirements->least_margin_percent))
-                   : tr("Checked: every requirement holds.");
+                   : tr("To pass: every requirement holds.");
     case GoalKind::time:
         if (!goal.time->below_min) {
             return {};
         }
         return (goal.time->requirements_hold
-                    ? tr("Checked: cycle time at most %1 min, every requirement holds.")
-                    : tr("Checked: cycle time at most %1 min."))
+                    ? tr("To pass: cycle time at most %1 min, every requirement holds.")
+                    : tr("To pass: cycle time at most %1 min."))
             .arg(withDecimals(*goal.time->below_min, cycleTimeDigits));
     case GoalKind::figure:
-        return bound(tr("Checked: %1 is %2 ± %3.")
+        return bound(tr("To pass: %1 = %2 ± %3.")
                          .arg(Names::inSentence(figure(goal.figure->figure, project)),
                               printedNumber(goal.figure->value),
                               printedNumber(goal.figure->tolerance)

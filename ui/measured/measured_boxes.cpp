@@ -72,7 +72,7 @@ void MeasuredBoxes::addLimits(BarChart& chart, const Project& project, MeasuredQ
     switch (quantity) {
     case MeasuredQuantity::diameter_deviation:
         chart.band =
-            BarBand{part.lower_deviation_um, part.upper_deviation_um, tr("tolerance field")};
+            BarBand{part.lower_deviation_um, part.upper_deviation_um, tr("tolerance band")};
         return;
     case MeasuredQuantity::radial_runout: limit = tolerance.radial_runout_um; break;
     case MeasuredQuantity::roundness: limit = tolerance.roundness_um; break;

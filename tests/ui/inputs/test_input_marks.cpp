@@ -274,7 +274,7 @@ private slots:
         QVERIFY(bench.row("/part/target_diameter_mm")
                     ->resetMark()
                     ->toolTip()
-                    .contains(QStringLiteral("middle of the tolerance field")));
+                    .contains(QStringLiteral("middle of the tolerance band")));
         QVERIFY(bench.row("/part/shaft/mounting")
                     ->resetMark()
                     ->toolTip()

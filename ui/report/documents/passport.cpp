@@ -148,7 +148,7 @@ private:
                 add(Paragraph{tr("–: of so few values it would be the smallest or the largest.")});
             }
         }
-        heading(tr("Distribution against the tolerance field"));
+        heading(tr("Distribution against the tolerance band"));
         addHistograms(summary);
         addBars(OverviewChart::boxes,
                 OverviewCharts::boxes(*m_subject.batch, statisticsOfMeasured(m_project)));

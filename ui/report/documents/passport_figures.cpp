@@ -66,7 +66,7 @@ Figure PassportFigures::alongThePart(const Outcome& outcome) {
     plot.setSeries(series, shaftSteps(outcome.result.project), {});
     plot.fit();
     return plotFigure(plot, plot.entriesOf({profile, spread, target, field, gauge}),
-                      tr("Diameter along the part against the tolerance field"),
+                      tr("Diameter along the part against the tolerance band"),
                       ProfilesText::summary(series, allOf(series)));
 }
 

@@ -190,7 +190,7 @@ QString BatchText::decision(const BatchOutcome& outcome) {
             .arg(capability(of->ppk), limit(), inSentence());
     case BatchReason::allHold:
         return of ? tr("every part is good, and the lower bound of Ppk is at least %1 everywhere; "
-                       "least Ppk %2, %3")
+                       "lowest Ppk %2, %3")
                         .arg(limit(), capability(of->ppk), inSentence())
                   : tr("every part is good, and the sizes hardly scatter");
     }
@@ -222,7 +222,7 @@ QString BatchText::run(const BatchOutcome& outcome) {
 QString BatchText::counts(const BatchSummary& summary) {
     QStringList texts;
     if (summary.parts > 0) {
-        texts << tr("Not good: %1.").arg(share(summary.bad));
+        texts << tr("Rejected: %1.").arg(share(summary.bad));
     }
     if (summary.stripped > 0) {
         texts << tr("%1 of %2 parts have no size, form and Ra: strips stay uncut, so no Ppk is "

@@ -24,7 +24,7 @@ class ScatterPlot;
 class SensitivityPlot;
 
 /// The view "Batch": parts that differ by the factors of the project, run one after another. How
-/// they scatter against the tolerance field, zone beside zone, with the figures of each; which
+/// they scatter against the tolerance band, zone beside zone, with the figures of each; which
 /// factor matters most; any two quantities against each other. A quick batch runs by itself when
 /// the inputs change, another one on demand; results of other inputs are drawn faint.
 class BatchView : public PlotView {

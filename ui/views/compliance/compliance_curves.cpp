@@ -163,8 +163,8 @@ LegendEntries ComplianceCurves::legendEntries() const {
                   has(CompliancePart::rests) ? tr("γ, with the steady rests") : tr("γ")));
     }
     entries.push_back(entry(usedKey, colourOf(CompliancePart::rests), Qt::NoPen,
-                            hasZones() ? tr("γ of the zones, as ground with")
-                                       : tr("γ of the sections, as ground with")));
+                            hasZones() ? tr("γ of the zones used in the run")
+                                       : tr("γ of the sections used in the run")));
     return entries;
 }
 
@@ -248,7 +248,7 @@ ReadCurves ComplianceCurves::readCurves() const {
         }
     }
     if (hasZones() && shows(usedKey)) {
-        add(tr("γ of the zones, as ground with"), [this](double x) { return groundWith(x); });
+        add(tr("γ of the zones used in the run"), [this](double x) { return groundWith(x); });
     }
     return curves;
 }

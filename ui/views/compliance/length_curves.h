@@ -12,7 +12,7 @@ namespace sparkout {
 struct Part;
 
 /// Curves over the length of the part that share an axis rect with others: shown or not as a whole,
-/// and one by one through the legend. Diameters are drawn from the middle of the tolerance field.
+/// and one by one through the legend. Diameters are drawn from the middle of the tolerance band.
 class LengthCurves {
     Q_DECLARE_TR_FUNCTIONS(LengthCurves)
 public:
@@ -44,7 +44,7 @@ protected:
                                     const QString& text) const;
     void takeField(const Part& part);
     [[nodiscard]] double middle_um() const { return m_middle_um; } ///< of the field, from nominal
-    /// The limits of the tolerance field over the length, ± half of it.
+    /// The limits of the tolerance band over the length, ± half of it.
     void drawLimits(const Part& part);
     void clearLimits();
     void restyleLimits();

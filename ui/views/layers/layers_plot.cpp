@@ -125,7 +125,7 @@ LegendEntries LayersPlot::legendEntries() const {
     entries.push_back(lineEntry(blankKey, m_blank->pen(), tr("initial radius")));
     entries.push_back(lineEntry(finalKey, m_final->pen(), tr("final radius")));
     entries.push_back(lineEntry(targetKey, m_target->pen(), tr("target")));
-    entries.push_back(areaEntry(fieldKey, m_upper->brush().color(), tr("tolerance field")));
+    entries.push_back(areaEntry(fieldKey, m_upper->brush().color(), tr("tolerance band")));
     return entries;
 }
 

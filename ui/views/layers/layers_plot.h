@@ -8,7 +8,7 @@
 namespace sparkout {
 
 /// The stock in a section along the part's axis, layer on layer, from the blank to the final
-/// radius, with the tolerance field; what the cycle has not cut yet is still metal.
+/// radius, with the tolerance band; what the cycle has not cut yet is still metal.
 class LayersPlot : public PartPlot {
     Q_OBJECT
 public:

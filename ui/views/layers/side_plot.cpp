@@ -108,7 +108,7 @@ LegendEntries SidePlot::legendEntries() const {
     return {areaEntry(wheelKey, colourOf(wheelKey), tr("wheel")),
             lineEntry(surfaceKey, colourOf(surfaceKey), tr("surface, given way")),
             lineEntry(unloadedKey, {colourOf(unloadedKey), 1, Qt::DashLine}, tr("without load")),
-            areaEntry(fieldKey, colourOf(fieldKey), tr("tolerance field"))};
+            areaEntry(fieldKey, colourOf(fieldKey), tr("tolerance band"))};
 }
 
 QString SidePlot::values() const {

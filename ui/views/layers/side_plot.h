@@ -8,7 +8,7 @@
 namespace sparkout {
 
 /// Wheel and part from the side at a moment of the cycle, heights exaggerated: the surface that the
-/// wheel meets, how far it gives way, the tolerance field and the gauge.
+/// wheel meets, how far it gives way, the tolerance band and the gauge.
 class SidePlot : public PartPlot {
     Q_OBJECT
 public:

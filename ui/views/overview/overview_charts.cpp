@@ -88,7 +88,7 @@ QString OverviewCharts::title(OverviewChart chart) {
     switch (chart) {
     case OverviewChart::times: return tr("Time by stage and step");
     case OverviewChart::stock: return tr("Removed by stage and step");
-    case OverviewChart::diameters: return tr("What the diameter deviations are made of");
+    case OverviewChart::diameters: return tr("Make-up of the diameter deviations");
     case OverviewChart::requirements: return tr("Limits used up");
     case OverviewChart::boxes: return tr("Batch: mean diameters");
     case OverviewChart::parts: return tr("Batch: good and rejected parts");
@@ -209,7 +209,7 @@ BarChart OverviewCharts::diameters(const Outcome& outcome) {
     chart.number = Names::signedMicrometres;
     chart.remark = sectionsRemark(outcome);
     const Part& part = *outcome.result.project.part;
-    chart.band = BarBand{part.lower_deviation_um, part.upper_deviation_um, tr("tolerance field")};
+    chart.band = BarBand{part.lower_deviation_um, part.upper_deviation_um, tr("tolerance band")};
     chart.sumName = tr("deviation, the sum");
     chart.series = {{tr("gauge at the end"), barColour(Drawn::gauge), hatchAt(0), {}},
                     {outcome.result.project.operation->hasZones ? tr("zone against the gauge")
@@ -258,7 +258,7 @@ BarChart OverviewCharts::requirements(const Outcome& outcome) {
     BarChart chart;
     chart.isLying = true;
     chart.what = tr("Requirement");
-    chart.axis = tr("Of the field or limit");
+    chart.axis = tr("Share of tolerance or limit");
     chart.unit = QStringLiteral("%");
     chart.number = [](double value) { return Names::fixed(value, value < 10 ? 1 : 0); };
     chart.most = mostUsage;
@@ -286,7 +286,7 @@ BarChart OverviewCharts::requirements(const Outcome& outcome) {
     }
     const auto settings = static_cast<int>(worstByKind(outcome.constraints).size() - shown.size());
     chart.remark = settings > 0
-                       ? tr("%n ranges of the machine hold and are not drawn.", nullptr, settings)
+                       ? tr("%n ranges of the machine are met and not drawn.", nullptr, settings)
                        : QString();
     return chart;
 }
@@ -325,7 +325,7 @@ BarChart OverviewCharts::boxes(const BatchOutcome& batch,
         }
         if (of.characteristic.low && of.characteristic.high) {
             chart.band =
-                BarBand{*of.characteristic.low, *of.characteristic.high, tr("tolerance field")};
+                BarBand{*of.characteristic.low, *of.characteristic.high, tr("tolerance band")};
         }
     }
     chart.shape = Shape::boxes;

@@ -12,7 +12,7 @@ class BandLayer;
 class ShaftLayer;
 
 /// The part along its axis: mean, smallest and largest radius (or diameter) of each zone or section
-/// against the tolerance field; exaggerated, or the shaft drawn to scale.
+/// against the tolerance band; exaggerated, or the shaft drawn to scale.
 class LongitudinalPlot : public FramedPlot {
     Q_OBJECT
 public:

@@ -178,7 +178,7 @@ LegendEntries PhasePlot::legendEntries() const {
     }
     LegendEntries entries{lineEntry(largestKey, m_largest->pen(), tr("maximum diameter")),
                           lineEntry(smallestKey, m_smallest->pen(), tr("minimum diameter")),
-                          areaEntry(toleranceKey, m_field->brush().color(), tr("tolerance field"))};
+                          areaEntry(toleranceKey, m_field->brush().color(), tr("tolerance band"))};
     if (!m_failing->ranges().empty()) {
         entries.push_back(areaEntry(failsKey, m_failing->area(), tr("stocks that fail")));
         entries.back().hatch = Hatch::rising;

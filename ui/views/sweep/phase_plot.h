@@ -9,7 +9,7 @@ namespace sparkout {
 class FailingLayer;
 
 /// Size against stock: the largest and the smallest diameter of all zones or sections over the
-/// stock, piece by piece, against the tolerance field; stocks that fail are hatched. Within a piece
+/// stock, piece by piece, against the tolerance band; stocks that fail are hatched. Within a piece
 /// the diameters are linear in the stock, so the picture is exact.
 class PhasePlot : public ViewPlot {
     Q_OBJECT

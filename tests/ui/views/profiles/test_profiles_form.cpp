@@ -133,12 +133,12 @@ void TestProfilesForm::theOwnMeanShowsTheFormLarger() {
 void TestProfilesForm::aClickInTheLegendHidesInBothPlots() {
     ProfilesView view;
     show(view, m_of.traverse);
-    clickLegend(view, QStringLiteral("tolerance field"));
+    clickLegend(view, QStringLiteral("tolerance band"));
     QVERIFY(!view.across()->field(0)->visible());
     QVERIFY(!view.along()->graph(LengthLine::upperLimit)->visible());
-    const int index = legendIndex(view, QStringLiteral("tolerance field"));
+    const int index = legendIndex(view, QStringLiteral("tolerance band"));
     QVERIFY(!view.legend()->entries()[static_cast<std::size_t>(index)].shown);
-    clickLegend(view, QStringLiteral("tolerance field"));
+    clickLegend(view, QStringLiteral("tolerance band"));
     QVERIFY(view.across()->field(0)->visible());
     QVERIFY(view.along()->graph(LengthLine::upperLimit)->visible());
     clickLegend(view, QStringLiteral("blank"));
