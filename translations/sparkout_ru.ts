@@ -6163,6 +6163,114 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>A view by its name for `--view`, or a panel or command.</source>
             <translation>Вид по имени для `--view`, панель или команда.</translation>
         </message>
+        <message>
+        <source>Name of the set</source>
+        <translation>Название набора</translation>
+    </message>
+    <message>
+        <source>As the entry of the catalogue is called.</source>
+        <translation>Как называется запись каталога.</translation>
+    </message>
+    <message>
+        <source>They stand in the lesson itself: a catalogue that changes later changes no variant.</source>
+        <translation>Хранятся в самой работе: если каталог потом изменится, варианты останутся прежними.</translation>
+    </message>
+    <message>
+        <source>Path of a number of the project, of a range or list.</source>
+        <translation>Путь числа проекта, для диапазона или списка.</translation>
+    </message>
+    <message>
+        <source>no range</source>
+        <translation>диапазона нет</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Шаг</translation>
+    </message>
+    <message>
+        <source>The values are the lower end and whole steps further, up to the upper end.</source>
+        <translation>Значения — нижняя граница и далее целое число шагов, до верхней границы.</translation>
+    </message>
+    <message>
+        <source>List</source>
+        <translation>Список</translation>
+    </message>
+    <message>
+        <source>no list</source>
+        <translation>списка нет</translation>
+    </message>
+    <message>
+        <source>Sets</source>
+        <translation>Наборы</translation>
+    </message>
+    <message>
+        <source>Values that belong together, as entries of a catalogue.</source>
+        <translation>Значения, которые меняются вместе, как записи каталога.</translation>
+    </message>
+    <message>
+        <source>Minimum best time</source>
+        <translation>Лучшее время не менее</translation>
+    </message>
+    <message>
+        <source>Maximum best time</source>
+        <translation>Лучшее время не более</translation>
+    </message>
+    <message>
+        <source>Of the best time of the lesson as it stands.</source>
+        <translation>От лучшего времени исходной работы.</translation>
+    </message>
+    <message>
+        <source>Margin within</source>
+        <translation>Отличие запаса не более</translation>
+    </message>
+    <message>
+        <source>How far the least relative margin of the best answer may be from that of the lesson as it stands, in percentage points.</source>
+        <translation>Насколько наименьший относительный запас лучшего ответа может отличаться от запаса исходной работы, в процентных пунктах.</translation>
+    </message>
+    <message>
+        <source>Difficulty</source>
+        <translation>Сложность</translation>
+    </message>
+    <message>
+        <source>The figure is that of the project as the step begins; from 1.</source>
+        <translation>Величина берётся у проекта в начале этого шага; счёт от 1.</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Минимум</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Максимум</translation>
+    </message>
+    <message>
+        <source>no minimum</source>
+        <translation>без минимума</translation>
+    </message>
+    <message>
+        <source>no maximum</source>
+        <translation>без максимума</translation>
+    </message>
+    <message>
+        <source>Every value of each goes with every value of the others.</source>
+        <translation>Значения каждой сочетаются со всеми значениями остальных.</translation>
+    </message>
+    <message>
+        <source>What the best answers may differ by.</source>
+        <translation>Насколько могут различаться лучшие ответы.</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Величины</translation>
+    </message>
+    <message>
+        <source>What every variant has within bounds as given, so that the questions are true of it.</source>
+        <translation>Что у каждого варианта в исходном виде лежит в заданных границах, чтобы вопросы работы были для него верны.</translation>
+    </message>
+    <message>
+        <source>Whose inputs are varied, from 1.</source>
+        <translation>Поверхность, данные которой изменяются; счёт от 1.</translation>
+    </message>
     </context>
     <context>
         <name>Issue</name>
@@ -9259,6 +9367,22 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>What is hidden</source>
             <translation>Что скрыто</translation>
         </message>
+        <message>
+        <source>Set of values</source>
+        <translation>Набор данных</translation>
+    </message>
+    <message>
+        <source>Difficulty</source>
+        <translation>Сложность</translation>
+    </message>
+    <message>
+        <source>Bounds of a figure</source>
+        <translation>Границы величины</translation>
+    </message>
+    <message>
+        <source>Variants</source>
+        <translation>Варианты</translation>
+    </message>
     </context>
     <context>
         <name>StudiesShown</name>
@@ -21597,10 +21721,6 @@ s</source>
             <translation>Вид цели</translation>
         </message>
         <message>
-            <source>the one in front</source>
-            <translation>открытый</translation>
-        </message>
-        <message>
             <source>Add: %1</source>
             <translation>Добавить: %1</translation>
         </message>
@@ -21613,9 +21733,29 @@ s</source>
             <translation>Удалить</translation>
         </message>
         <message>
-            <source>numbers with spaces between them</source>
-            <translation>здесь нужны числа через пробел</translation>
-        </message>
+        <source>Varied over</source>
+        <translation>Варьируется</translation>
+    </message>
+    <message>
+        <source>a range in steps</source>
+        <translation>по диапазону с шагом</translation>
+    </message>
+    <message>
+        <source>a list of values</source>
+        <translation>по списку значений</translation>
+    </message>
+    <message>
+        <source>named sets of values</source>
+        <translation>по именованным наборам</translation>
+    </message>
+    <message>
+        <source>Variants in all: %1</source>
+        <translation>Всего вариантов: %1</translation>
+    </message>
+    <message>
+        <source>Levels: %1</source>
+        <translation>Уровней: %1</translation>
+    </message>
     </context>
     <context>
         <name>sparkout::AccessPage</name>
@@ -21701,6 +21841,18 @@ s</source>
             <source>Views, panels and commands that the step hides</source>
             <translation>Виды, панели и команды, скрытые на шаге</translation>
         </message>
+        <message>
+        <source>Variants</source>
+        <translation>Варианты</translation>
+    </message>
+    <message>
+        <source>Chec&amp;k variants…</source>
+        <translation>Проверить вариант&amp;ы…</translation>
+    </message>
+    <message>
+        <source>Make some of the variants and see their best answers, or why one is refused; nothing is saved</source>
+        <translation>Составить несколько вариантов и показать лучшие ответы или причины отказа; ничего не сохраняется</translation>
+    </message>
     </context>
     <context>
         <name>sparkout::LessonEditor</name>
@@ -21981,5 +22133,79 @@ s</source>
             <source>Methodical &amp;guide</source>
             <translation>&amp;Методические указания</translation>
         </message>
+    </context>
+    <context>
+        <name>sparkout::ValueWidgets</name>
+    <message>
+        <source>the one in front</source>
+        <translation>открытый</translation>
+    </message>
+    <message>
+        <source>numbers with spaces between them</source>
+        <translation>здесь нужны числа через пробел</translation>
+    </message>
+    <message>
+        <source>out of range; allowed: %1</source>
+        <translation>вне допустимых значений; допускается: %1</translation>
+    </message>
+    </context>
+    <context>
+        <name>sparkout::VariantCheckDialog</name>
+    <message>
+        <source>Check variants</source>
+        <translation>Проверка вариантов</translation>
+    </message>
+    <message>
+        <source>&amp;Make</source>
+        <translation>&amp;Составить</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Остановить</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Закрыть</translation>
+    </message>
+    <message>
+        <source>&amp;Number of variants</source>
+        <translation>&amp;Число вариантов</translation>
+    </message>
+    <message>
+        <source>Variants and refused tries</source>
+        <translation>Варианты и отклонённые попытки</translation>
+    </message>
+    <message>
+        <source>Variant</source>
+        <translation>Вариант</translation>
+    </message>
+    <message>
+        <source>Best time, min</source>
+        <translation>Лучшее время, мин</translation>
+    </message>
+    <message>
+        <source>Margin, %</source>
+        <translation>Запас, %</translation>
+    </message>
+    <message>
+        <source>Refused because</source>
+        <translation>Причина отказа</translation>
+    </message>
+    <message>
+        <source>Searching for the best answer of the work as it stands…</source>
+        <translation>Ищется лучший ответ исходной работы…</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Остановлено.</translation>
+    </message>
+    <message>
+        <source>Tried: %1, variants: %2</source>
+        <translation>Попыток: %1, вариантов: %2</translation>
+    </message>
+    <message>
+        <source>The work as it stands: best time %1 min, margin %2 %</source>
+        <translation>Исходная работа: лучшее время %1 мин, запас %2 %</translation>
+    </message>
     </context>
 </TS>

@@ -93,9 +93,10 @@ int runCourseVariants(const CourseOptions& options) {
     MadeVariants made;
     {
         BatchWatch watch(static_cast<std::int64_t>(students->size()), false, "variants");
-        made = makeVariants(
-            *lesson, students->size(), *options.seed, watch.stop(),
-            [&watch](std::size_t count) { *watch.done() = static_cast<std::int64_t>(count); });
+        made = makeVariants(*lesson, students->size(), *options.seed, watch.stop(),
+                            [&watch](const VariantTry& tried) {
+                                *watch.done() = static_cast<std::int64_t>(tried.made);
+                            });
     }
     if (caughtSignal() != 0) {
         return interrupted + caughtSignal();

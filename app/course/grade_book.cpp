@@ -19,7 +19,7 @@ namespace {
 constexpr int mostDecimals = 3; ///< of points
 
 /// The decimals that the numbers of a column have.
-int decimalsOf(const GradeTable& table, std::size_t column) {
+int digitsOf(const GradeTable& table, std::size_t column) {
     constexpr double tolerance = 1e-6;
     int decimals = 0;
     for (const auto& row : table.rows) {
@@ -53,7 +53,7 @@ xlsx::Sheet sheetOf(GradeTable given, const char* name) {
         sheet.columns.push_back(
             {column.title,
              {},
-             column.decimals == GradeColumn::asGiven ? decimalsOf(given, i) : column.decimals});
+             column.decimals == GradeColumn::asGiven ? digitsOf(given, i) : column.decimals});
     }
     sheet.fill = [table = std::make_shared<const GradeTable>(std::move(given))](
                      std::size_t row, std::vector<xlsx::Cell>& cells) {

@@ -28,7 +28,7 @@ VariantLevels drawn(const VariantLevels& counts, std::uint32_t seed, long long t
 
 MadeVariants makeVariants(const Lesson& lesson, std::size_t count, std::uint32_t seed,
                           const std::stop_token& stop,
-                          const std::function<void(std::size_t)>& note) {
+                          const std::function<void(const VariantTry&)>& note) {
     MadeVariants made;
     if (needsSearch(lesson)) {
         const Project& project = lesson.base.surfaces[variedSurface(lesson)].project;
@@ -52,30 +52,29 @@ MadeVariants makeVariants(const Lesson& lesson, std::size_t count, std::uint32_t
     std::set<VariantLevels> taken;
     while (made.variants.size() < count && made.tries < mostTries(count)) {
         const VariantLevels levels = drawn(counts, seed, made.tries++);
-        std::optional<VariantFault> fault;
+        CheckedVariant found;
         if (taken.contains(levels)) {
-            fault = VariantFault::alike;
-        } else if (const auto found = known.find(levels); found != known.end()) {
-            fault = found->second;
+            found.fault = VariantFault::alike;
+        } else if (const auto before = known.find(levels); before != known.end()) {
+            found.fault = before->second;
         } else {
-            CheckedVariant checked = checkVariant(lesson, levels, made.reference, stop);
+            found = checkVariant(lesson, levels, made.reference, stop);
             if (stop.stop_requested()) {
                 made.isStopped = true;
                 return made;
             }
-            fault = checked.fault;
-            if (fault) {
-                known.emplace(levels, *fault);
+            if (found.fault) {
+                known.emplace(levels, *found.fault);
             } else {
                 taken.insert(levels);
-                made.variants.push_back({levels, std::move(checked.best)});
-                if (note) {
-                    note(made.variants.size());
-                }
+                made.variants.push_back({levels, found.best});
             }
         }
-        if (fault) {
-            ++made.refused[static_cast<std::size_t>(*fault)];
+        if (found.fault) {
+            ++made.refused[static_cast<std::size_t>(*found.fault)];
+        }
+        if (note) {
+            note({levels, std::move(found), made.variants.size()});
         }
     }
     return made;

@@ -40,11 +40,18 @@ struct MadeVariants {
     bool isStopped = false;
 };
 
+/// Levels that were drawn, what was found of them, and how many variants there are by then.
+struct VariantTry {
+    VariantLevels levels;
+    CheckedVariant found;
+    std::size_t made = 0;
+};
+
 /// Draws until so many are found, or a limit of tries is reached; a lesson without variants gives
-/// each the project as it stands. `note` is called after each that is found.
+/// each the project as it stands. `note` is called after each try.
 [[nodiscard]] MadeVariants makeVariants(const Lesson& lesson, std::size_t count, std::uint32_t seed,
                                         const std::stop_token& stop = {},
-                                        const std::function<void(std::size_t)>& note = {});
+                                        const std::function<void(const VariantTry&)>& note = {});
 
 /// How many tries are made at most for so many variants.
 [[nodiscard]] constexpr long long mostTries(std::size_t count) {

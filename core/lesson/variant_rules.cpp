@@ -3,6 +3,7 @@
 
 #include "core/project/conditions.h"
 #include "core/project/validate.h"
+#include "core/text.h"
 
 #include <array>
 #include <cmath>
@@ -45,14 +46,17 @@ std::string VariedInput::nameOf(std::size_t level) const {
 template <>
 const StructInfo& tableOf<ValueSet>() {
     static const std::array rows{
-        SPARKOUT_FIELD(ValueSet, name, .label = "Name", .required = conditions::always,
-                       .hint = "As the entry of the catalogue is called."),
-        SPARKOUT_FIELD(ValueSet, values, .label = "Values", .hard = {1, 100},
+        SPARKOUT_FIELD(ValueSet, name, .label = SPARKOUT_NOOP("Input", "Name of the set"),
                        .required = conditions::always,
-                       .hint = "They stand in the lesson itself: a catalogue that changes later "
-                               "changes no variant."),
+                       .hint = SPARKOUT_NOOP("Input", "As the entry of the catalogue is called.")),
+        SPARKOUT_FIELD(ValueSet, values, .label = SPARKOUT_NOOP("Input", "Values"),
+                       .hard = {1, 100}, .required = conditions::always,
+                       .hint = SPARKOUT_NOOP("Input",
+                                             "They stand in the lesson itself: a catalogue that "
+                                             "changes later changes no variant.")),
     };
-    static const StructInfo info = makeTable<ValueSet>("Set of values", rows);
+    static const StructInfo info =
+        makeTable<ValueSet>(SPARKOUT_NOOP("Struct", "Set of values"), rows);
     return info;
 }
 
@@ -60,37 +64,53 @@ template <>
 const StructInfo& tableOf<VariedInput>() {
     constexpr double largest = 1e9;
     static const std::array rows{
-        SPARKOUT_FIELD(VariedInput, path, .label = "Input", .sparse = true,
-                       .hint = "Path of a number of the project, of a range or list."),
-        SPARKOUT_FIELD(VariedInput, from, .label = "From", .hard = {-largest, largest},
-                       .nullMeaning = "no range"),
-        SPARKOUT_FIELD(VariedInput, to, .label = "To", .hard = {-largest, largest},
-                       .nullMeaning = "no range"),
-        SPARKOUT_FIELD(VariedInput, step, .label = "Step", .hard = {0, largest, true},
-                       .nullMeaning = "no range",
-                       .hint = "Values are `from` and whole steps further, up to `to`."),
-        SPARKOUT_FIELD(VariedInput, list, .label = "List", .hard = {-largest, largest},
-                       .nullMeaning = "no list"),
-        SPARKOUT_FIELD(VariedInput, sets, .label = "Sets", .hard = {0, 1000}, .sparse = true,
-                       .hint = "Values that belong together, as entries of a catalogue."),
+        SPARKOUT_FIELD(
+            VariedInput, path, .label = SPARKOUT_NOOP("Input", "Input"), .sparse = true,
+            .hint = SPARKOUT_NOOP("Input", "Path of a number of the project, of a range or list.")),
+        SPARKOUT_FIELD(VariedInput, from, .label = SPARKOUT_NOOP("Input", "From"),
+                       .hard = {-largest, largest},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "no range")),
+        SPARKOUT_FIELD(VariedInput, to, .label = SPARKOUT_NOOP("Input", "To"),
+                       .hard = {-largest, largest},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "no range")),
+        SPARKOUT_FIELD(VariedInput, step, .label = SPARKOUT_NOOP("Input", "Step"),
+                       .hard = {0, largest, true},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "no range"),
+                       .hint = SPARKOUT_NOOP("Input", "The values are the lower end and whole "
+                                                      "steps further, up to the upper end.")),
+        SPARKOUT_FIELD(VariedInput, list, .label = SPARKOUT_NOOP("Input", "List"),
+                       .hard = {-largest, largest},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "no list")),
+        SPARKOUT_FIELD(VariedInput, sets, .label = SPARKOUT_NOOP("Input", "Sets"),
+                       .hard = {0, 1000}, .sparse = true,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Values that belong together, as entries of a catalogue.")),
     };
-    static const StructInfo info = makeTable<VariedInput>("Input varied", rows);
+    static const StructInfo info =
+        makeTable<VariedInput>(SPARKOUT_NOOP("Struct", "Varied input"), rows);
     return info;
 }
 
 template <>
 const StructInfo& tableOf<Difficulty>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Difficulty, least_time_percent, .label = "Minimum best time", .unit = "%",
-                       .hard = {0, 100}, .hint = "Of the best time of the lesson as it stands."),
-        SPARKOUT_FIELD(Difficulty, most_time_percent, .label = "Maximum best time", .unit = "%",
-                       .hard = {100, 100000}, .hint = "Likewise."),
-        SPARKOUT_FIELD(Difficulty, margin_within_percent, .label = "Margin within", .unit = "%",
-                       .hard = {0, 1000},
-                       .hint = "How far the least relative margin of the best answer may be from "
-                               "that of the lesson as it stands, in percentage points."),
+        SPARKOUT_FIELD(
+            Difficulty, least_time_percent, .label = SPARKOUT_NOOP("Input", "Minimum best time"),
+            .unit = "%", .hard = {0, 100},
+            .hint = SPARKOUT_NOOP("Input", "Of the best time of the lesson as it stands.")),
+        SPARKOUT_FIELD(
+            Difficulty, most_time_percent, .label = SPARKOUT_NOOP("Input", "Maximum best time"),
+            .unit = "%", .hard = {100, 100000},
+            .hint = SPARKOUT_NOOP("Input", "Of the best time of the lesson as it stands.")),
+        SPARKOUT_FIELD(
+            Difficulty, margin_within_percent, .label = SPARKOUT_NOOP("Input", "Margin within"),
+            .unit = "%", .hard = {0, 1000},
+            .hint = SPARKOUT_NOOP(
+                "Input", "How far the least relative margin of the best answer may be from that of "
+                         "the lesson as it stands, in percentage points.")),
     };
-    static const StructInfo info = makeTable<Difficulty>("Difficulty", rows);
+    static const StructInfo info =
+        makeTable<Difficulty>(SPARKOUT_NOOP("Struct", "Difficulty"), rows);
     return info;
 }
 
@@ -98,32 +118,47 @@ template <>
 const StructInfo& tableOf<FigureBound>() {
     constexpr double largest = 1e9;
     static const std::array rows{
-        SPARKOUT_FIELD(FigureBound, figure, .label = "Figure", .required = conditions::always),
-        SPARKOUT_FIELD(FigureBound, step, .label = "Step", .hard = {1, 100}, .sparse = true,
-                       .hint = "As it begins; counted from 1."),
-        SPARKOUT_FIELD(FigureBound, least, .label = "Minimum", .hard = {-largest, largest},
-                       .nullMeaning = "no minimum", .hint = "In the unit of the figure."),
-        SPARKOUT_FIELD(FigureBound, most, .label = "Maximum", .hard = {-largest, largest},
-                       .nullMeaning = "no maximum", .hint = "Likewise."),
+        SPARKOUT_FIELD(FigureBound, figure, .label = SPARKOUT_NOOP("Input", "Figure"),
+                       .required = conditions::always),
+        SPARKOUT_FIELD(
+            FigureBound, step, .label = SPARKOUT_NOOP("Input", "Step"), .hard = {1, 100},
+            .sparse = true,
+            .hint = SPARKOUT_NOOP("Input",
+                                  "The figure is that of the project as the step begins; from 1.")),
+        SPARKOUT_FIELD(FigureBound, least, .label = SPARKOUT_NOOP("Input", "Minimum"),
+                       .hard = {-largest, largest},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "no minimum"),
+                       .hint = SPARKOUT_NOOP("Input", "In the unit of the figure.")),
+        SPARKOUT_FIELD(FigureBound, most, .label = SPARKOUT_NOOP("Input", "Maximum"),
+                       .hard = {-largest, largest},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "no maximum"),
+                       .hint = SPARKOUT_NOOP("Input", "In the unit of the figure.")),
     };
-    static const StructInfo info = makeTable<FigureBound>("Bounds of a figure", rows);
+    static const StructInfo info =
+        makeTable<FigureBound>(SPARKOUT_NOOP("Struct", "Bounds of a figure"), rows);
     return info;
 }
 
 template <>
 const StructInfo& tableOf<VariantRules>() {
     static const std::array rows{
-        SPARKOUT_FIELD(VariantRules, inputs, .label = "Inputs varied", .hard = {1, 20},
-                       .required = conditions::always),
-        SPARKOUT_FIELD(VariantRules, difficulty, .label = "Difficulty",
-                       .hint = "What the best answers may differ by."),
-        SPARKOUT_FIELD(VariantRules, figures, .label = "Figures", .hard = {0, 100}, .sparse = true,
-                       .hint = "What every variant has within bounds as given, so that the "
-                               "questions are true of it."),
-        SPARKOUT_FIELD(VariantRules, surface, .label = "Surface", .hard = {1, 20},
-                       .hint = "Whose inputs are varied, from 1."),
+        SPARKOUT_FIELD(VariantRules, inputs, .label = SPARKOUT_NOOP("Input", "Varied inputs"),
+                       .hard = {1, 20}, .required = conditions::always,
+                       .hint = SPARKOUT_NOOP("Input", "Every value of each goes with every value "
+                                                      "of the others.")),
+        SPARKOUT_FIELD(VariantRules, difficulty, .label = SPARKOUT_NOOP("Input", "Difficulty"),
+                       .hint = SPARKOUT_NOOP("Input", "What the best answers may differ by.")),
+        SPARKOUT_FIELD(
+            VariantRules, figures, .label = SPARKOUT_NOOP("Input", "Figures"), .hard = {0, 100},
+            .sparse = true,
+            .hint = SPARKOUT_NOOP("Input", "What every variant has within bounds as given, so that "
+                                           "the questions are true of it.")),
+        SPARKOUT_FIELD(VariantRules, surface, .label = SPARKOUT_NOOP("Input", "Surface"),
+                       .hard = {1, 20},
+                       .hint = SPARKOUT_NOOP("Input", "Whose inputs are varied, from 1.")),
     };
-    static const StructInfo info = makeTable<VariantRules>("Variants", rows);
+    static const StructInfo info =
+        makeTable<VariantRules>(SPARKOUT_NOOP("Struct", "Variants"), rows);
     return info;
 }
 

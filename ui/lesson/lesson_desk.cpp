@@ -43,7 +43,6 @@ const QString saveNotice = QStringLiteral("lesson-not-saved");
 const QString changedNotice = QStringLiteral("lesson-changed-outside");
 constexpr int draftPause_ms = 1000;
 /// Whoever draws variants by number from a lesson gets the same ones everywhere.
-constexpr std::uint32_t seedByNumber = 1;
 
 /// What is handed in of a set-up: no kept runs and measurements.
 std::string handedIn(Setup setup) {
@@ -208,8 +207,8 @@ std::optional<Work> LessonDesk::makeWork(const Lesson& lesson, int variant, cons
             m_window, tr("Making the variant"),
             [&](const KeepGoing& keepGoing) {
                 made = makeVariants(lesson, std::size_t(variant), seedByNumber, stop.get_token(),
-                                    [&](std::size_t count) {
-                                        if (!keepGoing(double(count) / variant)) {
+                                    [&](const VariantTry& tried) {
+                                        if (!keepGoing(double(tried.made) / variant)) {
                                             stop.request_stop();
                                         }
                                     });

@@ -33,6 +33,8 @@ class LessonDesk : public QObject {
     Q_OBJECT
 
 public:
+    static constexpr std::uint32_t seedByNumber = 1; ///< of variants that are begun by a number
+
     LessonDesk(Document& document, Settings& settings, NoticeBar& notices, QWidget* window);
     ~LessonDesk() override;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A teacher makes a laboratory work in the window, by mouse and keys, tries it and saves it; what
 // the editor does not show is kept as it is.
+#include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/lesson/lesson_bench.h"
@@ -8,6 +9,7 @@
 #include "tests/ui/support/text_checks.h"
 #include "ui/kit/font_size.h"
 #include "ui/lesson/edit/lesson_editor.h"
+#include "ui/lesson/edit/variant_check_dialog.h"
 #include "ui/lesson/lessons_dialog.h"
 
 #include <QGroupBox>
@@ -16,6 +18,7 @@
 #include <QPlainTextEdit>
 #include <QScopeGuard>
 #include <QTabWidget>
+#include <QTableWidget>
 #include <QTextBrowser>
 #include <QTreeWidget>
 
@@ -77,6 +80,16 @@ struct Desk {
             QVERIFY(combo->currentIndex() != before);
         }
     }
+    /// One of a long list, by what is typed of its name.
+    void find(const char* name, const QString& text) const {
+        auto* combo = part<QComboBox>(QString::fromLatin1(name));
+        combo->setFocus();
+        QTest::keyClick(combo, Qt::Key_F4);
+        auto* search = combo->findChild<QLineEdit*>(QStringLiteral("search"));
+        QTest::keyClicks(search, text);
+        QTest::keyClick(search, Qt::Key_Return);
+        QTest::qWait(1);
+    }
     void tab(int index) const {
         part<QTabWidget>(QStringLiteral("editPage"))->setCurrentIndex(index);
     }
@@ -97,6 +110,7 @@ struct Desk {
 };
 
 enum Tab { task, inputs, values, hidden, goal, hints, moment };
+constexpr int variants = 1; // of the work as a whole
 
 } // namespace
 
@@ -132,6 +146,147 @@ private slots:
             }
             QCOMPARE(desk.editor->draft().text(), before);
         }
+    }
+
+    void theVariantsAreRuled() {
+        const Desk desk;
+        QVERIFY(desk.editor->openLesson(LessonsDialog::paths()[1]));
+        const std::string before = desk.editor->draft().text();
+        desk.tab(variants);
+        const auto shown = [&](const char* name) {
+            return desk.part<QLabel>(QString::fromLatin1(name))->text();
+        };
+        QCOMPARE(shown("/variants/inputs/0/levels"), QStringLiteral("Levels: 9"));
+        QCOMPARE(shown("/variants/inputs/count"), QStringLiteral("Variants in all: 2592"));
+        // A range of another input, chosen by its name; it begins with the value of the project.
+        desk.press("/variants/inputs/add");
+        QCOMPARE(desk.faults().size(), 1);
+        desk.find("/variants/inputs/4/path", QStringLiteral("part ground length"));
+        const double length_mm = desk.lesson().base.surfaces.front().project.part->length_mm;
+        QCOMPARE(desk.lesson().variants->inputs[4].from, std::optional(length_mm));
+        desk.type("/variants/inputs/4/from", QStringLiteral("90"));
+        desk.type("/variants/inputs/4/to", QStringLiteral("100"));
+        desk.type("/variants/inputs/4/step", QStringLiteral("2"));
+        QCOMPARE(shown("/variants/inputs/4/levels"), QStringLiteral("Levels: 6"));
+        QCOMPARE(shown("/variants/inputs/count"), QStringLiteral("Variants in all: 15552"));
+        desk.press("/variants/inputs/4/up");
+        nlohmann::json wanted = nlohmann::json::parse(before);
+        auto& inputs = wanted["variants"]["inputs"];
+        inputs.push_back(inputs[3]);
+        inputs[3] = {{"path", "/part/length_mm"}, {"from", 90}, {"to", 100}, {"step", 2}};
+        desk.type("/variants/difficulty/least_time_percent", QStringLiteral("60"));
+        wanted["variants"]["difficulty"]["least_time_percent"] = 60;
+        // A bound of a figure, in a step by its name.
+        desk.press("/variants/figures/add");
+        desk.choose("/variants/figures/0/step", QStringLiteral("2. Number predicted"));
+        desk.type("/variants/figures/0/most", QStringLiteral("3"));
+        wanted["variants"]["figures"].push_back(
+            {{"figure", {{"name", "cycle_time_min"}}}, {"step", 2}, {"most", 3}});
+        const QString path = desk.folder.filePath(QStringLiteral("ruled.sparkout-lesson"));
+        DialogAnswers saved({QStringLiteral("file:") + path});
+        desk.press("editSaveAs");
+        QCOMPARE(saved.fault(), QString());
+        QCOMPARE(nlohmann::json::parse(contentOf(path)), wanted);
+        QVERIFY(readLesson(contentOf(path)).lesson.has_value());
+        // What the input does not take is named and not taken.
+        desk.type("/variants/inputs/3/from", QStringLiteral("-5"));
+        QStringList faults = desk.faults();
+        QVERIFY2(faults[0].startsWith(QStringLiteral("Variants › Varied input 4 › From: out of")),
+                 qPrintable(faults[0]));
+        QCOMPARE(desk.lesson().variants->inputs[3].from, std::optional(90.0));
+        desk.type("/variants/inputs/3/from", QStringLiteral("90"));
+        desk.type("/variants/inputs/2/list", QStringLiteral("150 160 -7"));
+        faults = desk.faults();
+        QVERIFY2(faults[0].startsWith(QStringLiteral("Variants › Varied input 3 › List: out of")),
+                 qPrintable(faults[0]));
+        while (desk.editor->draft().history().canUndo()) {
+            desk.press("editUndo");
+        }
+        QCOMPARE(desk.editor->draft().text(), before);
+        // None at all, and the least that there can be.
+        auto* rules = desk.part<QGroupBox>(QStringLiteral("/variants"));
+        rules->setFocus();
+        QTest::keyClick(rules, Qt::Key_Space);
+        QVERIFY(!desk.lesson().variants && desk.editor->draft().faults().empty());
+        QVERIFY(!desk.part<QPushButton>(QStringLiteral("checkVariants"))->isEnabled());
+        QTest::keyClick(desk.part<QGroupBox>(QStringLiteral("/variants")), Qt::Key_Space);
+        QCOMPARE(desk.lesson().variants->inputs.size(), std::size_t(1));
+        desk.tab(0);
+        QCOMPARE(desk.faults().size(), 1);
+        auto* list = desk.part<QListWidget>(QStringLiteral("editFaults"));
+        list->setFocus();
+        list->setCurrentRow(0);
+        QTest::keyClick(list, Qt::Key_Return);
+        QCOMPARE(desk.part<QTabWidget>(QStringLiteral("editPage"))->currentIndex(), int(variants));
+        QCOMPARE(desk.editor->focusWidget()->objectName(), QStringLiteral("/variants/inputs/0/by"));
+    }
+
+    void rangeListAndSetsTurnIntoEachOther() {
+        const Desk desk;
+        QVERIFY(desk.editor->openLesson(LessonsDialog::paths()[0]));
+        desk.tab(variants);
+        const auto input = [&] { return desk.lesson().variants->inputs[0]; };
+        desk.choose("/variants/inputs/0/by", QStringLiteral("a list of values"));
+        QCOMPARE(input().list->size(), std::size_t(8));
+        QCOMPARE(input().list->at(7), 0.028);
+        desk.choose("/variants/inputs/0/by", QStringLiteral("named sets of values"));
+        QCOMPARE(input().sets.size(), std::size_t(8));
+        QCOMPARE(input().sets[1].name, std::string("0.016"));
+        QCOMPARE(input().sets[1].values, (std::vector<InputValue>{{"/wheel/dullness", 0.016, {}}}));
+        // A value more in a set, as its input takes it: a name, then a choice.
+        desk.press("/variants/inputs/0/sets/1/values/add");
+        const char* const more = "/variants/inputs/0/sets/1/values/1/path";
+        desk.find(more, QStringLiteral("material grade"));
+        desk.type("/variants/inputs/0/sets/1/values/1/text", QStringLiteral("45"));
+        QCOMPARE(input().sets[1].values[1], (InputValue{"/material/grade", {}, "45"}));
+        desk.find(more, QStringLiteral("gauge stages switch"));
+        const InputValue chosen = input().sets[1].values[1];
+        QVERIFY2(!chosen.number && !chosen.text.empty(), chosen.path.c_str());
+        QVERIFY(desk.part<QComboBox>(QStringLiteral("/variants/inputs/0/sets/1/values/1/text")));
+        desk.press("/variants/inputs/0/sets/1/values/1/remove");
+        desk.choose("/variants/inputs/0/by", QStringLiteral("a range in steps"));
+        QCOMPARE(input().from, std::optional(0.014));
+        QCOMPARE(input().to, std::optional(0.028));
+        QVERIFY(!input().step); // a list may have any
+    }
+
+    void someVariantsAreMadeToBeLookedAt() {
+        const Desk desk;
+        QVERIFY(desk.editor->openLesson(LessonsDialog::paths()[1]));
+        desk.tab(variants);
+        DialogAnswers looked({QStringLiteral("checkStop"), QStringLiteral("Escape")});
+        desk.press("checkVariants");
+        QCOMPARE(looked.fault(), QString());
+        QVERIFY(!desk.editor->draft().isChanged());
+        // Every try with what was drawn; what is refused, with the reason.
+        Lesson lesson = samples::lesson();
+        lesson.steps.resize(3); // nothing is searched
+        VariedInput& few = lesson.variants->inputs.front();
+        few = {few.path, {}, {}, {}, std::vector{0.016, 0.018, 0.02, 0.022, 0.024}, {}};
+        lesson.variants->inputs.resize(1);
+        const MadeVariants made = makeVariants(lesson, 5, LessonDesk::seedByNumber);
+        QVERIFY(made.variants.size() == 5 && made.tries > 5); // some were drawn twice
+        VariantCheckDialog dialog(lesson, desk.editor);
+        dialog.show();
+        QVERIFY(QTest::qWaitFor([&] { return !dialog.isBusy(); }, 60'000));
+        auto* table = dialog.findChild<QTableWidget*>();
+        QCOMPARE(table->rowCount(), int(made.tries));
+        std::size_t found = 0;
+        for (int row = 0; row < table->rowCount(); ++row) {
+            const auto cell = [&](int column) { return table->item(row, column)->text(); };
+            if (!cell(4).isEmpty()) {
+                QCOMPARE(cell(4), QStringLiteral("another variant has the same inputs"));
+                QVERIFY(cell(0) != QString::number(found));
+                continue;
+            }
+            const VariantLevels& levels = made.variants[found++].levels;
+            QCOMPARE(cell(0), QString::number(found));
+            for (std::size_t i = 0; i < levels.size(); ++i) {
+                QCOMPARE(cell(int(i) + 1).toStdString(),
+                         lesson.variants->inputs[i].nameOf(levels[i]));
+            }
+        }
+        QCOMPARE(found, made.variants.size());
     }
 
     void theTeacherPrintsTheWorksPapers() {

@@ -3,7 +3,7 @@
 
 #include "ui/kit/metrics.h"
 #include "ui/lesson/edit/lesson_draft.h"
-#include "ui/lesson/edit/struct_form.h"
+#include "ui/lesson/edit/lesson_inputs.h"
 #include "ui/text/texts.h"
 
 #include <QComboBox>
@@ -90,7 +90,8 @@ const LessonStep* AccessPage::now() const {
 }
 
 void AccessPage::fill() {
-    for (const std::string& path : formInputs(m_draft.projectOf(m_step))) {
+    for (const std::string& path :
+         formInputs(m_draft.projectAt("/steps/" + std::to_string(m_step)))) {
         addInput(path);
     }
     m_tree->header()->setSectionResizeMode(inputColumn, QHeaderView::Stretch);

@@ -7,6 +7,9 @@
 #include <QUndoCommand>
 
 #include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 namespace sparkout {
@@ -14,6 +17,13 @@ namespace sparkout {
 namespace {
 
 constexpr int stepsOfHistory = 200;
+
+/// The index behind the name of a list, where a path is of one of its items.
+std::optional<std::size_t> indexAfter(std::string_view list, const std::string& path) {
+    return path.starts_with(list)
+               ? std::optional(static_cast<std::size_t>(std::atoi(path.c_str() + list.size())))
+               : std::nullopt;
+}
 
 } // namespace
 
@@ -81,12 +91,23 @@ Issues LessonDraft::faults() const {
     return issues;
 }
 
-const Project& LessonDraft::projectOf(std::size_t step) const {
+const Project& LessonDraft::projectAt(const std::string& path) const {
+    const auto stepOf = [this](int number) { // from 1
+        const auto& steps = m_lesson->steps;
+        const bool isThere = number >= 1 && static_cast<std::size_t>(number) <= steps.size();
+        return isThere ? steps[static_cast<std::size_t>(number) - 1].surface : 1;
+    };
+    int wanted = m_lesson->variants ? m_lesson->variants->surface : 1;
+    if (const auto step = indexAfter("/steps/", path)) {
+        wanted = stepOf(static_cast<int>(*step) + 1);
+    } else if (const auto bound = indexAfter("/variants/figures/", path);
+               bound && m_lesson->variants) {
+        const auto& figures = m_lesson->variants->figures;
+        wanted = *bound < figures.size() ? stepOf(figures[*bound].step) : 1;
+    }
     const auto& surfaces = m_lesson->base.surfaces;
-    const int wanted = step < m_lesson->steps.size() ? m_lesson->steps[step].surface : 1;
-    return surfaces
-        [static_cast<std::size_t>(std::clamp(wanted, 1, static_cast<int>(surfaces.size()))) - 1]
-            .project;
+    const int last = static_cast<int>(surfaces.size());
+    return surfaces[static_cast<std::size_t>(std::clamp(wanted, 1, last)) - 1].project;
 }
 
 void LessonDraft::edit(const std::string& key, const std::function<void(Lesson& lesson)>& change) {

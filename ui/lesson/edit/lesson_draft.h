@@ -37,8 +37,9 @@ public:
     [[nodiscard]] std::string text() const; ///< of its file
     /// What the strict reader of lessons says of it: errors alone.
     [[nodiscard]] Issues faults() const;
-    /// The project that a step is about, as it stands in the lesson.
-    [[nodiscard]] const Project& projectOf(std::size_t step) const;
+    /// The project that a place of the lesson is about, as it stands in the lesson: a step, what is
+    /// varied, a bound of a figure.
+    [[nodiscard]] const Project& projectAt(const std::string& path) const;
 
     /// Changes it; in a row with the same key that is one step of the history.
     void edit(const std::string& key, const std::function<void(Lesson& lesson)>& change);

@@ -10,7 +10,8 @@
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/lesson/edit/lesson_page.h"
-#include "ui/lesson/edit/struct_form.h"
+#include "ui/lesson/edit/value_widgets.h"
+#include "ui/lesson/edit/variant_check_dialog.h"
 #include "ui/lesson/lesson_text.h"
 #include "ui/lesson/lessons_dialog.h"
 #include "ui/session/document.h"
@@ -266,7 +267,7 @@ void LessonEditor::chooseShipped() {
 /// What cannot be opened again is not written.
 bool LessonEditor::isWhole() {
     showFaults();
-    const bool isWhole = m_draft.faults().empty() && StructForm::refusals(*this).empty();
+    const bool isWhole = m_draft.faults().empty() && ValueWidgets::refusals(*this).empty();
     if (!isWhole) {
         showFailure(this, tr("The laboratory work has faults"),
                     tr("They are listed below the pages; a double click leads to each of them."));
@@ -344,6 +345,12 @@ void LessonEditor::tryOut() {
     }
 }
 
+void LessonEditor::checkVariants() {
+    if (isWhole()) {
+        VariantCheckDialog(m_draft.lesson(), this).exec();
+    }
+}
+
 void LessonEditor::takeProject() {
     m_draft.edit(
         {}, [this](Lesson& lesson) { lesson.base = LessonDraft::about(m_document.setup()).base; });
@@ -373,6 +380,7 @@ void LessonEditor::showPage() {
     m_page->setObjectName(QStringLiteral("editPage"));
     m_page->setAccessibleName(m_pages->currentItem()->text());
     m_place->addWidget(m_page);
+    connect(m_page, &LessonPage::checkWanted, this, &LessonEditor::checkVariants);
     showState();
 }
 
@@ -413,7 +421,7 @@ void LessonEditor::showState() {
 void LessonEditor::showFaults() {
     m_check.stop();
     m_faults->clear();
-    for (const QString& refused : StructForm::refusals(*this)) {
+    for (const QString& refused : ValueWidgets::refusals(*this)) {
         m_faults->addItem(refused);
     }
     for (const Issue& issue : m_draft.faults()) {

@@ -54,6 +54,7 @@ private:
     bool saveAs();
     bool write(const QString& path);
     void tryOut();
+    void checkVariants();
     void takeProject();
     void showPage();
     void showState();

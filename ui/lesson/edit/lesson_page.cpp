@@ -9,6 +9,7 @@
 #include "ui/text/texts.h"
 
 #include <QListWidget>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -34,6 +35,19 @@ QWidget* formPage(StructForm* form, TextPreview* preview = nullptr) {
     return page;
 }
 
+/// The first widget of a group that takes the focus; of any other, itself.
+QWidget* focusIn(QWidget& widget) {
+    if (widget.focusPolicy() != Qt::NoFocus) {
+        return &widget;
+    }
+    for (QWidget* part : widget.findChildren<QWidget*>()) {
+        if ((part->focusPolicy() & Qt::TabFocus) && part->isEnabled() && !part->isHidden()) {
+            return part;
+        }
+    }
+    return &widget;
+}
+
 StructForm::Subject ofWork(std::vector<std::string_view> keys) {
     return {tableOf<LessonSheet>(),
             {},
@@ -46,7 +60,7 @@ StructForm::Subject ofStep(std::size_t step, std::vector<std::string_view> keys)
             [step](Lesson& lesson) -> void* {
                 return step < lesson.steps.size() ? &lesson.steps[step] : nullptr;
             },
-            std::move(keys), step};
+            std::move(keys)};
 }
 
 } // namespace
@@ -55,6 +69,7 @@ LessonPage::LessonPage(LessonDraft& draft, QWidget* parent) : QTabWidget(parent)
     add(formPage(new StructForm(draft, ofWork({"title", "aim", "theory"})),
                  new TextPreview(draft, [](const Lesson& lesson) { return lesson.theory; })),
         tr("Title, aim, theory"), {"/title", "/aim", "/theory"});
+    add(variants(draft), tr("Variants"), {"/variants"});
     add(formPage(new StructForm(draft, ofWork({"guide"}))), tr("For the teacher"), {"/guide"});
 }
 
@@ -70,15 +85,12 @@ LessonPage::LessonPage(LessonDraft& draft, std::size_t step, QWidget* parent) : 
     add(new AccessPage(draft, step), tr("Inputs"), {at + "/inputs", at + "/others"});
     add(formPage(new StructForm(draft, ofStep(step, {"values"}))), tr("Values"), {at + "/values"});
     add(hiddenThings(draft, step), tr("Hidden"), {at + "/hidden"});
-    add(formPage(new StructForm(draft, {tableOf<Goal>(),
-                                        at + "/goal",
+    add(formPage(new StructForm(draft, {tableOf<Goal>(), at + "/goal",
                                         [step](Lesson& lesson) -> void* {
                                             return step < lesson.steps.size()
                                                        ? &lesson.steps[step].goal
                                                        : nullptr;
-                                        },
-                                        {},
-                                        step})),
+                                        }})),
         tr("Goal"), {at + "/goal"});
     add(formPage(new StructForm(draft, ofStep(step, {"hints"}))), tr("Hints"), {at + "/hints"});
     add(formPage(new StructForm(draft, ofStep(step, {"moment"}))), tr("Moment"), {at + "/moment"});
@@ -92,6 +104,25 @@ void LessonPage::add(QWidget* page, const QString& title, std::vector<std::strin
     scroll->setFocusPolicy(Qt::NoFocus); // what stands in it has it
     addTab(scroll, title);
     m_shown.push_back(std::move(shows));
+}
+
+/// How they differ, and a look at some of them.
+QWidget* LessonPage::variants(LessonDraft& draft) {
+    auto* check = new QPushButton(tr("Chec&k variants…"));
+    check->setObjectName(QStringLiteral("checkVariants"));
+    check->setToolTip(tr("Make some of the variants and see their best answers, or why one is "
+                         "refused; nothing is saved"));
+    check->setAutoDefault(false);
+    connect(check, &QPushButton::clicked, this, &LessonPage::checkWanted);
+    const auto show = [check, &draft] { check->setEnabled(draft.lesson().variants.has_value()); };
+    show();
+    connect(&draft, &LessonDraft::changed, check, show);
+    QWidget* page = formPage(new StructForm(draft, ofWork({"variants"})));
+    auto* line = new QHBoxLayout;
+    line->addWidget(check);
+    line->addStretch(1);
+    static_cast<QVBoxLayout*>(page->layout())->insertLayout(0, line);
+    return page;
 }
 
 /// Views, panels and commands, each to be taken away.
@@ -142,6 +173,7 @@ void LessonPage::goTo(const std::string& path) {
     }
     for (std::string at = path; !at.empty(); at.resize(at.rfind('/'))) {
         if (auto* widget = currentWidget()->findChild<QWidget*>(QString::fromStdString(at))) {
+            widget = focusIn(*widget);
             widget->setFocus();
             static_cast<QScrollArea*>(currentWidget())->ensureWidgetVisible(widget);
             return;

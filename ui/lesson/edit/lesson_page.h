@@ -24,8 +24,12 @@ public:
     /// To the value at a path, or as near to it as there is a widget.
     void goTo(const std::string& path);
 
+signals:
+    void checkWanted(); ///< of the variants
+
 private:
     void add(QWidget* page, const QString& title, std::vector<std::string> shows);
+    [[nodiscard]] QWidget* variants(LessonDraft& draft);
     [[nodiscard]] QWidget* hiddenThings(LessonDraft& draft, std::size_t step);
 
     std::vector<std::vector<std::string>> m_shown; ///< paths by tab

@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lesson/edit/struct_form.h"
 
-#include "core/project/leaves.h"
-#include "core/project/operation.h"
-#include "core/project/project.h"
-#include "ui/fields/number_field.h"
 #include "ui/kit/metrics.h"
-#include "ui/kit/search_combo.h"
 #include "ui/lesson/edit/lesson_draft.h"
-#include "ui/text/names.h"
+#include "ui/lesson/edit/lesson_inputs.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
-#include <QCheckBox>
+#include <QComboBox>
 #include <QFormLayout>
 #include <QGroupBox>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -30,14 +23,17 @@ namespace sparkout {
 
 namespace {
 
-constexpr int fewChoices = 12;     ///< without a search
-constexpr int sectionsFrom = 1000; ///< in the list of places, after the zones
-
-/// Which optional objects are there and how many items lists have.
+/// Which widgets there are: by optional objects, items of lists, and what is chosen.
 std::string shapeOf(const StructInfo& info, const void* owner) {
     std::string shape;
     for (const Field& field : info.fields) {
-        if (field.kind == Kind::optionalObject || field.kind == Kind::object) {
+        if (ValueWidgets::isInput(info, field)) {
+            shape += field.as<std::string>(owner) + '|';
+        } else if (ValueWidgets::isNumbered(info, field)) {
+            shape += std::to_string(field.as<int>(owner)) + '|';
+        } else if (field.kind == Kind::optionalNumberList) {
+            shape += field.as<std::optional<std::vector<double>>>(owner) ? "()" : "-";
+        } else if (field.kind == Kind::optionalObject || field.kind == Kind::object) {
             const void* const object = field.objectIn(owner);
             shape += object ? '{' + shapeOf(*field.nested, object) + '}' : "-";
         } else if (field.kind == Kind::objectList) {
@@ -64,23 +60,32 @@ void withItems(const Field& field, void* owner, const Act& act) {
     on(static_cast<const InputValue*>(nullptr));
     on(static_cast<const ControlQuestion*>(nullptr));
     on(static_cast<const TypicalMistake*>(nullptr));
+    on(static_cast<const VariedInput*>(nullptr));
+    on(static_cast<const ValueSet*>(nullptr));
+    on(static_cast<const FigureBound*>(nullptr));
 }
 
-QString choiceName(const Field& field, std::size_t index) {
-    if (field.choices.data() == choicesOf<FigureName>().data()) {
-        const FigureRow& row = rowOf(static_cast<FigureName>(index));
-        const QString name = QCoreApplication::translate("Figure", row.choice.label);
-        return *row.unit ? name + QStringLiteral(", ") + unitText(row.unit) : name;
+/// What is new has the items that it cannot do without.
+void addNeeded(const StructInfo& info, void* owner) {
+    for (const Field& field : info.fields) {
+        if (field.kind == Kind::objectList) {
+            const auto least = static_cast<std::size_t>(std::max(field.hard.low, 0.0));
+            if (field.size(owner) < least) {
+                field.resize(owner, least);
+            }
+        }
     }
-    if (field.choices.data() == choicesOf<Step>().data() && index > 0) {
-        return Names::step(static_cast<Step>(index));
-    }
-    return choiceText(field.choices[index].label);
 }
 
-QString labelOf(const Field& field) {
-    const QString label = inputText(field.label);
-    return *field.unit ? label + QStringLiteral(", ") + unitText(field.unit) : label;
+/// Another item at the end; of sets one like the last.
+void addItemTo(const Field& field, void* owner) {
+    const std::size_t count = field.size(owner);
+    field.resize(owner, count + 1);
+    if (field.nested == &tableOf<ValueSet>() && count > 0) {
+        auto& sets = field.as<std::vector<ValueSet>>(owner);
+        sets.back().values = sets[count - 1].values;
+    }
+    addNeeded(*field.nested, field.at(owner, count));
 }
 
 int linesOfText(std::string_view key) {
@@ -93,75 +98,20 @@ QString typedIn(const QPlainTextEdit& box) {
     return box.document()->toRawText().replace(QChar::ParagraphSeparator, u'\n');
 }
 
-constexpr const char* refusedNumbers = "refusedNumbers"; ///< property: why they were not taken
-
-std::optional<std::vector<double>> readNumbers(const QString& text) {
-    std::vector<double> numbers;
-    for (const QString& part :
-         text.split(QRegularExpression(QStringLiteral("[;\\s]+")), Qt::SkipEmptyParts)) {
-        bool isRead = false;
-        numbers.push_back(QString(part).replace(u',', u'.').toDouble(&isRead));
-        if (!isRead) {
-            return std::nullopt;
-        }
-    }
-    return numbers;
-}
-
 } // namespace
 
-std::vector<std::string> formInputs(const Project& project) {
-    std::vector<std::string> paths;
-    for (const Leaf& leaf : leavesOf(tableOf<Project>(), &project)) {
-        if (leaf.field->page == Page::none) {
-            continue;
-        }
-        for (std::size_t end = 1; (end = leaf.path.find('/', end)) != std::string::npos; ++end) {
-            std::string above = leaf.path.substr(0, end);
-            if (std::ranges::find(paths, above) == paths.end()) {
-                paths.push_back(std::move(above));
-            }
-        }
-        if (std::ranges::find(paths, leaf.path) == paths.end()) {
-            paths.push_back(leaf.path);
-        }
-    }
-    return paths;
-}
-
 StructForm::StructForm(LessonDraft& draft, Subject subject, QWidget* parent)
-    : QWidget(parent), m_draft(draft), m_subject(std::move(subject)) {
+    : QWidget(parent), m_draft(draft), m_subject(std::move(subject)), m_values(draft, this) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     build();
     connect(&m_draft, &LessonDraft::changed, this, &StructForm::refresh);
 }
 
-QStringList StructForm::refusals(const QWidget& within) {
-    QStringList lines;
-    for (const NumberField* field : within.findChildren<NumberField*>()) {
-        if (field->refused()) {
-            lines += QStringLiteral("%1: %2").arg(
-                LessonDraft::location(field->objectName().toStdString()), field->refusal());
-        }
-    }
-    for (const QLineEdit* line : within.findChildren<QLineEdit*>()) {
-        if (const QString why = line->property(refusedNumbers).toString(); !why.isEmpty()) {
-            lines += QStringLiteral("%1: %2").arg(
-                LessonDraft::location(line->objectName().toStdString()), why);
-        }
-    }
-    return lines;
-}
-
 // --- the form as a whole ------------------------------------------------------------------------
 
-const void* StructForm::ownerOf(const Reach& reach) const {
-    return reach(const_cast<Lesson&>(m_draft.lesson())); // to be read: it creates nothing
-}
-
 void StructForm::build() {
-    const void* const owner = ownerOf(m_subject.reach);
+    const void* const owner = m_values.ownerOf(m_subject.reach);
     if (m_body) { // it may be within a signal of one of its parts
         for (QWidget* part : m_body->findChildren<QWidget*>()) {
             part->blockSignals(true);
@@ -171,7 +121,7 @@ void StructForm::build() {
         m_body->deleteLater();
         m_body = nullptr;
     }
-    m_shows.clear();
+    m_values.clear();
     if (!owner) {
         return;
     }
@@ -186,7 +136,7 @@ void StructForm::build() {
 }
 
 void StructForm::refresh() {
-    const void* const owner = ownerOf(m_subject.reach);
+    const void* const owner = m_values.ownerOf(m_subject.reach);
     if (!owner || !m_body) {
         return; // the page goes with it
     }
@@ -200,53 +150,16 @@ void StructForm::refresh() {
         }
         return;
     }
-    for (const auto& show : m_shows) {
-        show();
-    }
-}
-
-void StructForm::change(const Row& row, const std::function<void(void* owner)>& set, bool merges) {
-    m_draft.edit(merges ? row.path : std::string(), [&](Lesson& lesson) {
-        if (void* const owner = row.reach(lesson)) {
-            set(owner);
-        }
-    });
-}
-
-void StructForm::name(QWidget& widget, const Row& row, const std::string& more) const {
-    widget.setObjectName(QString::fromStdString(row.path + more));
-    widget.setAccessibleName(labelOf(row.field));
-    widget.setToolTip(inputText(row.field.hint));
-    widget.installEventFilter(const_cast<StructForm*>(this));
-}
-
-void StructForm::showBy(const Row& row, std::function<void(const void* owner)> show) {
-    m_shows.emplace_back([this, reach = row.reach, act = std::move(show)] {
-        if (const void* const owner = ownerOf(reach)) {
-            act(owner);
-        }
-    });
-    m_shows.back()();
-}
-
-bool StructForm::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride) {
-        const auto* key = static_cast<QKeyEvent*>(event);
-        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
-            event->ignore();
-            return true;
-        }
-    }
-    if (event->type() == QEvent::Wheel && !qobject_cast<QPlainTextEdit*>(watched)) {
-        event->ignore(); // the page scrolls, and no choice is changed by that
-        return true;
-    }
-    return QWidget::eventFilter(watched, event);
+    m_values.refresh();
 }
 
 void StructForm::addStruct(QFormLayout& form, const Subject& subject) {
     if (&subject.table == &tableOf<Goal>()) {
         addGoal(form, subject);
+        return;
+    }
+    if (&subject.table == &tableOf<VariedInput>()) {
+        addVaried(form, subject);
         return;
     }
     for (const Field& field : subject.table.fields) {
@@ -265,17 +178,17 @@ void StructForm::addGoal(QFormLayout& form, const Subject& subject) {
         kind->addItem(inputText(field.label));
     }
     const auto now =
-        static_cast<std::size_t>(static_cast<const Goal*>(ownerOf(subject.reach))->kind());
+        static_cast<std::size_t>(static_cast<const Goal*>(m_values.ownerOf(subject.reach))->kind());
     kind->setCurrentIndex(static_cast<int>(now));
     kind->setObjectName(QString::fromStdString(row.path));
     kind->setAccessibleName(tr("Kind of goal"));
-    kind->installEventFilter(this);
+    m_values.watch(*kind);
     form.addRow(tr("Kind of goal"), kind);
     auto* about = new QLabel(inputText(kinds[now].hint));
     about->setWordWrap(true);
     form.addRow(about);
     connect(kind, &QComboBox::activated, this, [this, row, kinds](int index) {
-        change(
+        m_values.change(
             row,
             [&](void* owner) {
                 auto& goal = *static_cast<Goal*>(owner);
@@ -285,40 +198,66 @@ void StructForm::addGoal(QFormLayout& form, const Subject& subject) {
                 if (goal.asked() && figure) { // the same one, in another way
                     const_cast<Figure&>(*goal.asked()) = *figure;
                 }
-                if (goal.choice) {
-                    goal.choice->options.resize(2);
-                }
+                const Field& field = kinds[static_cast<std::size_t>(index)];
+                addNeeded(*field.nested, field.object(&goal, false));
             },
             false);
     });
     const Field& given = kinds[now];
-    addStruct(form, {*given.nested,
-                     subject.path + '/' + given.key,
+    addStruct(form, {*given.nested, subject.path + '/' + given.key,
                      [reach = subject.reach, &given](Lesson& lesson) -> void* {
                          void* const owner = reach(lesson);
                          return owner ? given.object(owner, false) : nullptr;
-                     },
-                     {},
-                     subject.step});
+                     }});
+}
+
+/// Over a range, a list or sets, with the values of this way alone.
+void StructForm::addVaried(QFormLayout& form, const Subject& subject) {
+    const auto rowOf = [&subject](const char* key) {
+        return Row{subject.table, *subject.table.find(key), subject.path + '/' + key,
+                   subject.reach};
+    };
+    auto* combo = new QComboBox;
+    combo->addItems({tr("a range in steps"), tr("a list of values"), tr("named sets of values")});
+    const VariedBy by = variedBy(*static_cast<const VariedInput*>(m_values.ownerOf(subject.reach)));
+    combo->setCurrentIndex(static_cast<int>(by));
+    combo->setObjectName(QString::fromStdString(subject.path + "/by"));
+    combo->setAccessibleName(tr("Varied over"));
+    m_values.watch(*combo);
+    form.addRow(tr("Varied over"), combo);
+    connect(combo, &QComboBox::activated, this, [this, row = rowOf("path")](int index) {
+        m_values.change(
+            row,
+            [&](void* owner) {
+                auto& input = *static_cast<VariedInput*>(owner);
+                if (const auto chosen = static_cast<VariedBy>(index); chosen != variedBy(input)) {
+                    input = variedAs(input, chosen, m_draft.projectAt(row.path));
+                }
+            },
+            false);
+    });
+    if (by == VariedBy::sets) {
+        addRow(form, rowOf("sets"));
+        return;
+    }
+    addRow(form, rowOf("path"));
+    if (by == VariedBy::list) {
+        addRow(form, rowOf("list"));
+        return;
+    }
+    auto* line = new QHBoxLayout;
+    for (const char* key : {"from", "to", "step"}) {
+        const Row row = rowOf(key);
+        if (line->count() > 0) {
+            line->addWidget(new QLabel(m_values.labelOf(row)));
+        }
+        line->addWidget(m_values.make(row), 1);
+    }
+    form.addRow(m_values.labelOf(rowOf("from")), line);
 }
 
 void StructForm::addRow(QFormLayout& form, const Row& row) {
-    QWidget* widget = nullptr;
     switch (row.field.kind) {
-    case Kind::number:
-    case Kind::optionalNumber:
-    case Kind::integer:
-    case Kind::optionalInteger: widget = numberOf(row); break;
-    case Kind::numberList:
-    case Kind::optionalNumberList: widget = numbersOf(row); break;
-    case Kind::boolean: form.addRow(QString(), tickOf(row)); return;
-    case Kind::text: {
-        const std::vector<Option> options = optionsFor(row);
-        widget = options.empty() ? lineOf(row) : optionsOf(row, options);
-        break;
-    }
-    case Kind::choice: widget = choiceOf(row); break;
-    case Kind::countOrWord: widget = placeOf(row); break;
     case Kind::object:
         if (row.field.nested == &tableOf<Bilingual>()) {
             addTexts(form, row);
@@ -328,214 +267,18 @@ void StructForm::addRow(QFormLayout& form, const Row& row) {
         return;
     case Kind::optionalObject: addObject(form, row); return;
     case Kind::objectList: addItems(form, row); return;
-    case Kind::compliance:
-    case Kind::levels:
-    case Kind::numberRows:
-    case Kind::samples:
-    case Kind::jsonText: return; // no lesson has them
+    default: break;
     }
-    form.addRow(labelOf(row.field), widget);
-}
-
-// --- values -------------------------------------------------------------------------------------
-
-QWidget* StructForm::numberOf(const Row& row) {
-    auto* field = new NumberField(NumberSpec::of(row.field));
-    name(*field, row);
-    field->setHint(inputText(row.field.hint));
-    connect(field, &NumberField::valueEdited, this, [this, row, field] {
-        const std::optional<double> value = field->value();
-        change(row, [&](void* owner) {
-            switch (row.field.kind) {
-            case Kind::number: row.field.as<double>(owner) = value.value_or(0); break;
-            case Kind::optionalNumber: row.field.as<std::optional<double>>(owner) = value; break;
-            case Kind::integer:
-                row.field.as<int>(owner) = static_cast<int>(value.value_or(0));
-                break;
-            default:
-                row.field.as<std::optional<int>>(owner) =
-                    value ? std::optional(static_cast<int>(*value)) : std::nullopt;
-            }
-        });
-    });
-    showBy(row, [field, &of = row.field](const void* owner) {
-        std::optional<double> value;
-        if (of.kind == Kind::number) {
-            value = of.as<double>(owner);
-        } else if (of.kind == Kind::optionalNumber) {
-            value = of.as<std::optional<double>>(owner);
-        } else if (const int* number = of.wholeNumber(owner)) {
-            value = *number;
-        }
-        field->setValue(value);
-    });
-    return field;
-}
-
-/// Numbers in one line, from blanks apart; a text that is none stays, and is not taken.
-QWidget* StructForm::numbersOf(const Row& row) {
-    auto* line = new QLineEdit;
-    name(*line, row);
-    const bool isOptional = row.field.kind == Kind::optionalNumberList;
-    connect(line, &QLineEdit::textEdited, this, [this, row, line, isOptional](const QString& text) {
-        const auto numbers = readNumbers(text);
-        line->setProperty(refusedNumbers,
-                          numbers ? QVariant() : tr("numbers with spaces between them"));
-        if (numbers) {
-            change(row, [&](void* owner) {
-                if (isOptional) {
-                    row.field.as<std::optional<std::vector<double>>>(owner) = *numbers;
-                } else {
-                    row.field.as<std::vector<double>>(owner) = *numbers;
-                }
-            });
-        }
-    });
-    showBy(row, [line, isOptional, &of = row.field](const void* owner) {
-        const auto numbers =
-            isOptional
-                ? of.as<std::optional<std::vector<double>>>(owner).value_or(std::vector<double>())
-                : of.as<std::vector<double>>(owner);
-        if (readNumbers(line->text()) != numbers) {
-            QStringList words;
-            for (const double number : numbers) {
-                words += printedNumber(number);
-            }
-            line->setText(words.join(u' '));
-        }
-    });
-    return line;
-}
-
-QWidget* StructForm::tickOf(const Row& row) {
-    auto* box = new QCheckBox(labelOf(row.field));
-    name(*box, row);
-    connect(box, &QCheckBox::clicked, this, [this, row](bool on) {
-        change(row, [&](void* owner) { row.field.as<bool>(owner) = on; });
-    });
-    showBy(row, [box, &of = row.field](const void* owner) { box->setChecked(of.as<bool>(owner)); });
-    return box;
-}
-
-QWidget* StructForm::lineOf(const Row& row) {
-    auto* line = new QLineEdit;
-    name(*line, row);
-    connect(line, &QLineEdit::textEdited, this, [this, row](const QString& text) {
-        change(row, [&](void* owner) { row.field.as<std::string>(owner) = text.toStdString(); });
-    });
-    showBy(row, [line, &of = row.field](const void* owner) {
-        const QString text = QString::fromStdString(of.as<std::string>(owner));
-        if (line->text() != text) {
-            line->setText(text);
-        }
-    });
-    return line;
-}
-
-QWidget* StructForm::choiceOf(const Row& row) {
-    const std::size_t count = row.field.choices.size();
-    auto* combo = count > fewChoices ? new SearchCombo : new QComboBox;
-    name(*combo, row);
-    combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    for (std::size_t i = 0; i < count; ++i) {
-        combo->addItem(choiceName(row.field, i));
+    if (QWidget* const widget = m_values.make(row)) {
+        form.addRow(row.field.kind == Kind::boolean ? QString() : m_values.labelOf(row), widget);
     }
-    connect(combo, &QComboBox::activated, this, [this, row](int index) {
-        change(row, [&](void* owner) { row.field.setChoice(owner, index); });
-    });
-    showBy(row, [combo, &of = row.field](const void* owner) {
-        combo->setCurrentIndex(of.getChoice(owner));
-    });
-    return combo;
-}
-
-std::vector<StructForm::Option> StructForm::optionsFor(const Row& row) const {
-    std::vector<Option> options;
-    const std::string_view key = row.field.key;
-    if (&row.table == &tableOf<InputValue>() && key == "path") {
-        for (std::string& path : formInputs(m_draft.projectOf(m_subject.step))) {
-            QString text = inputLocation(path);
-            options.push_back({std::move(text), std::move(path)});
-        }
-    } else if (&row.table == &tableOf<ShownMoment>() && key == "view") {
-        options.push_back({tr("the one in front"), {}});
-        for (const Choice& choice : choicesOf<Hideable>()) {
-            if (viewNamed(choice.key)) {
-                options.push_back({choiceText(choice.label), choice.key});
-            }
-        }
-    }
-    return options;
-}
-
-/// One of known texts, or the one that is there.
-QWidget* StructForm::optionsOf(const Row& row, const std::vector<Option>& options) {
-    auto* combo = options.size() > fewChoices ? new SearchCombo : new QComboBox;
-    name(*combo, row);
-    combo->setToolTip({}); // it speaks of the file
-    combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    for (const Option& option : options) {
-        combo->addItem(option.text, QString::fromStdString(option.value));
-    }
-    connect(combo, &QComboBox::activated, this, [this, row, combo](int index) {
-        change(row, [&](void* owner) {
-            row.field.as<std::string>(owner) = combo->itemData(index).toString().toStdString();
-        });
-    });
-    showBy(row, [combo, &of = row.field](const void* owner) {
-        const QString value = QString::fromStdString(of.as<std::string>(owner));
-        if (combo->findData(value) < 0) {
-            combo->addItem(inputLocation(value.toStdString()), value);
-        }
-        combo->setCurrentIndex(combo->findData(value));
-    });
-    return combo;
-}
-
-/// A zone, a section, or none.
-QWidget* StructForm::placeOf(const Row& row) {
-    auto* combo = new QComboBox;
-    name(*combo, row);
-    combo->setToolTip({});
-    const Project& project = m_draft.projectOf(m_subject.step);
-    combo->addItem(inputText(row.field.nullMeaning), -1);
-    const auto add = [combo](int chosen) {
-        combo->addItem(
-            chosen < sectionsFrom
-                ? zoneText(PlaceName::words()[static_cast<std::size_t>(chosen)].key)
-                : QCoreApplication::translate("Zone", "Section %1").arg(chosen - sectionsFrom + 1),
-            chosen);
-    };
-    const int places = static_cast<int>(placeCount(project));
-    for (int i = 0; i < places; ++i) {
-        add(project.operation->hasZones ? i : sectionsFrom + i);
-    }
-    connect(combo, &QComboBox::activated, this, [this, row, combo](int index) {
-        const int chosen = combo->itemData(index).toInt();
-        change(row, [&](void* owner) {
-            if (chosen < sectionsFrom) {
-                row.field.setChoice(owner, chosen);
-            } else {
-                row.field.setNumber(owner, chosen - sectionsFrom);
-            }
-        });
-    });
-    showBy(row, [combo, add, &of = row.field](const void* owner) {
-        const int* const number = of.wholeNumber(owner);
-        const int chosen = number ? sectionsFrom + *number : of.getChoice(owner);
-        if (combo->findData(chosen) < 0) { // of another kind of operation
-            add(chosen);
-        }
-        combo->setCurrentIndex(combo->findData(chosen));
-    });
-    return combo;
 }
 
 // --- texts, objects, lists ----------------------------------------------------------------------
 
 /// Both languages side by side.
 void StructForm::addTexts(QFormLayout& form, const Row& row) {
-    auto* head = new QLabel(labelOf(row.field));
+    auto* head = new QLabel(m_values.labelOf(row));
     head->setToolTip(inputText(row.field.hint));
     form.addRow(head);
     auto* both = new QHBoxLayout;
@@ -546,9 +289,9 @@ void StructForm::addTexts(QFormLayout& form, const Row& row) {
                            return owner ? of.object(owner, false) : nullptr;
                        }};
         auto* box = new QPlainTextEdit;
-        name(*box, text);
+        m_values.name(*box, text);
         box->setAccessibleName(
-            QStringLiteral("%1, %2").arg(labelOf(row.field), inputText(language.label)));
+            QStringLiteral("%1, %2").arg(m_values.labelOf(row), inputText(language.label)));
         box->setPlaceholderText(inputText(language.label));
         box->setTabChangesFocus(true);
         box->setUndoRedoEnabled(false);
@@ -557,11 +300,11 @@ void StructForm::addTexts(QFormLayout& form, const Row& row) {
         box->setMinimumHeight(height);
         box->setMaximumHeight(2 * height);
         connect(box, &QPlainTextEdit::textChanged, this, [this, text, box] {
-            change(text, [&](void* owner) {
+            m_values.change(text, [&](void* owner) {
                 text.field.as<std::string>(owner) = typedIn(*box).toStdString();
             });
         });
-        showBy(text, [box, &of = text.field](const void* owner) {
+        m_values.showBy(text, [box, &of = text.field](const void* owner) {
             const QString stored = QString::fromStdString(of.as<std::string>(owner));
             if (typedIn(*box) != stored) {
                 const QSignalBlocker quiet(box);
@@ -575,21 +318,21 @@ void StructForm::addTexts(QFormLayout& form, const Row& row) {
 }
 
 void StructForm::addObject(QFormLayout& form, const Row& row) {
-    auto* group = new QGroupBox(labelOf(row.field));
+    auto* group = new QGroupBox(m_values.labelOf(row));
     group->setObjectName(QString::fromStdString(row.path));
     group->setToolTip(inputText(row.field.hint));
     auto* inner = new QFormLayout(group);
     inner->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    const bool isGiven = row.field.objectIn(ownerOf(row.reach)) != nullptr;
+    const bool isGiven = row.field.objectIn(m_values.ownerOf(row.reach)) != nullptr;
     if (row.field.kind == Kind::optionalObject) {
         group->setCheckable(true);
         group->setChecked(isGiven);
         connect(group, &QGroupBox::clicked, this, [this, row](bool on) {
-            change(
+            m_values.change(
                 row,
                 [&](void* owner) {
                     if (on) {
-                        row.field.object(owner, true);
+                        addNeeded(*row.field.nested, row.field.object(owner, true));
                     } else {
                         row.field.reset(owner);
                     }
@@ -598,20 +341,17 @@ void StructForm::addObject(QFormLayout& form, const Row& row) {
         });
     }
     if (isGiven) {
-        addStruct(*inner, {*row.field.nested,
-                           row.path,
+        addStruct(*inner, {*row.field.nested, row.path,
                            [reach = row.reach, &of = row.field](Lesson& lesson) -> void* {
                                void* const owner = reach(lesson);
                                return owner ? of.object(owner, false) : nullptr;
-                           },
-                           {},
-                           m_subject.step});
+                           }});
     }
     form.addRow(group);
 }
 
 void StructForm::addItems(QFormLayout& form, const Row& row) {
-    const std::size_t count = row.field.size(ownerOf(row.reach));
+    const std::size_t count = row.field.size(m_values.ownerOf(row.reach));
     for (std::size_t i = 0; i < count; ++i) {
         addItem(form, row, i, count);
     }
@@ -619,33 +359,75 @@ void StructForm::addItems(QFormLayout& form, const Row& row) {
     add->setObjectName(QString::fromStdString(row.path + "/add"));
     add->setAutoDefault(false);
     add->setToolTip(inputText(row.field.hint));
-    connect(add, &QPushButton::clicked, this, [this, row, count] {
-        change(
-            row, [&](void* owner) { row.field.resize(owner, count + 1); }, false);
+    connect(add, &QPushButton::clicked, this, [this, row] {
+        m_values.change(
+            row, [&](void* owner) { addItemTo(row.field, owner); }, false);
     });
     auto* line = new QHBoxLayout;
     line->addWidget(add);
     line->addStretch(1);
+    if (row.field.nested == &tableOf<VariedInput>()) {
+        auto* inAll = new QLabel;
+        inAll->setObjectName(QString::fromStdString(row.path + "/count"));
+        line->addWidget(inAll);
+        m_values.showBy(row, [inAll](const void* owner) {
+            inAll->setText(
+                tr("Variants in all: %1")
+                    .arg(printedNumber(variantCount(*static_cast<const VariantRules*>(owner)))));
+        });
+    }
     form.addRow(line);
 }
 
 void StructForm::addItem(QFormLayout& form, const Row& row, std::size_t index, std::size_t count) {
-    const std::string path = row.path + '/' + std::to_string(index);
     const QString title =
         QStringLiteral("%1. %2").arg(index + 1).arg(structText(row.field.nested->name));
-    auto* group = new QGroupBox(title);
-    auto* inner = new QFormLayout(group);
-    inner->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    addStruct(*inner, {*row.field.nested,
-                       path,
+    const Subject item{*row.field.nested, row.path + '/' + std::to_string(index),
                        [reach = row.reach, &of = row.field, index](Lesson& lesson) -> void* {
                            void* const owner = reach(lesson);
                            return owner && index < of.size(owner) ? of.at(owner, index) : nullptr;
-                       },
-                       {},
-                       m_subject.step});
+                       }};
     auto* line = new QHBoxLayout;
+    if (row.field.nested == &tableOf<InputValue>()) { // in one line
+        const Row input{item.table, *item.table.find("path"), item.path + "/path", item.reach};
+        line->addWidget(m_values.make(input), 3);
+        line->addWidget(m_values.makeValue(item.table, item.path, item.reach), 2);
+        addItemButtons(*line, row, index, count, title);
+        form.addRow(line);
+        return;
+    }
+    auto* group = new QGroupBox(title);
+    group->setObjectName(QString::fromStdString(item.path));
+    auto* inner = new QFormLayout(group);
+    inner->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    addStruct(*inner, item);
+    if (row.field.nested == &tableOf<VariedInput>()) {
+        line->addWidget(levelsOf(row, index));
+    }
     line->addStretch(1);
+    addItemButtons(*line, row, index, count, title);
+    inner->addRow(line);
+    form.addRow(group);
+}
+
+QWidget* StructForm::levelsOf(const Row& row, std::size_t index) {
+    auto* label = new QLabel;
+    label->setObjectName(
+        QString::fromStdString(row.path + '/' + std::to_string(index) + "/levels"));
+    m_values.showBy(row, [label, index](const void* owner) {
+        const auto& inputs = static_cast<const VariantRules*>(owner)->inputs;
+        if (index < inputs.size()) {
+            const VariedInput& input = inputs[index];
+            label->setText(tr("Levels: %1")
+                               .arg(printedNumber(input.alternatives() == 1 ? input.levels() : 0)));
+        }
+    });
+    return label;
+}
+
+void StructForm::addItemButtons(QHBoxLayout& line, const Row& row, std::size_t index,
+                                std::size_t count, const QString& title) {
+    const std::string path = row.path + '/' + std::to_string(index);
     const auto button = [&](const QString& text, const char* key, bool on, const auto& act) {
         auto* made = new QPushButton(text);
         made->setObjectName(QString::fromStdString(path + '/' + key));
@@ -653,18 +435,17 @@ void StructForm::addItem(QFormLayout& form, const Row& row, std::size_t index, s
         made->setAutoDefault(false);
         made->setEnabled(on);
         connect(made, &QPushButton::clicked, this, [this, row, act] {
-            change(
+            m_values.change(
                 row, [&](void* owner) { withItems(row.field, owner, act); }, false);
         });
-        line->addWidget(made);
+        line.addWidget(made);
     };
+    const bool areSets = row.field.nested == &tableOf<ValueSet>(); // without any it is no input
     const auto at = static_cast<std::ptrdiff_t>(index);
     button(tr("Up"), "up", index > 0,
            [at](auto& items) { std::swap(items[std::size_t(at)], items[std::size_t(at) - 1]); });
-    button(tr("Remove"), "remove", count > 0,
+    button(tr("Remove"), "remove", count > (areSets ? 1 : 0),
            [at](auto& items) { items.erase(items.begin() + at); });
-    inner->addRow(line);
-    form.addRow(group);
 }
 
 } // namespace sparkout

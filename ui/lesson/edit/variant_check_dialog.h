@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/course/make_variants.h"
+#include "core/lesson/lesson.h"
+#include "ui/session/newest_job.h"
+
+#include <QDialog>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+class QTableWidget;
+
+namespace sparkout {
+
+/// Makes some variants of a lesson, those that students draw by their numbers, and lists every try:
+/// what is varied, the best time and its margin, or why it is none. Nothing is written.
+class VariantCheckDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit VariantCheckDialog(const Lesson& lesson, QWidget* parent);
+    ~VariantCheckDialog() override;
+
+    [[nodiscard]] bool isBusy() const { return m_isBusy; }
+
+private:
+    void build();
+    void start();
+    void stop();
+    void setBusy(bool busy);
+    void add(const VariantTry& tried);
+    void finish(const MadeVariants& made);
+    [[nodiscard]] QString levelText(std::size_t input, std::size_t level) const;
+
+    Lesson m_lesson;
+    bool m_isBusy = false;
+    QSpinBox* m_count;
+    QPushButton* m_start;
+    QPushButton* m_stop;
+    QProgressBar* m_progress;
+    QTableWidget* m_table;
+    QLabel* m_state;
+    NewestJob m_job; ///< last: stopped before what it uses is gone
+};
+
+} // namespace sparkout
