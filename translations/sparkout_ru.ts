@@ -6224,7 +6224,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         <translation>Отличие запаса не более</translation>
     </message>
     <message>
-        <source>How far the least relative margin of the best answer may be from that of the lesson as it stands, in percentage points.</source>
+        <source>How far the minimum relative margin of the best answer may be from that of the lesson as it stands, in percentage points.</source>
         <translation>Насколько наименьший относительный запас лучшего ответа может отличаться от запаса исходной работы, в процентных пунктах.</translation>
     </message>
     <message>

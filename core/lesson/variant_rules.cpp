@@ -106,8 +106,9 @@ const StructInfo& tableOf<Difficulty>() {
             Difficulty, margin_within_percent, .label = SPARKOUT_NOOP("Input", "Margin within"),
             .unit = "%", .hard = {0, 1000},
             .hint = SPARKOUT_NOOP(
-                "Input", "How far the least relative margin of the best answer may be from that of "
-                         "the lesson as it stands, in percentage points.")),
+                "Input",
+                "How far the minimum relative margin of the best answer may be from that of "
+                "the lesson as it stands, in percentage points.")),
     };
     static const StructInfo info =
         makeTable<Difficulty>(SPARKOUT_NOOP("Struct", "Difficulty"), rows);

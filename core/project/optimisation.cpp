@@ -126,6 +126,15 @@ Field marginWithin() {
         .source = "MODEL-8");
 }
 
+Field costOfPart() {
+    return SPARKOUT_FIELD(
+        Optimisation, cost, .label = SPARKOUT_NOOP("Input", "Cost of a part"),
+        .nullMeaning = SPARKOUT_NOOP("Input", "not computed"), .page = Page::search,
+        .hint = SPARKOUT_NOOP(
+            "Input", "Shown beside the time; the minimum is searched where that is the objective."),
+        .source = "GILBERT1950");
+}
+
 } // namespace
 
 template <>
@@ -242,13 +251,7 @@ const StructInfo& tableOf<Optimisation>() {
                            "Minimum and maximum of the first stage, of the second and so on; "
                            "twice the same fixes it."),
                        .source = "MODEL-8"),
-        SPARKOUT_FIELD(
-            Optimisation, cost, .label = SPARKOUT_NOOP("Input", "Cost of a part"),
-            .nullMeaning = SPARKOUT_NOOP("Input", "not computed"), .page = Page::search,
-            .hint = SPARKOUT_NOOP(
-                "Input",
-                "Shown beside the time; the minimum is searched where that is the objective."),
-            .source = "GILBERT1950"),
+        costOfPart(),
     };
     static const StructInfo info =
         makeTable<Optimisation>(SPARKOUT_NOOP("Struct", "Optimisation"), rows);
