@@ -73,13 +73,7 @@ InputsPanel::InputsPanel(Document& document, QWidget* parent, Settings* settings
             noteRefusals();
             emit refusalsChanged();
         });
-        for (const ListTable* table : page->findChildren<ListTable*>()) {
-            connect(table, &ListTable::currentFieldChanged, this, [this, table] {
-                if (table->view().hasFocus()) {
-                    m_hint->showField(*hintField(&table->view()));
-                }
-            });
-        }
+        connect(page, &FormPage::built, this, [this, page] { hintAtCells(*page); });
     }
     const auto rule = [this] {
         auto* made = new QFrame(this);
@@ -111,6 +105,23 @@ InputsPanel::~InputsPanel() {
     for (FormPage* page : m_pages) {
         disconnect(page, nullptr, this, nullptr); // … and leaves what was typed there
     }
+}
+
+void InputsPanel::hintAtCells(const FormPage& page) {
+    for (const ListTable* table : page.findChildren<ListTable*>()) {
+        connect(table, &ListTable::currentFieldChanged, this, [this, table] {
+            if (table->view().hasFocus()) {
+                m_hint->showField(*hintField(&table->view()));
+            }
+        });
+    }
+}
+
+const std::vector<FormPage*>& InputsPanel::pages() {
+    for (FormPage* page : m_pages) {
+        page->build();
+    }
+    return m_pages;
 }
 
 /// As wide as the forms are laid out for, and the names of the pages need.
@@ -178,7 +189,7 @@ void InputsPanel::retranslate() {
 }
 
 void InputsPanel::showPath(const std::string& path, bool focus) {
-    const auto page = std::ranges::find_if(m_pages, [&](const auto* p) { return p->holds(path); });
+    const auto page = std::ranges::find_if(m_pages, [&](auto* p) { return p->holds(path); });
     if (page != m_pages.end() && (*page)->hasShown()) {
         showPage(static_cast<int>(page - m_pages.begin()));
         (*page)->showPath(path, focus);

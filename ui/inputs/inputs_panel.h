@@ -45,14 +45,15 @@ public:
     /// Shows the document's value in place of the text refused last; false when there is none.
     /// What undo does first.
     bool dropNewestRefusal();
-    [[nodiscard]] const std::vector<FormPage*>& pages() const { return m_pages; }
+    [[nodiscard]] const std::vector<FormPage*>& pages(); ///< built, all of them
 
 signals:
     void refusalsChanged();
 
 private:
     void showPath(const std::string& path, bool focus);
-    void noteRefusals(); ///< in the order in which they came
+    void hintAtCells(const FormPage& page); ///< what the chosen one of a table takes
+    void noteRefusals();                    ///< in the order in which they came
 
     QHBoxLayout* m_strip; ///< the buttons of the pages
     QButtonGroup* m_group;

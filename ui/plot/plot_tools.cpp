@@ -80,7 +80,7 @@ void PlotTools::buildMenus() {
     m_csv->addActions({csvRussian, csvEnglish});
     m_plot.addActions({fit, back, forward, copyPicture, copyData});
     m_plot.setContextMenuPolicy(Qt::CustomContextMenu);
-    connect(m_png, &QMenu::aboutToShow, this, &PlotTools::retranslate); // the sizes of now
+    connect(m_png, &QMenu::aboutToShow, this, &PlotTools::nameSizes);
     connect(&m_plot, &QWidget::customContextMenuRequested, this, &PlotTools::showContextMenu);
 }
 
@@ -228,6 +228,17 @@ void PlotTools::say(const QString& text) {
     QTimer::singleShot(message_ms, &m_plot, [send] { send({}); });
 }
 
+void PlotTools::nameSizes() {
+    const QSize size = pictureSize(picture());
+    for (std::size_t i = 0; i < png.size(); ++i) {
+        const int scale = static_cast<int>(i) + 1;
+        png[i]->setText(tr("&%1×: %2 × %3 pixels…")
+                            .arg(scale)
+                            .arg(size.width() * scale)
+                            .arg(size.height() * scale));
+    }
+}
+
 void PlotTools::retranslate() {
     fit->setText(tr("Show all"));
     back->setText(tr("Back"));
@@ -252,14 +263,6 @@ void PlotTools::retranslate() {
     for (const auto& [action, format] : tables) {
         action->setText(tableFormatText(format));
         action->setToolTip(tableFormatHint(format));
-    }
-    const QSize size = pictureSize(picture());
-    for (std::size_t i = 0; i < png.size(); ++i) {
-        const int scale = static_cast<int>(i) + 1;
-        png[i]->setText(tr("&%1×: %2 × %3 pixels…")
-                            .arg(scale)
-                            .arg(size.width() * scale)
-                            .arg(size.height() * scale));
     }
     for (const auto& button : m_exportButtons) {
         if (button) {

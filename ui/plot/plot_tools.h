@@ -78,6 +78,7 @@ private:
     void savePicture(const QString& suffix, const QString& filter,
                      const std::function<PictureWork(const PlotPicture&)>& draw);
     void saveData(TableFormat format);
+    void nameSizes();              ///< of the pictures, as they would be now
     void say(const QString& text); ///< in the status bar, for a while
 
     QCustomPlot& m_plot;

@@ -169,6 +169,7 @@ void MainWindow::buildViews() {
         view->shareCycle(&m_cursor);
     }
     auto* middle = new QWidget(this);
+    m_lessonWiring = new LessonWiring(middle, this); // before there is anything to lay out
     auto* column = new QVBoxLayout(middle);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -176,7 +177,6 @@ void MainWindow::buildViews() {
     column->addWidget(m_strip);
     column->addWidget(m_tabs, 1);
     column->addWidget(m_playback);
-    m_lessonWiring = new LessonWiring(middle, this);
     setCentralWidget(m_files->notices().above(m_lessonWiring->middle()));
 }
 
@@ -679,6 +679,7 @@ void MainWindow::recolour() {
     }
 }
 
+// But for the views, which do so themselves.
 void MainWindow::retranslate() {
     m_actions->retranslate();
     m_actions->follow(m_document, !m_inputs->refusals().empty());
@@ -693,9 +694,6 @@ void MainWindow::retranslate() {
     m_status->retranslate();
     m_inputs->retranslate();
     m_messages->retranslate();
-    for (View* view : views()) {
-        view->retranslate();
-    }
     m_tabs->retranslate();
     m_verdict->retranslate();
     m_strip->retranslate();

@@ -49,7 +49,7 @@ struct Bench {
     [[nodiscard]] NumberField* field(const char* path) const {
         return panel.findChild<NumberField*>(QString::fromLatin1(path));
     }
-    [[nodiscard]] FormPage& page(PageIndex index) const { return *panel.pages()[index]; }
+    [[nodiscard]] FormPage& page(PageIndex index) { return *panel.pages()[index]; }
 
     Document document;
     InputsPanel panel;
@@ -280,6 +280,7 @@ private slots:
     void everySliderTellsAScreenReaderItsNameAndItsValueInItsUnit() {
         for (const Operation operation : {Operation::traverse, Operation::plunge}) {
             Bench bench(machinePage, operation);
+            QVERIFY(!bench.panel.pages().empty()); // which builds them
             const auto sliders = bench.panel.findChildren<ValueSlider*>();
             QVERIFY(sliders.size() > 8);
             for (ValueSlider* slider : sliders) {

@@ -192,6 +192,7 @@ private slots:
         Bench bench(QStringLiteral("en"));
         QVERIFY(bench.open(examplePaths().front()));
         bench.action("helpContents")->trigger();
+        QVERIFY(!bench.window->inputs().pages().empty()); // which builds them
         QSet<QString> topics;
         for (const QWidget* widget : bench.window->findChildren<QWidget*>()) {
             const QString topic = helpTopicOf(widget);

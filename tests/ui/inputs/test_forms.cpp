@@ -230,9 +230,8 @@ private slots:
                     const std::string at = path + "/" + field.key;
                     if (field.kind == Kind::object || field.kind == Kind::optionalObject) {
                         look(*field.nested, at);
-                    } else if (std::none_of(
-                                   panel.pages().begin(), panel.pages().end(),
-                                   [&](const FormPage* page) { return page->holds(at); })) {
+                    } else if (std::none_of(panel.pages().begin(), panel.pages().end(),
+                                            [&](FormPage* page) { return page->holds(at); })) {
                         missing += QString::fromStdString(at);
                     }
                 }
@@ -308,6 +307,7 @@ private slots:
     void theRowsOfAPageGoBeforeTheirFields() {
         Document document;
         auto page = std::make_unique<FormPage>(Page::machine, document);
+        page->build();
         int fields = 0, rowsLeft = 0;
         for (FormRow* row : page->rows()) {
             const QPointer<FormRow> alive(row);
@@ -321,6 +321,33 @@ private slots:
         page.reset();
         QCOMPARE(fields, rows);
         QCOMPARE(rowsLeft, 0);
+    }
+
+    // The window begins with one page of eight.
+    void aPageIsBuiltWhenItIsWantedWithWhatHoldsByThen() {
+        Document document;
+        InputsPanel panel(document);
+        panel.show();
+        Project project = newProject(Operation::traverse);
+        project.part->diameter_mm = 41;
+        project.part->radii_per_section = 35; // an odd number
+        document.startUntitled(project);
+        auto outcome = std::make_shared<Outcome>();
+        outcome->issues = validate(project);
+        panel.setOutcome(outcome);
+        const auto diameter = QStringLiteral("/part/diameter_mm");
+        QVERIFY(!panel.findChild<NumberField*>(diameter));
+        panel.focusPath("/part/radii_per_section");
+        auto* radii = panel.findChild<NumberField*>(QStringLiteral("/part/radii_per_section"));
+        QVERIFY(radii && radii->isVisible());
+        QCOMPARE(radii->remark().mark, Mark::error);
+        QCOMPARE(panel.findChild<NumberField*>(diameter)->value(), 41.0);
+        project.part->diameter_mm = 42;
+        document.startUntitled(project);
+        QCOMPARE(panel.findChild<NumberField*>(diameter)->value(), 42.0);
+        QVERIFY(!panel.findChild<NumberField*>(QStringLiteral("/wheel/diameter_mm")));
+        QCOMPARE(panel.pages().size(), std::size_t{8});
+        QVERIFY(panel.findChild<NumberField*>(QStringLiteral("/wheel/diameter_mm")));
     }
 
     void typingInTheMiddleOfATextStaysThere() {

@@ -48,7 +48,7 @@ struct Bench {
         panel.show();
         document.startUntitled(newProject(Operation::traverse));
     }
-    [[nodiscard]] FormRow* row(const std::string& path) const {
+    [[nodiscard]] FormRow* row(const std::string& path) {
         for (const FormPage* page : panel.pages()) {
             for (FormRow* row : page->rows()) {
                 if (row->editor().path() == path) {

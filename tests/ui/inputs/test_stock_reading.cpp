@@ -188,6 +188,7 @@ private slots:
         bench.settle();
         QAction* const action = bench.action("stockOnDiameter");
         QVERIFY(action && action->isCheckable() && !action->isChecked());
+        bench.window->inputs().showPage(0);
         auto* field =
             bench.window->inputs().findChild<NumberField*>(QStringLiteral("/part/stock_mm"));
         QVERIFY(field);

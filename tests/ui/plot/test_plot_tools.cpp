@@ -326,6 +326,7 @@ private slots:
         QList<QAction*> actions = p.plot.actions() + button->menu()->actions();
         for (const QAction* menu : button->menu()->actions()) {
             if (menu->menu()) {
+                emit menu->menu()->aboutToShow(); // names what it has then
                 actions += menu->menu()->actions();
             }
         }

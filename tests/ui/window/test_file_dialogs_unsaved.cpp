@@ -3,6 +3,7 @@
 #include "tests/registry.h"
 #include "tests/ui/window/file_dialogs_bench.h"
 #include "ui/fields/number_field.h"
+#include "ui/inputs/inputs_panel.h"
 
 #include <QRegularExpression>
 
@@ -92,6 +93,7 @@ private slots:
         Bench bench;
         QVERIFY(bench.open());
         QVERIFY(!bench.window->isWindowModified());
+        bench.window->inputs().showPage(1);
         auto* field =
             bench.window->findChild<NumberField*>(QStringLiteral("/material/flow_stress_mpa"));
         field->selectAll();

@@ -283,6 +283,7 @@ private slots:
     void theComputedComplianceCanBeRead() {
         Bench bench(QStringLiteral("en"));
         bench.open(example("slender-shaft.sparkout"));
+        bench.window->inputs().showPage(3);
         auto* label = bench.window->findChild<QLabel*>(QStringLiteral("computedCompliance"));
         QVERIFY(label->isVisibleTo(label->parentWidget()));
         for (const SectionResult& section : bench.window->outcome()->result.sections) {

@@ -22,6 +22,7 @@ public:
     /// While a prediction is awaited no input is.
     FormAccess(const LessonStep& step, bool isAwaited);
 
+    [[nodiscard]] bool isFree() const { return !m_step && !m_isAwaited; } ///< every input is
     [[nodiscard]] Access at(std::string_view path) const;
     /// Whether it, or something below it, may be changed or is shown.
     [[nodiscard]] bool hasFree(std::string_view path) const;

@@ -54,30 +54,49 @@ QGridLayout* newGrid(QVBoxLayout& into, int depth) {
 } // namespace
 
 FormPage::FormPage(Page page, Document& document, QWidget* parent, Settings* settings)
-    : QScrollArea(parent), m_page(page), m_document(document) {
+    : QScrollArea(parent), m_page(page), m_document(document), m_settings(settings) {
     setHelpTopic(*this, fieldPageId(page));
-    auto* body = new QWidget(this);
-    auto* layout = new PageColumns(body);
-    const int side = metrics::margin - SectionBox::inset(0);
-    layout->setContentsMargins(side, metrics::margin, side, metrics::margin);
-    setWidget(body);
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    addCatalogue(settings, {*layout, 0});
-    addStruct(tableOf<Project>(), {}, {*layout, 0});
-    addProjectTexts({*layout, 0});
     connect(&document, &Document::projectReplaced, this, [this] { m_replaced = true; });
     connect(&document, &Document::changed, this, [this] {
-        showProject(m_replaced);
+        if (m_isBuilt) {
+            showProject(m_replaced);
+        }
         m_replaced = false;
     });
-    retranslate();
-    showProject(true);
 }
 
 FormPage::~FormPage() {
     qDeleteAll(m_rows); // before the fields go, which lose the focus as they do
+}
+
+void FormPage::build() {
+    if (std::exchange(m_isBuilt, true)) {
+        return;
+    }
+    auto* body = new QWidget(this);
+    auto* layout = new PageColumns(body);
+    const int side = metrics::margin - SectionBox::inset(0);
+    layout->setContentsMargins(side, metrics::margin, side, metrics::margin);
+    addCatalogue(m_settings, {*layout, 0});
+    addStruct(tableOf<Project>(), {}, {*layout, 0});
+    addProjectTexts({*layout, 0});
+    retranslate();
+    giveAccess();
+    showProject(true);
+    if (m_outcome) {
+        setOutcome(m_outcome);
+        m_outcome.reset();
+    }
+    setWidget(body);
+    emit built();
+}
+
+void FormPage::showEvent(QShowEvent* event) {
+    build();
+    QScrollArea::showEvent(event);
 }
 
 bool FormPage::shows(const StructInfo& table) const {
@@ -291,16 +310,26 @@ void FormPage::forgetResults() {
 
 void FormPage::setAccess(const FormAccessPtr& access) {
     m_access = access;
-    for (FormRow* row : m_rows) {
-        row->setAccess(*access);
+    if (m_isBuilt) {
+        giveAccess();
+        showProject(false);
     }
-    for (ListTable* list : m_lists) {
-        list->setAccess(access);
-    }
-    showProject(false);
 }
 
-bool FormPage::hasShown() const {
+void FormPage::giveAccess() {
+    for (FormRow* row : m_rows) {
+        row->setAccess(*m_access);
+    }
+    for (ListTable* list : m_lists) {
+        list->setAccess(m_access);
+    }
+}
+
+bool FormPage::hasShown() {
+    if (m_access->isFree()) {
+        return true; // no page is without inputs
+    }
+    build();
     const auto isShown = [this](const std::string& path) { return m_access->hasShown(path); };
     return std::ranges::any_of(m_rows,
                                [&](const auto* row) { return isShown(row->editor().path()); })
@@ -358,6 +387,10 @@ void FormPage::showShared() {
 }
 
 void FormPage::setOutcome(const OutcomePtr& outcome) {
+    if (!m_isBuilt) {
+        m_outcome = outcome;
+        return;
+    }
     const Issues& issues = outcome->issues;
     for (FormRow* row : m_rows) {
         row->setIssues(issues);
@@ -377,6 +410,9 @@ void FormPage::setOutcome(const OutcomePtr& outcome) {
 }
 
 void FormPage::retranslate() {
+    if (!m_isBuilt) {
+        return;
+    }
     if (m_catalogue) {
         m_catalogue->retranslate();
     }
@@ -457,7 +493,8 @@ InputBox* FormPage::inputBoxAt(const std::string& path) const {
     return found == m_inputBoxes.end() ? nullptr : *found;
 }
 
-bool FormPage::holds(const std::string& path) const {
+bool FormPage::holds(const std::string& path) {
+    build();
     return rowAt(path) || boxAt(path) || inputBoxAt(path)
            || std::ranges::any_of(m_lists,
                                   [&](const ListTable* list) { return list->holds(path); });

@@ -31,6 +31,8 @@ class Settings;
 class StageTable;
 
 /// One page of the inputs, made from the tables: every row that names the page, structs as boxes.
+/// They are built when the page is shown for the first time or something is asked of them: the
+/// window begins with one page of eight.
 class FormPage : public QScrollArea {
     Q_OBJECT
 
@@ -40,23 +42,28 @@ public:
              Settings* settings = nullptr);
     ~FormPage() override;
 
+    void build(); ///< its rows, once
     void setOutcome(const sparkout::OutcomePtr& outcome);
     void forgetResults();
     /// What may be changed, and what is shown.
     void setAccess(const FormAccessPtr& access);
-    [[nodiscard]] bool hasShown() const; ///< whether any input is
+    [[nodiscard]] bool hasShown(); ///< whether any input is
     void retranslate();
     [[nodiscard]] std::vector<Refusal> refusals() const;
     /// Shows the document's value where a text was refused; false when it is not on this page.
     bool dropRefusal(const std::string& path);
     /// Whether this page shows the field at a path.
-    [[nodiscard]] bool holds(const std::string& path) const;
+    [[nodiscard]] bool holds(const std::string& path);
     /// Scrolls to the field at a path, and gives it the focus if wanted.
     void showPath(const std::string& path, bool focus);
     [[nodiscard]] const std::vector<FormRow*>& rows() const { return m_rows; }
 
 signals:
+    void built();
     void refusalsChanged();
+
+protected:
+    void showEvent(QShowEvent* event) override;
 
 private:
     struct Box {
@@ -88,10 +95,14 @@ private:
     void showProject(bool replaced);
     void showShared();
     void showAccess();
+    void giveAccess(); ///< to the rows and lists
     void toggleOptional(const Box& box, bool given);
 
     Page m_page;
     Document& m_document;
+    Settings* m_settings;
+    bool m_isBuilt = false;
+    sparkout::OutcomePtr m_outcome; ///< for what is not built yet
     std::vector<FormRow*> m_rows;
     std::vector<Box> m_boxes;
     CatalogueBar* m_catalogue = nullptr;                       ///< on pages that have one
