@@ -347,11 +347,19 @@ int runWindow(QApplication& app, MainWindow& window, const Options& options) {
     window.files().protect(state);
     window.lesson().protect(state);
     window.show();
-    openFirstExample(window.document());
+    if (options.file.isEmpty()) {
+        openFirstExample(window.document());
+    }
     QTimer::singleShot(0, &window, [&] {
+        bool isOpen = options.file.isEmpty();
+        const auto opening = QObject::connect(&window.document(), &Document::projectReplaced,
+                                              &window, [&isOpen] { isOpen = true; });
         window.files().start(options.file);
+        QObject::disconnect(opening);
         if (options.file.isEmpty()) {
             window.help().offerTour();
+        } else if (!isOpen) { // it cannot be opened, or is no project
+            openFirstExample(window.document());
         }
     });
     return app.exec();
