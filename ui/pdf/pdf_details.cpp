@@ -1,55 +1,153 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pdf/pdf_details.h"
 
-#include "ui/pdf/put_details.h"
+#include "ui/pdf/pdf_tags.h"
 
-#ifdef SPARKOUT_PDF_MODULE
-#include <QCoreApplication>
-#include <QFile>
+#define POINTERHOLDER_TRANSITION 4 // libqpdf with std::shared_ptr alone
+#include <qpdf/Buffer.hh>
+#include <qpdf/QPDF.hh>
+#include <qpdf/QPDFExc.hh>
+#include <qpdf/QPDFPageDocumentHelper.hh>
+#include <qpdf/QPDFWriter.hh>
 
-#include <dlfcn.h>
-#endif
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <stdexcept>
+#include <string>
 
 namespace sparkout {
 
-#ifdef SPARKOUT_PDF_MODULE
-
 namespace {
 
-/// Where it is installed, relative to the programs; else, in a build folder and the portable one,
-/// where their run path says.
-PutDetails loadModule() {
-    const QByteArray installed = QFile::encodeName(QCoreApplication::applicationDirPath())
-                                 + "/" SPARKOUT_PDF_FOLDER "/" SPARKOUT_PDF_MODULE;
-    void* module = dlopen(installed.constData(), RTLD_NOW | RTLD_LOCAL);
-    const QByteArray fault = module ? QByteArray() : QByteArray(dlerror());
-    module = module ? module : dlopen(SPARKOUT_PDF_MODULE, RTLD_NOW | RTLD_LOCAL);
-    void* const function = module ? dlsym(module, putDetailsName) : nullptr;
-    if (!function) {
-        qCritical("No PDF can be written: %s; %s", fault.constData(), dlerror());
-    }
-    return reinterpret_cast<PutDetails>(function);
+QPDFObjectHandle pdfText(const QString& text) {
+    return QPDFObjectHandle::newUnicodeString(text.toStdString());
 }
+
+void putProperties(QPDF& document, const PdfDetails& details) {
+    QPDFObjectHandle info = document.getTrailer().getKey("/Info");
+    const auto put = [&info](const char* key, const QString& text) {
+        if (text.isEmpty()) {
+            info.removeKey(key);
+        } else {
+            info.replaceKey(key, pdfText(text));
+        }
+    };
+    put("/Title", details.title);
+    put("/Author", details.author);
+    put("/Subject", details.subject);
+    put("/Creator", details.creator);
+    info.replaceKey("/CreationDate",
+                    QPDFObjectHandle::newString(
+                        "D:" + details.date.toString(QStringLiteral("yyyyMMdd")).toStdString()));
+}
+
+/// So that it is read aloud rightly, and its window is named by the title.
+void putLanguage(QPDF& document, const QString& language) {
+    QPDFObjectHandle root = document.getRoot();
+    if (!language.isEmpty()) {
+        root.replaceKey("/Lang", pdfText(language));
+    }
+    root.replaceKey("/ViewerPreferences", QPDFObjectHandle::parse("<< /DisplayDocTitle true >>"));
+}
+
+/// Entries below one root, each a linked list's member [ISO 32000-1, 12.3.3].
+void putOutline(QPDF& document, const std::vector<Bookmark>& bookmarks) {
+    const std::vector<QPDFPageObjectHelper> pages = QPDFPageDocumentHelper(document).getAllPages();
+    std::vector<QPDFObjectHandle> items;
+    QPDFObjectHandle root =
+        document.makeIndirectObject(QPDFObjectHandle::parse("<< /Type /Outlines >>"));
+    for (const Bookmark& bookmark : bookmarks) {
+        QPDFObjectHandle page = pages.at(static_cast<std::size_t>(bookmark.page)).getObjectHandle();
+        const double height =
+            page.getKey("/MediaBox").getArrayItem(3).getNumericValue(); // of an upright page
+        QPDFObjectHandle place = QPDFObjectHandle::newArray();
+        place.appendItem(page);
+        place.appendItem(QPDFObjectHandle::newName("/XYZ"));
+        place.appendItem(QPDFObjectHandle::newNull()); // the left edge and the zoom stay
+        place.appendItem(QPDFObjectHandle::newReal(std::max(0.0, height - bookmark.y_pt), 2));
+        place.appendItem(QPDFObjectHandle::newNull());
+        QPDFObjectHandle item = QPDFObjectHandle::newDictionary();
+        item.replaceKey("/Title", pdfText(bookmark.text));
+        item.replaceKey("/Parent", root);
+        item.replaceKey("/Dest", place);
+        items.push_back(document.makeIndirectObject(item));
+        if (items.size() > 1) {
+            QPDFObjectHandle& before = items[items.size() - 2];
+            before.replaceKey("/Next", items.back());
+            items.back().replaceKey("/Prev", before);
+        }
+    }
+    if (items.empty()) {
+        return;
+    }
+    root.replaceKey("/First", items.front());
+    root.replaceKey("/Last", items.back());
+    root.replaceKey("/Count", QPDFObjectHandle::newInteger(static_cast<long long>(items.size())));
+    document.getRoot().replaceKey("/Outlines", root);
+    document.getRoot().replaceKey("/PageMode", QPDFObjectHandle::newName("/UseOutlines"));
+}
+
+/// Qt says of the glyph of the space that it is a tabulator, which has the same one: the first of
+/// the characters in its table. What is copied or read aloud has spaces.
+void putSpaces(QPDF& document) {
+    for (QPDFObjectHandle& object : document.getAllObjects()) {
+        if (!object.isDictionary() || !object.hasKey("/ToUnicode")) {
+            continue;
+        }
+        QPDFObjectHandle map = object.getKey("/ToUnicode");
+        const auto data = map.getStreamData();
+        std::string text(reinterpret_cast<const char*>(data->getBuffer()), data->getSize());
+        std::size_t place = std::string::npos;
+        // Lists of characters, each in brackets.
+        for (auto from = text.find('['); from != std::string::npos && place == std::string::npos;
+             from = text.find('[', from + 1)) {
+            const auto found = text.find("<0009>", from);
+            place = found < text.find(']', from) ? found : std::string::npos;
+        }
+        if (place != std::string::npos) {
+            text.replace(place, 6, "<0020>");
+            map.replaceStreamData(text, QPDFObjectHandle::newNull(), QPDFObjectHandle::newNull());
+        }
+    }
+}
+
+class Stopped : public std::exception {};
 
 } // namespace
 
 QByteArray withDetails(const QByteArray& pdf, const PdfDetails& details,
                        const std::function<bool()>& goesOn) {
-    static const PutDetails put = loadModule();
-    QByteArray result;
-    if (put) {
-        put(result, pdf, details, goesOn);
+    const auto stopIfAsked = [&goesOn] {
+        if (goesOn && !goesOn()) {
+            throw Stopped();
+        }
+    };
+    try {
+        QPDF document;
+        document.setSuppressWarnings(true);
+        document.setAttemptRecovery(false);
+        document.processMemoryFile("report", pdf.constData(), static_cast<std::size_t>(pdf.size()));
+        putProperties(document, details);
+        putLanguage(document, details.language);
+        putOutline(document, details.outline);
+        putSpaces(document);
+        if (!details.structure.isEmpty()) {
+            putTags(document, details.structure, stopIfAsked);
+        }
+        QPDFWriter writer(document);
+        writer.setOutputMemory();
+        writer.setDeterministicID(true);
+        writer.setObjectStreamMode(qpdf_o_generate); // an element is a small object: packed
+        writer.registerProgressReporter(std::make_shared<QPDFWriter::FunctionProgressReporter>(
+            [&stopIfAsked](int) { stopIfAsked(); }));
+        writer.write();
+        const auto bytes = writer.getBufferSharedPointer();
+        return {reinterpret_cast<const char*>(bytes->getBuffer()),
+                static_cast<qsizetype>(bytes->getSize())};
+    } catch (const std::exception&) { // of libqpdf: what it cannot read it throws; Stopped
+        return {};
     }
-    return result;
 }
-
-#else
-
-QByteArray withDetails(const QByteArray& pdf, const PdfDetails& details,
-                       const std::function<bool()>& goesOn) {
-    return putDetails(pdf, details, goesOn);
-}
-
-#endif
 
 } // namespace sparkout
