@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/process/coupled_sections.h"
 
-#include <Eigen/Cholesky>
+#include "core/process/section_influence.h"
+
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace sparkout {
@@ -36,16 +38,18 @@ public:
         , m_contact(std::move(contact))
         , m_width(mapped(widths))
         , m_wholeWidth(m_width.sum())
-        , m_influence(mapped(influence).reshaped(m_count, m_count))
+        , m_influence(influence, widths.size())
+        , m_own(mapped(influence).reshaped(m_count, m_count).diagonal())
         , m_now(m_count)
         , m_next(m_count)
         , m_step(m_count)
         , m_reduced(m_count)
         , m_gap(m_count)
-        , m_matrix(m_count, m_count)
+        , m_added(m_count)
         , m_direction(m_count)
-        , m_free(static_cast<std::size_t>(m_count)) {
-        makeLow();
+        , m_all(static_cast<std::size_t>(m_count)) {
+        std::iota(m_all.begin(), m_all.end(), Index{0});
+        m_free.reserve(m_all.size());
     }
 
     Outcome solve(const double* lag_mm, double* root, const std::stop_token& stop);
@@ -62,13 +66,14 @@ private:
         double residual = 0; ///< largest |min(w + G_jj·f, r)| [mm]
     };
 
+    [[nodiscard]] Eigen::Map<const VectorXd> influenceOf(Index j) const {
+        return {m_influence.of(static_cast<std::size_t>(j)), m_count};
+    }
     void start(const MapConst& h, const double* root);
     void evaluate(Point& point, const MapConst& h) const;
     [[nodiscard]] double contactForce(Index j, double f) const;
     [[nodiscard]] double slope(Index j, double u, double f) const;
     [[nodiscard]] double ownDepth(const Point& point, Index j) const;
-    void makeLow();
-    void lowStep();
     void newtonStep();
     int interiorSteps(const MapConst& h, const std::stop_token& stop);
     double interiorStep(double mu);
@@ -85,19 +90,14 @@ private:
     std::optional<ContactCompliance> m_contact;
     ArrayXd m_width;
     double m_wholeWidth;
-    MatrixXd m_influence;
+    SectionInfluence m_influence;
+    ArrayXd m_own; ///< G_jj
     Point m_now, m_next;
     VectorXd m_step, m_reduced;
-    ArrayXd m_gap; ///< z, which becomes r where it is positive [mm]
-    MatrixXd m_matrix;
+    ArrayXd m_gap;        ///< z, which becomes r where it is positive [mm]
+    VectorXd m_added;     ///< D of a step
     VectorXd m_direction; ///< of a descent
-    MatrixXd m_low;       ///< L, no column where it is of no use
-    ArrayXd m_beyondLow;  ///< diagonal of G − L·Lᵀ
-    MatrixXd m_weighted;  ///< W·L
-    MatrixXd m_small;     ///< 1 + Lᵀ·W·L
-    ArrayXd m_weight;
-    VectorXd m_smallSide;
-    std::vector<Index> m_free;
+    std::vector<Index> m_all, m_free;
 };
 
 CoupledSections::Outcome CoupledSections::Solver::solve(const double* lag_mm, double* root,
@@ -116,14 +116,6 @@ CoupledSections::Outcome CoupledSections::Solver::solve(const double* lag_mm, do
     while (!(m_now.residual <= enough) && outcome.iterations < maxIterations
            && !stop.stop_requested()) {
         ++outcome.iterations;
-        if (m_low.cols() > 0) {
-            lowStep();
-            evaluate(m_next, h);
-            if (m_next.residual <= m_now.residual / 4) {
-                std::swap(m_now, m_next);
-                continue;
-            }
-        }
         newtonStep();
         evaluate(m_next, h);
         if (!(m_next.residual <= m_now.residual / 2)) {
@@ -151,7 +143,7 @@ void CoupledSections::Solver::start(const MapConst& h, const double* root) {
     if ((m_now.u == 0).all()) {
         for (Index j = 0; j < m_count; ++j) {
             // Neighbours may push a section towards the wheel: γ below 0 is no balance of its own.
-            const double gamma = std::max(0.0, (m_influence.col(j).array() * m_width).sum());
+            const double gamma = std::max(0.0, (influenceOf(j).array() * m_width).sum());
             const double C = gamma * m_law.kr;
             const double q = std::sqrt(C * C + 4 * (1 + gamma * m_law.ks) * std::max(0.0, h[j]));
             m_now.u[j] = h[j] > 0 ? 2 * h[j] / (C + q) : 0;
@@ -174,10 +166,9 @@ void CoupledSections::Solver::evaluate(Point& point, const MapConst& h) const {
     for (Index j = 0; m_contact && j < m_count; ++j) {
         point.w[j] += m_contact->deflection(contactForce(j, point.f[j]));
     }
-    point.r.matrix().noalias() = m_influence * point.f;
+    m_influence.multiply(point.f.data(), point.r.data());
     point.r += point.w - h;
-    point.residual =
-        (point.w + m_influence.diagonal().array() * point.f.array()).min(point.r).abs().maxCoeff();
+    point.residual = (point.w + m_own * point.f.array()).min(point.r).abs().maxCoeff();
     if (!point.r.allFinite() || !point.u.allFinite()) { // Eigen's comparisons pass over no number
         point.residual = std::numeric_limits<double>::infinity();
     }
@@ -194,104 +185,34 @@ double CoupledSections::Solver::slope(Index j, double u, double f) const {
     if (m_contact) {
         dw += m_wholeWidth * m_contact->compliance(contactForce(j, f));
     }
-    return std::max(dw / m_width[j], 1e-9 * m_influence(j, j));
+    return std::max(dw / m_width[j], 1e-9 * m_own[j]);
 }
 
 // w + G_jj·f: what a section gives when it lets go.
 double CoupledSections::Solver::ownDepth(const Point& point, Index j) const {
-    return point.w[j] + m_influence(j, j) * point.f[j];
-}
-
-// By Cholesky's method with pivots, as far as its columns are worth more than one part in 10⁴.
-void CoupledSections::Solver::makeLow() {
-    constexpr Index fewestSections = 32, mostColumns = 16;
-    constexpr double leastShare = 1e-4;
-    if (m_count < fewestSections) {
-        return;
-    }
-    m_beyondLow = m_influence.diagonal();
-    const double least = leastShare * m_beyondLow.maxCoeff();
-    m_low.resize(m_count, mostColumns);
-    Index columns = 0, pivot = 0;
-    double most = m_beyondLow.maxCoeff(&pivot);
-    for (; columns < mostColumns && most > least; most = m_beyondLow.maxCoeff(&pivot)) {
-        VectorXd column = m_influence.col(pivot);
-        for (Index i = 0; i < columns; ++i) {
-            column -= m_low(pivot, i) * m_low.col(i);
-        }
-        m_low.col(columns) = column / std::sqrt(most);
-        m_beyondLow -= m_low.col(columns).array().square();
-        ++columns;
-    }
-    m_beyondLow = m_beyondLow.max(0);
-    m_low.conservativeResize(Eigen::NoChange, most > least ? 0 : columns);
-    m_weighted.resizeLike(m_low);
-    m_small.resize(m_low.cols(), m_low.cols());
-    m_smallSide.resize(m_low.cols());
-    m_weight.resize(m_count);
-}
-
-// Newton's step with L·Lᵀ and what is beyond it on the diagonal in place of G: with W = 1/(D +
-// beyond), 0 where a section lets go, δ = W·b − W·L·(1 + Lᵀ·W·L)⁻¹·Lᵀ·W·b, b = −r.
-void CoupledSections::Solver::lowStep() {
-    m_reduced = -m_now.r;
-    m_step.setZero();
-    bool letsGo = false;
-    for (Index j = 0; j < m_count; ++j) {
-        const bool inContact = ownDepth(m_now, j) >= m_now.r[j];
-        m_weight[j] = inContact ? 1 / (slope(j, m_now.u[j], m_now.f[j]) + m_beyondLow[j]) : 0;
-        m_step[j] = inContact ? 0 : -m_now.f[j];
-        letsGo = letsGo || m_step[j] < 0;
-    }
-    if (letsGo) {
-        m_reduced.noalias() -= m_influence * m_step;
-    }
-    for (Index i = 0; i < m_low.cols(); ++i) {
-        m_weighted.col(i) = m_weight * m_low.col(i).array();
-        m_smallSide[i] = m_weighted.col(i).dot(m_reduced);
-        for (Index k = 0; k <= i; ++k) {
-            m_small(i, k) = m_weighted.col(i).dot(m_low.col(k)) + (i == k ? 1 : 0);
-        }
-    }
-    Eigen::LLT<Eigen::Ref<MatrixXd>>(m_small).solveInPlace(m_smallSide);
-    m_step.array() += m_weight * m_reduced.array();
-    for (Index i = 0; i < m_low.cols(); ++i) {
-        m_step -= m_smallSide[i] * m_weighted.col(i);
-    }
-    m_next.f = (m_now.f + m_step).cwiseMax(0);
+    return point.w[j] + m_own[j] * point.f[j];
 }
 
 // Newton's step on min(w + G_jj·f, r) = 0: where the first is the smaller, the section lets go.
 void CoupledSections::Solver::newtonStep() {
     m_free.clear();
+    m_step.setZero();
     for (Index j = 0; j < m_count; ++j) {
-        const bool inContact = ownDepth(m_now, j) >= m_now.r[j];
-        m_reduced[j] = -m_now.r[j];
-        m_step[j] = inContact ? 0 : -m_now.f[j];
-        if (inContact) {
+        if (ownDepth(m_now, j) >= m_now.r[j]) {
             m_free.push_back(j);
+            m_added[j] = slope(j, m_now.u[j], m_now.f[j]);
+        } else {
+            m_step[j] = -m_now.f[j];
         }
     }
-    const auto count = static_cast<Index>(m_free.size());
-    auto M = m_matrix.topLeftCorner(count, count);
-    if (count == m_count) {
-        M = m_influence;
+    if (m_free.size() == m_all.size()) {
+        m_reduced = -m_now.r;
     } else {
-        m_reduced.noalias() -= m_influence * m_step;
+        m_influence.multiply(m_step.data(), m_reduced.data());
+        m_reduced = -m_now.r.matrix() - m_reduced;
     }
-    for (Index i = 0; i < count; ++i) {
-        const Index j = m_free[static_cast<std::size_t>(i)];
-        m_reduced[i] = m_reduced[j]; // j ≥ i
-        for (Index k = i; k < count && count < m_count; ++k) {
-            M(k, i) = m_influence(m_free[static_cast<std::size_t>(k)], j);
-        }
-        M(i, i) += slope(j, m_now.u[j], m_now.f[j]);
-    }
-    auto x = m_reduced.head(count);
-    Eigen::LLT<Eigen::Ref<MatrixXd>>(M).solveInPlace(x);
-    for (Index i = 0; i < count; ++i) {
-        m_step[m_free[static_cast<std::size_t>(i)]] = x[i];
-    }
+    m_influence.solve(m_added.data(), m_free, m_reduced.data());
+    m_step += m_reduced; // what lets go is none of the solution
     m_next.f = (m_now.f + m_step).cwiseMax(0);
 }
 
@@ -330,14 +251,13 @@ int CoupledSections::Solver::interiorSteps(const MapConst& h, const std::stop_to
 
 // One step towards f·z = μ; returns the share of it that keeps both positive.
 double CoupledSections::Solver::interiorStep(double mu) {
-    m_matrix = m_influence;
     for (Index j = 0; j < m_count; ++j) {
         const double lack = std::max(0.0, m_gap[j] - m_next.r[j]);
         const double u = std::sqrt(m_next.u[j] * m_next.u[j] + lack / 4);
-        m_matrix(j, j) += slope(j, u, m_next.f[j]) + m_gap[j] / m_next.f[j];
+        m_added[j] = slope(j, u, m_next.f[j]) + m_gap[j] / m_next.f[j];
         m_step[j] = -m_next.r[j] + mu / m_next.f[j];
     }
-    Eigen::LLT<Eigen::Ref<MatrixXd>>(m_matrix).solveInPlace(m_step);
+    m_influence.solve(m_added.data(), m_all, m_step.data());
     double share = 1;
     for (Index j = 0; j < m_count; ++j) {
         const double f = m_next.f[j];
@@ -378,9 +298,9 @@ int CoupledSections::Solver::descend(const MapConst& h, double enough, int mostS
 // minimum of Ψ along f_j, f_j ≥ 0, the root of w(f_j) + G_jj·f_j = h_j − Σ_{l≠j} G_jl·f_l.
 void CoupledSections::Solver::sweep(const MapConst& h) {
     auto& bent = m_reduced; // G·f
-    bent.noalias() = m_influence * m_now.f;
+    m_influence.multiply(m_now.f.data(), bent.data());
     for (Index j = 0; j < m_count; ++j) {
-        const double own = m_influence(j, j);
+        const double own = m_own[j];
         const double left = h[j] - (bent[j] - own * m_now.f[j]);
         const double gamma = own * m_width[j];
         const double A = 1 + gamma * m_law.ks;
@@ -391,7 +311,7 @@ void CoupledSections::Solver::sweep(const MapConst& h) {
             u = m_contact->root({A, C, width * m_law.ks, width * m_law.kr}, left, u);
         }
         const double f = m_width[j] * u * (m_law.ks * u + m_law.kr);
-        bent += (f - m_now.f[j]) * m_influence.col(j);
+        bent += (f - m_now.f[j]) * influenceOf(j);
         m_now.f[j] = f;
     }
 }
@@ -402,24 +322,11 @@ void CoupledSections::Solver::descentDirection() {
     for (Index j = 0; j < m_count; ++j) {
         if (m_now.f[j] > 0) {
             m_free.push_back(j);
+            m_added[j] = slope(j, m_now.u[j], m_now.f[j]);
         }
     }
-    const auto count = static_cast<Index>(m_free.size());
-    auto M = m_matrix.topLeftCorner(count, count);
-    auto x = m_reduced.head(count);
-    for (Index i = 0; i < count; ++i) {
-        const Index j = m_free[static_cast<std::size_t>(i)];
-        for (Index k = i; k < count; ++k) {
-            M(k, i) = m_influence(m_free[static_cast<std::size_t>(k)], j);
-        }
-        M(i, i) += slope(j, m_now.u[j], m_now.f[j]);
-        x[i] = -m_now.r[j];
-    }
-    Eigen::LLT<Eigen::Ref<MatrixXd>>(M).solveInPlace(x);
-    m_direction.setZero();
-    for (Index i = 0; i < count; ++i) {
-        m_direction[m_free[static_cast<std::size_t>(i)]] = x[i];
-    }
+    m_direction = -m_now.r;
+    m_influence.solve(m_added.data(), m_free, m_direction.data());
 }
 
 // m_next = m_now + share of the way to where the direction leads or the first force is gone.

@@ -36,14 +36,10 @@ namespace sparkout {
 /// Solved by Newton's method on min(a_j + G_jj·f_j, r_j) = 0 (the same conditions, the first term
 /// being what a section gives when it lets go) in the unknowns f, where the Jacobian is analytic
 /// and symmetric: (D + G)·δ = −r over the sections in contact, D = diag(da/df)
-/// = diag(2u/((2·k_s·u + k_r)·Δx)), u = √a, by Cholesky. A full step is taken when it halves the
-/// largest residual; else interior-point steps on Ψ(f) − μ·Σ ln f, μ → 0, find which sections are
-/// in contact. From the last revolution's roots it takes one or two steps.
-///
-/// Neighbours on a shaft deflect nearly alike: many sections have a G that is L·Lᵀ, L of a few
-/// columns, but for a ten-thousandth. Then a step is tried first for which L·Lᵀ stands in place of
-/// G, in time proportional to J; r and the residual are those of G. It is taken where it leaves a
-/// quarter of the residual at most, else Newton's own is.
+/// = diag(2u/((2·k_s·u + k_r)·Δx)), u = √a, in time proportional to J (SectionInfluence). A full
+/// step is taken when it halves the largest residual; else interior-point steps on Ψ(f) − μ·Σ ln f,
+/// μ → 0, find which sections are in contact. From the last revolution's roots it takes one or two
+/// steps.
 ///
 /// These quick steps may end short of the solution where a section barely touches: there dw/df → 0
 /// and both sets of sections seem right in turn. From the best point they found a descent on Ψ goes

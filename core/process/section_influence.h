@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace sparkout {
+
+/// The influence function of sections G [mm/N], J×J, symmetric, in time proportional to J where its
+/// form allows. Right of a force a shaft bends as a few functions of the place alone, whatever the
+/// force's own place: a line, and one that bending by a moment without load gives; rests add
+/// theirs. So G is semiseparable: with a few numbers of each section
+///
+///     G_jl = row_j·column_l     for l < j.
+///
+/// That its products are as exact as the usual ones is tried; a matrix of another form, or of few
+/// sections, goes the usual way.
+class SectionInfluence {
+public:
+    SectionInfluence(const std::vector<double>& influence_mm_n, std::size_t sections);
+
+    [[nodiscard]] std::size_t size() const { return m_size; }
+    [[nodiscard]] double own(std::size_t j) const { return m_matrix[j * m_size + j]; }    ///< G_jj
+    [[nodiscard]] const double* of(std::size_t j) const { return &m_matrix[j * m_size]; } ///< G_j·
+
+    /// G·f [mm]. The two are not one.
+    void multiply(const double* f_n, double* product_mm) const;
+    /// The solution of (D + G)·x = b over the sections in `free`, in rising order; x is 0
+    /// elsewhere. D > 0 is what is added to the diagonal, of all J sections; `x` holds b and takes
+    /// the solution.
+    void solve(const double* added, const std::vector<std::ptrdiff_t>& free, double* x);
+
+    [[nodiscard]] bool isShort() const { return m_rank > 0; } ///< in time proportional to J
+
+    static constexpr std::size_t mostRank = 8;
+    static constexpr std::size_t fewestSections = 32; ///< for fewer the usual way is as quick
+    static constexpr double mostError =
+        1e-14; ///< of a product, of what the forces do without signs
+
+private:
+    void findFactors();
+    [[nodiscard]] bool isExact() const;
+    template <int rank>
+    void multiplyShort(const double* f, double* product) const;
+    template <int rank>
+    void solveShort(const double* added, const std::vector<std::ptrdiff_t>& free, double* x);
+    void solveUsually(const double* added, const std::vector<std::ptrdiff_t>& free, double* x);
+
+    std::size_t m_size;
+    std::vector<double> m_matrix;
+    std::size_t m_rank = 0;                ///< numbers that a section has; 0: the usual way
+    std::vector<double> m_rows, m_columns; ///< section by section
+    std::vector<double> m_block, m_side;   ///< of solveUsually()
+    std::vector<double> m_gains, m_pivots; ///< of solveShort()
+};
+
+} // namespace sparkout
