@@ -47,9 +47,9 @@ public:
         , m_gap(m_count)
         , m_added(m_count)
         , m_direction(m_count)
-        , m_all(static_cast<std::size_t>(m_count)) {
+        , m_all(widths.size())
+        , m_free(widths.size()) {
         std::iota(m_all.begin(), m_all.end(), Index{0});
-        m_free.reserve(m_all.size());
     }
 
     Outcome solve(const double* lag_mm, double* root, const std::stop_token& stop);
