@@ -283,6 +283,10 @@ int removeIn(const Folder& folder, const std::string& name) {
     return failureOf(::DeleteFileW(nameIn(folder, name).c_str()));
 }
 
+bool replacesOpenFiles() {
+    return false;
+}
+
 int renameIn(const Folder& folder, const std::string& from, const std::string& to,
              Descriptor* replaced) {
     if (replaced != nullptr) {
