@@ -15,8 +15,10 @@ int main(int argc, char** argv) {
         const QCoreApplication app(argc, argv);
         result = runTest(argc, argv);
     }
+#ifndef Q_OS_WIN
     if (!smallDisk.isEmpty()) {
         ::umount(QFile::encodeName(smallDisk).constData());
     }
+#endif
     return result;
 }

@@ -7,7 +7,6 @@
 #include <QDateTime>
 #include <QElapsedTimer>
 #include <QLockFile>
-#include <QProcess>
 
 namespace test_file_guard_lock {
 
@@ -20,6 +19,15 @@ namespace {
 QByteArray foreignLock() {
     return "1234\nsparkout\nanother-host\n0123456789abcdef\n00000000-0000-0000-0000-000000000000\n";
 }
+
+// Windows lets nobody take or write the lock of a program that runs.
+#ifdef Q_OS_WIN
+#define SPARKOUT_LOCK_OF_POSIX QSKIP("on Windows a lock that is held can be taken from nobody")
+#else
+#define SPARKOUT_LOCK_OF_POSIX                                                                     \
+    do {                                                                                           \
+    } while (false)
+#endif
 
 } // namespace
 
@@ -48,7 +56,7 @@ private slots:
         const LockHolder& holder = second.holder();
         QVERIFY(holder.readable);
         QCOMPARE(holder.process, QCoreApplication::applicationPid());
-        QCOMPARE(holder.host, QSysInfo::machineHostName());
+        QVERIFY2(isThisComputer(holder.host), qPrintable(holder.host));
         QVERIFY(!holder.user.isEmpty());
         QVERIFY(qAbs(holder.since.secsTo(QDateTime::currentDateTime())) < 60);
         second.release();
@@ -57,8 +65,12 @@ private slots:
 
     void oneLockServesAllTheWaysToAFile() {
         Bench bench;
+#ifdef Q_OS_WIN
+        const QString link = bench.folder.filePath(QStringLiteral("ВАЛ.SparkOut"));
+#else
         const QString link = bench.folder.filePath(QStringLiteral("link.sparkout"));
         QVERIFY(QFile::link(bench.path, link));
+#endif
         FileLock first;
         FileLock second;
         QCOMPARE(first.acquire(bench.path), State::held);
@@ -67,13 +79,8 @@ private slots:
 
     void theLockOfADeadProgramIsTakenOverWithItsHelper() {
         Bench bench;
-        QProcess gone;
-        gone.start(QStringLiteral("true"), QStringList());
-        QVERIFY(gone.waitForFinished());
-        trouble::write(bench.lock,
-                       "999999999\nsparkout\n" + QSysInfo::machineHostName().toUtf8() + "\n\n\n");
-        trouble::write(bench.lock + QStringLiteral(".rmlock"),
-                       "999999999\nsparkout\n" + QSysInfo::machineHostName().toUtf8() + "\n\n\n");
+        trouble::write(bench.lock, trouble::deadLock());
+        trouble::write(bench.lock + QStringLiteral(".rmlock"), trouble::deadLock());
         FileLock lock;
         QCOMPARE(lock.acquire(bench.path), State::held);
         lock.release();
@@ -116,10 +123,10 @@ private slots:
     void whatIsNoLockIsNamedAndPassedOver_data() {
         QTest::addColumn<QString>("kind");
         QTest::addColumn<QString>("ending");
-        for (const char* kind : {"pipe", "zero", "huge", "folder", "dangling"}) {
+        for (const QString& kind : trouble::strangeKinds()) {
             for (const char* ending : {"", ".rmlock"}) {
-                QTest::addRow("%s%s", kind, ending)
-                    << QString::fromLatin1(kind) << QString::fromLatin1(ending);
+                QTest::addRow("%s%s", qPrintable(kind), ending)
+                    << kind << QString::fromLatin1(ending);
             }
         }
     }
@@ -130,8 +137,7 @@ private slots:
         Bench bench;
         const QString path = bench.lock + ending;
         if (!ending.isEmpty()) { // the helper counts when a dead lock is to be removed
-            trouble::write(bench.lock, "999999999\nsparkout\n"
-                                           + QSysInfo::machineHostName().toUtf8() + "\n\n\n");
+            trouble::write(bench.lock, trouble::deadLock());
         }
         trouble::putStrange(kind, path);
         const auto before = stampOf(path);
@@ -154,6 +160,7 @@ private slots:
 
     // QLockFile removes its file by name, whoever it belongs to by then.
     void whoLostTheLockDoesNotRemoveTheOneOfWhoTookIt() {
+        SPARKOUT_LOCK_OF_POSIX;
         Bench bench;
         FileLock first;
         FileLock second;
@@ -172,6 +179,7 @@ private slots:
 
     // A file system gives the number of a removed file to the next one.
     void aLockLikeOursOfAnotherTimeIsNotOurs() {
+        SPARKOUT_LOCK_OF_POSIX;
         Bench bench;
         FileLock lock;
         QCOMPARE(lock.acquire(bench.path), State::held);
@@ -189,6 +197,7 @@ private slots:
     }
 
     void aFolderThatTakesNoFilesMeansReadOnly() {
+        SPARKOUT_TROUBLE_OF_POSIX;
         Bench bench;
         trouble::setMode(bench.folder.path(), 0555);
         {
