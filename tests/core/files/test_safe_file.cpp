@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -19,7 +20,11 @@
 #include <thread>
 #include <vector>
 
-#ifndef _WIN32
+#ifdef _WIN32
+#include <fcntl.h>
+#include <io.h>
+#include <share.h>
+#else
 #include <fcntl.h>
 #include <grp.h>
 #include <sys/file.h>
@@ -313,6 +318,36 @@ private slots:
         QVERIFY(bytes.find_first_not_of(bytes[0]) == std::string::npos);
         QCOMPARE(namesIn(m_folder), Names{"part.sparkout"});
     }
+
+#ifdef _WIN32
+    // A scanner for viruses, for one, has it open so that it cannot be replaced.
+    void aFileThatIsOpenElsewhereForAMomentIsWaitedFor() {
+        put(file(), "old");
+        const int held = ::_wsopen(file().c_str(), _O_RDONLY | _O_BINARY, _SH_DENYNO);
+        QVERIFY(held >= 0);
+        std::thread release([held] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(300));
+            ::_close(held);
+        });
+        const auto error = writeFileSafely(file(), "new");
+        release.join();
+        QVERIFY(!error);
+        QCOMPARE(get(file()), std::string("new"));
+        QCOMPARE(namesIn(m_folder), Names{"part.sparkout"});
+    }
+
+    void aFileThatStaysOpenElsewhereIsKept() {
+        put(file(), "old");
+        const int held = ::_wsopen(file().c_str(), _O_RDONLY | _O_BINARY, _SH_DENYNO);
+        QVERIFY(held >= 0);
+        const auto error = writeFileSafely(file(), "new");
+        ::_close(held);
+        QVERIFY(error && error->step == FileStep::rename && error->systemError == EACCES);
+        QVERIFY(!error->replaced);
+        QCOMPARE(get(file()), std::string("old"));
+        QCOMPARE(namesIn(m_folder), Names{"part.sparkout"});
+    }
+#endif
 
     // Targets of twelve kinds, numbered as in reliability.md, check 3
 
