@@ -5,11 +5,13 @@
 #include <QCoreApplication>
 
 int main(int argc, char** argv) {
+#ifndef Q_OS_WIN
     using file_guard_bench::smallDisk;
     QTemporaryDir folder;
     if (trouble::mountSmallDisk(folder.path(), 64)) {
         smallDisk = folder.path();
     }
+#endif
     int result = 0;
     {
         const QCoreApplication app(argc, argv);

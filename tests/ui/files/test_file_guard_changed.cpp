@@ -47,9 +47,9 @@ private slots:
         QCOMPARE(changed.count(), 0);
     }
 
+#ifndef Q_OS_WIN // nobody else's rights are at hand there
     // The bytes are in place, but could not be read back: the next try must not ask whose they are.
     void whatAFailedSavePutInPlaceIsNoChangeFromOutside() {
-        SPARKOUT_TROUBLE_OF_POSIX;
         if (!trouble::mayBecomeAnother()) {
             QSKIP("no right to become another user here");
         }
@@ -74,6 +74,7 @@ private slots:
         trouble::write(bench.path, textWith(35));
         QVERIFY(bench.guard.changedOutside(bench.path));
     }
+#endif
 
     void aFileThatIsRewrittenReplacedOrRemovedIsReported_data() {
         QTest::addColumn<QString>("how");

@@ -160,14 +160,18 @@ private slots:
     void typingWithoutAPauseIsKeptAllTheSame() {
         Bench bench({50ms, 250ms});
         QSignalSpy written(bench.autosave.get(), &Autosave::written);
-        QElapsedTimer clock;
+        QElapsedTimer clock, sinceEdit;
         clock.start();
+        sinceEdit.start();
+        int pauses = 0; // where the machine was busy with others: each is worth a file
         for (int i = 0; clock.elapsed() < 1000; ++i) {
+            pauses += sinceEdit.restart() >= 40;
             setDiameter(bench.document, 30 + 0.001 * i);
             QTest::qWait(10);
         }
-        QVERIFY2(written.count() >= 2 && written.count() <= 5,
-                 qPrintable(QString::number(written.count())));
+        const QString found =
+            QStringLiteral("%1 files, %2 pauses").arg(written.count()).arg(pauses);
+        QVERIFY2(written.count() >= 2 && written.count() <= 5 + pauses, qPrintable(found));
     }
 
     void anUntouchedDocumentLeavesNothing() {
@@ -489,8 +493,46 @@ private slots:
         QVERIFY(!QFileInfo::exists(left[0].file));
     }
 
+#ifdef Q_OS_WIN
+    void aFileInPlaceOfTheFolderIsReportedAndLosesNothing() {
+        Bench bench;
+        trouble::write(bench.store.folder(), {});
+        QSignalSpy failed(bench.autosave.get(), &Autosave::failed);
+        setDiameter(bench.document, 31);
+        bench.autosave->flush();
+        QCOMPARE(failed.count(), 1);
+        QCOMPARE(failed[0][0].value<FileError>().step, FileStep::create);
+        QVERIFY(bench.document.modified());
+        QVERIFY(QFile::remove(bench.store.folder()));
+        setDiameter(bench.document, 32); // tried again with the next edit
+        bench.autosave->flush();
+        QVERIFY(!bench.autosave->file().isEmpty());
+    }
+
+    void aFileOpenElsewhereStaysAsItWas() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave->flush();
+        QSignalSpy failed(bench.autosave.get(), &Autosave::failed);
+        {
+            const trouble::Held held(bench.autosave->file(), trouble::Held::Against::replacing);
+            setDiameter(bench.document, 32);
+            bench.autosave->flush();
+        }
+        QCOMPARE(failed.count(), 1);
+        QCOMPARE(failed[0][0].value<FileError>().step, FileStep::rename);
+        QCOMPARE(
+            contentOf(bench.autosave->file()).setup->surfaces.front().project.part->diameter_mm,
+            31.0);
+        QVERIFY(bench.document.modified());
+        setDiameter(bench.document, 33);
+        bench.autosave->flush();
+        QCOMPARE(
+            contentOf(bench.autosave->file()).setup->surfaces.front().project.part->diameter_mm,
+            33.0);
+    }
+#else
     void aFolderThatTakesNoFilesIsReportedAndLosesNothing() {
-        SPARKOUT_TROUBLE_OF_POSIX;
         Bench bench;
         QVERIFY(QDir(bench.folder.path()).mkdir(QStringLiteral("state")));
         trouble::setMode(bench.folder.path(), 0755);
@@ -511,7 +553,6 @@ private slots:
     }
 
     void aFullDiskKeepsTheRecoveryFileBefore() {
-        SPARKOUT_TROUBLE_OF_POSIX;
         Bench bench;
         setDiameter(bench.document, 31);
         bench.autosave->flush();
@@ -526,6 +567,7 @@ private slots:
             contentOf(bench.autosave->file()).setup->surfaces.front().project.part->diameter_mm,
             31.0);
     }
+#endif
 
     void whatAKilledSessionLeftHalfWrittenIsTidiedAway() {
         Bench bench;

@@ -8,7 +8,11 @@
 #include <QString>
 #include <QTemporaryDir>
 
-#ifndef Q_OS_WIN
+#ifdef Q_OS_WIN
+#include <fcntl.h>
+#include <io.h>
+#include <share.h>
+#else
 #include <csignal>
 
 #include <sched.h>
@@ -63,15 +67,27 @@ inline QStringList strangeKinds() {
 
 #ifdef Q_OS_WIN
 
-/// At the head of a test that wants a user without rights, a full disk or a pipe among the files.
-#define SPARKOUT_TROUBLE_OF_POSIX QSKIP("Windows gives no such trouble on purpose")
+// A user without rights, a disk that is full and a pipe among the files are made on POSIX alone.
+// What stands in the way of a file here is that another program has it open.
 
-struct Unprivileged {
-    Unprivileged() {}
-};
+/// While it lives, a file is open elsewhere: nobody else reads or writes it, or nobody replaces it.
+class Held {
+public:
+    enum class Against { everything, replacing };
+    Held(const QString& path, Against against)
+        : m_file(::_wsopen(QDir::toNativeSeparators(path).toStdWString().c_str(),
+                           _O_RDWR | _O_BINARY,
+                           against == Against::everything ? _SH_DENYRW : _SH_DENYNO)) {
+        if (m_file < 0) {
+            qFatal("the test cannot hold %s", qPrintable(path));
+        }
+    }
+    Held(const Held&) = delete;
+    Held& operator=(const Held&) = delete;
+    ~Held() { ::_close(m_file); }
 
-struct NoBytes {
-    NoBytes() {}
+private:
+    int m_file;
 };
 
 inline void putStrange(const QString& kind, const QString& path) {
@@ -87,12 +103,6 @@ inline void putStrange(const QString& kind, const QString& path) {
     }
 }
 
-inline void giveAway(const QString& /*path*/) {}
-
-inline bool mayBecomeAnother() {
-    return false;
-}
-
 /// Whether its owner may write a file is all that Windows has of a mode.
 inline void setMode(const QString& path, unsigned mode) {
     QFile::Permissions allowed = QFile::ReadOwner | QFile::ReadUser;
@@ -104,15 +114,7 @@ inline void setMode(const QString& path, unsigned mode) {
     }
 }
 
-inline bool mountSmallDisk(const QString& /*folder*/, int /*kilobytes*/) {
-    return false;
-}
-
 #else
-
-#define SPARKOUT_TROUBLE_OF_POSIX                                                                  \
-    do {                                                                                           \
-    } while (false)
 
 constexpr uid_t nobody = 65534;
 
