@@ -451,7 +451,7 @@ private:
     void fileRows() {
         for (const auto& entry :
              std::filesystem::directory_iterator(samples::sourcePath("tests/data/hostile"))) {
-            const std::string name = entry.path().filename();
+            const std::string name = entry.path().filename().string();
             add(
                 name, [path = entry.path()] { return samples::readText(path); },
                 name.starts_with("accepted"));
