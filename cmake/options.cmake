@@ -24,6 +24,7 @@ if(WIN32)
     # aligned for AVX (bug 54412 of GCC): its moves are to ask for no alignment.
     target_compile_options(sparkout_options INTERFACE -Wa,-mbig-obj -Wa,-muse-unaligned-vector-move)
     target_compile_definitions(sparkout_options INTERFACE NOMINMAX WIN32_LEAN_AND_MEAN UNICODE)
+    include(${CMAKE_CURRENT_LIST_DIR}/waking.cmake)
 else()
     target_link_options(sparkout_options INTERFACE -Wl,-z,relro,-z,now)
 endif()
