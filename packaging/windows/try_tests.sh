@@ -16,6 +16,10 @@
 test_programs=(core/test_safe_file core/sparkout_law_tests core/sparkout_counting_tests core/sparkout_core_tests
     ui/sparkout_session_tests ui/sparkout_file_guard_tests)
 
+# Built and not run: it reads its books by the Python of Linux, with which Wine 8 joins no pipe. The window's
+# workbook is held against that of Linux by try_window.sh.
+not_run=test_xlsx_book
+
 run_test() { # PROGRAM NAME
     local -a words=("$2")
     [[ $2 != "$(basename "$1")" ]] || words=() # a program of one test
@@ -34,7 +38,7 @@ for program in "${test_programs[@]}"; do # two at a time, as ctest has them on L
     if [[ $program == */test_* ]]; then
         names=("$(basename "$program")")
     else
-        mapfile -t names < <(wine "$tests/$program.exe" 2>&1 | tr -d '\r' | sed -n 's/^  //p')
+        mapfile -t names < <(wine "$tests/$program.exe" 2>&1 | tr -d '\r' | sed -n 's/^  //p' | grep -vx "$not_run")
     fi
     ((${#names[@]})) || check "$program: has tests" false
     for name in "${names[@]}"; do
@@ -53,4 +57,5 @@ done
 awk '/^Totals:/ { tests++; passed += $2; failed += $4; skipped += $6 }
     END { printf "%d tests of %d functions: %d failed, %d left themselves out\n", tests, passed + failed, failed, skipped }' \
     tests/*.txt
+echo "    not run: $not_run"
 grep -h -A1 '^SKIP' tests/*.txt | sed -nE 's/^SKIP *: ([^(]*)\(.*\) (.*)/    \1: \2/p' | tr -d '\r' | sort -u
