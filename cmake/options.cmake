@@ -21,9 +21,12 @@ target_compile_definitions(sparkout_options INTERFACE _GLIBCXX_ASSERTIONS)
 target_include_directories(sparkout_options INTERFACE ${PROJECT_SOURCE_DIR})
 if(WIN32)
     # Sources joined have more sections than objects have by default. The stack of a function is not
-    # aligned for AVX (bug 54412 of GCC): its moves are to ask for no alignment.
-    target_compile_options(sparkout_options INTERFACE -Wa,-mbig-obj -Wa,-muse-unaligned-vector-move)
+    # aligned for AVX (bug 54412 of GCC): its moves are to ask for no alignment. Which registers an
+    # inline function leaves alone is not known from one copy of it: the linker may take another.
+    target_compile_options(sparkout_options INTERFACE
+        -Wa,-mbig-obj -Wa,-muse-unaligned-vector-move -fno-ipa-ra)
     target_compile_definitions(sparkout_options INTERFACE NOMINMAX WIN32_LEAN_AND_MEAN UNICODE)
+    include(${CMAKE_CURRENT_LIST_DIR}/waking.cmake)
 else()
     target_link_options(sparkout_options INTERFACE -Wl,-z,relro,-z,now)
 endif()

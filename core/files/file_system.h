@@ -95,8 +95,11 @@ enum class Opening { read, readAndWrite };
 /// Links are not followed.
 [[nodiscard]] int factsIn(const Folder& folder, const std::string& name, FileFacts& facts);
 [[nodiscard]] int removeIn(const Folder& folder, const std::string& name);
-/// Puts `from` in the place of `to`. Windows replaces no file that is open: `replaced`, where it is
-/// `to`, is closed there before.
+/// Whether a file can be replaced while it is open. Windows refuses that, whoever has it open: what
+/// will be replaced is closed as soon as it is known, so that saves beside each other find a gap.
+[[nodiscard]] bool replacesOpenFiles();
+/// Puts `from` in the place of `to`. Where open files are not replaced, `replaced`, if it is `to`,
+/// is closed before.
 [[nodiscard]] int renameIn(const Folder& folder, const std::string& from, const std::string& to,
                            Descriptor* replaced = nullptr);
 /// Gives `from` a name that must be free.

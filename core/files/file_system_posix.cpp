@@ -170,6 +170,10 @@ int removeIn(const Folder& folder, const std::string& name) {
     return failureOf(::unlinkat(nativeOf(folder.open), name.c_str(), 0) != 0);
 }
 
+bool replacesOpenFiles() {
+    return true;
+}
+
 int renameIn(const Folder& folder, const std::string& from, const std::string& to,
              Descriptor* /*replaced*/) {
     const int fd = nativeOf(folder.open);

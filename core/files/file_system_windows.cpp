@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstddef>
+#include <cstring>
 #include <limits>
 #include <random>
+#include <vector>
 
 // Its own headers need it first.
 #include <windows.h>
@@ -159,18 +162,47 @@ int readBlock(const Descriptor& file, OVERLAPPED* place, char* block, std::size_
     return !taken && ::GetLastError() == ERROR_HANDLE_EOF ? 0 : failureOf(taken);
 }
 
+/// As POSIX replaces: also a file that is open, where those who have it open let it be removed.
+/// Since version 1709 Windows can on its own file system; others, and Wine 8, refuse the parameter.
+bool replaceAsPosix(const std::wstring& from, const std::wstring& to) {
+    Descriptor file;
+    // What was written through is not lost with the power: as MOVEFILE_WRITE_THROUGH does it.
+    if (open(from, DELETE | SYNCHRONIZE, shareAll, OPEN_EXISTING,
+             asItStands | FILE_FLAG_WRITE_THROUGH, file)
+        != 0)
+        return false;
+    const std::size_t bytes = to.size() * sizeof(wchar_t);
+    // The name begins within the structure, and the rest of that is room for its end.
+    std::vector<std::uint64_t> block((sizeof(FILE_RENAME_INFO) + bytes) / sizeof(std::uint64_t)
+                                     + 1);
+    FILE_RENAME_INFO info{};
+    info.Flags = FILE_RENAME_FLAG_REPLACE_IF_EXISTS | FILE_RENAME_FLAG_POSIX_SEMANTICS;
+    info.FileNameLength = static_cast<DWORD>(bytes);
+    char* const raw = reinterpret_cast<char*>(block.data());
+    std::memcpy(raw, &info, sizeof info);
+    std::memcpy(raw + offsetof(FILE_RENAME_INFO, FileName), to.data(), bytes);
+    constexpr auto renameInfoEx = static_cast<FILE_INFO_BY_HANDLE_CLASS>(22); // hidden by mingw
+    return ::SetFileInformationByHandle(nativeOf(file), renameInfoEx, raw,
+                                        static_cast<DWORD>(block.size() * sizeof(std::uint64_t)))
+           != 0;
+}
+
 /// MoveFileExW replaces in one step; ReplaceFileW, which would keep more of the old file, has a
 /// moment between two in which none stands there.
 int moveFile(const std::wstring& from, const std::wstring& to, DWORD flags) {
-    int failed = 0;
-    for (int attempt = 0; attempt < 10; ++attempt) {
-        failed = failureOf(::MoveFileExW(from.c_str(), to.c_str(), flags | MOVEFILE_WRITE_THROUGH));
-        if (failed != EACCES && failed != EBUSY)
-            break;
-        // Searches of the system and scanners for viruses hold new files open for a moment.
-        ::Sleep(static_cast<DWORD>(10 * (attempt + 1)));
+    constexpr ULONGLONG patience_ms = 2000;
+    const ULONGLONG begin_ms = ::GetTickCount64();
+    for (;;) {
+        if ((flags & MOVEFILE_REPLACE_EXISTING) != 0 && replaceAsPosix(from, to))
+            return 0;
+        const int failed =
+            failureOf(::MoveFileExW(from.c_str(), to.c_str(), flags | MOVEFILE_WRITE_THROUGH));
+        if ((failed != EACCES && failed != EBUSY) || ::GetTickCount64() - begin_ms >= patience_ms)
+            return failed;
+        // Others hold files open for moments: searches of the system, scanners for viruses, another
+        // save that reads its file back. Saves beside each other shall not wait in step.
+        ::Sleep(static_cast<DWORD>(1 + randomNumber() % 20));
     }
-    return failed;
 }
 
 /// Locks of Windows keep others from reading: a byte is locked that no file has.
@@ -281,6 +313,10 @@ int factsIn(const Folder& folder, const std::string& name, FileFacts& facts) {
 
 int removeIn(const Folder& folder, const std::string& name) {
     return failureOf(::DeleteFileW(nameIn(folder, name).c_str()));
+}
+
+bool replacesOpenFiles() {
+    return false;
 }
 
 int renameIn(const Folder& folder, const std::string& from, const std::string& to,

@@ -43,7 +43,14 @@ StepOutcome fill(const Descriptor& file, std::string_view bytes, const FileFacts
 }
 
 /// Copies the old file to NAME.bak by way of a temporary file.
-StepOutcome copyToBackup(const SaveTarget& target, const std::string& backup) {
+StepOutcome copyToBackup(SaveTarget& target, const std::string& backup) {
+    if (!target.old) {
+        int error = openIn(target.folder, target.name, Opening::read, target.old);
+        if (error == 0)
+            error = factsOf(target.old, target.oldFacts);
+        if (error != 0)
+            return StepFailure{FileStep::backup, error};
+    }
     std::string bytes(static_cast<std::size_t>(target.oldFacts.size), '\0');
     for (std::size_t at = 0; at < bytes.size();) {
         std::size_t n = 0;
@@ -101,8 +108,8 @@ StepOutcome moveIntoPlaceKeepingOld(SaveTarget& target, const std::string& tempo
 }
 
 StepOutcome save(SaveTarget& target, std::string_view bytes, WriteOptions options) {
-    const bool exists = static_cast<bool>(target.old);
-    if (exists) // another save shall not take the old file for a leftover while it is exchanged
+    const bool exists = target.exists;
+    if (target.old) // another save shall not take the old file for a leftover while it is exchanged
         (void)lockFile(target.old);
 
     Descriptor file;

@@ -61,7 +61,7 @@ struct SafeFileWriter::State {
     StepOutcome open() {
         if (StepOutcome failed = openTarget(path, target))
             return failed;
-        if (target.old && existing == Existing::refused)
+        if (target.exists && existing == Existing::refused)
             return StepFailure{FileStep::create, EEXIST};
         if (StepOutcome failed = beginTemporary(target, file, name))
             return failed;
@@ -94,7 +94,7 @@ struct SafeFileWriter::State {
     StepOutcome finish() {
         if (StepOutcome failed = flush())
             return failed;
-        if (target.old)
+        if (target.exists)
             if (const int code = copyOwnerAndMode(file, target.oldFacts))
                 return StepFailure{FileStep::permissions, code};
         if (const int code = syncFile(file))

@@ -44,6 +44,9 @@ StepOutcome openTarget(std::filesystem::path path, SaveTarget& target) {
         return StepFailure{FileStep::inspect, unknown};
     if (target.oldFacts.kind != FileKind::regular)
         return StepFailure{FileStep::notRegular, 0};
+    target.exists = true;
+    if (!replacesOpenFiles())
+        target.old = Descriptor();
     // Asked of the mode too: the system lets root write anything.
     return outcomeOf(FileStep::readOnly, target.oldFacts.writeProtected ? EACCES : 0);
 }
@@ -51,8 +54,8 @@ StepOutcome openTarget(std::filesystem::path path, SaveTarget& target) {
 StepOutcome beginTemporary(const SaveTarget& target, Descriptor& file, std::string& name) {
     const std::string prefix = temporaryPrefix(target.name);
     removeLeftovers(target.folder, prefix);
-    return outcomeOf(FileStep::create,
-                     createTemporary(target.folder, prefix, target.old ? 0600 : 0666, file, name));
+    return outcomeOf(FileStep::create, createTemporary(target.folder, prefix,
+                                                       target.exists ? 0600 : 0666, file, name));
 }
 
 StepOutcome moveIntoPlace(SaveTarget& target, const std::string& temporary) {

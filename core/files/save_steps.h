@@ -22,10 +22,12 @@ struct StepFailure {
 /// What a step hands back: nothing when it went well.
 using StepOutcome = std::optional<StepFailure>;
 
-/// The file a save replaces: its folder, its name there and, if it exists, the opened old file.
+/// The file a save replaces: its folder, its name there and, if it exists, the old file, which is
+/// open where a file can be replaced so.
 struct SaveTarget {
     Folder folder;
     std::string name;
+    bool exists = false;
     Descriptor old;
     FileFacts oldFacts;
 };

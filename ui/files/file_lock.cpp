@@ -8,9 +8,16 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QLockFile>
+#include <QSysInfo>
 
 #include <cstdint>
 #include <utility>
+
+#ifdef Q_OS_WIN
+QT_BEGIN_NAMESPACE
+extern Q_CORE_EXPORT int qt_ntfs_permission_lookup;
+QT_END_NAMESPACE
+#endif
 
 namespace sparkout {
 
@@ -38,7 +45,28 @@ bool sameLock(const FileStamp& a, const FileStamp& b) {
            && a.modified_ns == b.modified_ns;
 }
 
+/// The name of the user a file belongs to. On Windows Qt looks for it when it is told to alone.
+QString ownerOf(const QFileInfo& file) {
+#ifdef Q_OS_WIN
+    ++qt_ntfs_permission_lookup;
+    const QString owner = file.owner();
+    --qt_ntfs_permission_lookup;
+    return owner;
+#else
+    return file.owner();
+#endif
+}
+
 } // namespace
+
+bool isThisComputer(const QString& host) {
+    const QString own = QSysInfo::machineHostName();
+#ifdef Q_OS_WIN
+    return host.compare(own.left(15), Qt::CaseInsensitive) == 0;
+#else
+    return host == own;
+#endif
+}
 
 QString strangeLock(const QString& lock) {
     for (const QString& path : {lock, helperOf(lock)}) {
@@ -130,7 +158,7 @@ void FileLock::readHolder() {
     m_holder = {};
     m_holder.readable = m_lock->getLockInfo(&m_holder.process, &m_holder.host, &m_holder.program);
     const QFileInfo info(m_path);
-    m_holder.user = info.owner();
+    m_holder.user = ownerOf(info);
     m_holder.since = info.lastModified();
 }
 

@@ -67,6 +67,10 @@ private:
     QString m_strange;
 };
 
+/// Whether a lock was written on this computer, by its name there: on Windows that is the one of
+/// NetBIOS, in capitals and of 15 letters at most.
+[[nodiscard]] bool isThisComputer(const QString& host);
+
 /// What stands at the name of a lock, or of the helper that removes a dead one, and is no lock: a
 /// link, a pipe, a device, a folder, a file of more than a lock holds. It is never opened, for
 /// that may not come back. Empty: a lock, or nothing.

@@ -11,7 +11,6 @@
 #include <QFileInfo>
 #include <QLockFile>
 #include <QStandardPaths>
-#include <QSysInfo>
 #include <QUuid>
 
 #include <algorithm>
@@ -29,8 +28,8 @@ const QString recoveryTimeFormat = QStringLiteral("yyyyMMdd'T'HHmmss");
 bool surelyDead(const QString& lock) {
     qint64 process = 0;
     QString host, program;
-    return QLockFile(lock).getLockInfo(&process, &host, &program)
-           && host == QSysInfo::machineHostName() && !isRunning(process);
+    return QLockFile(lock).getLockInfo(&process, &host, &program) && isThisComputer(host)
+           && !isRunning(process);
 }
 
 /// The recovery files of a folder, also those that are pipes and the like: they are listed, and

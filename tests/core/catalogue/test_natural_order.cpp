@@ -20,14 +20,6 @@ private slots:
     void theOrderIsThatOfTheLibrary();
 };
 
-namespace {
-
-int sign(int value) {
-    return (value > 0) - (value < 0);
-}
-
-} // namespace
-
 void TestNaturalOrder::numbersAreOrderedByValue() {
     QVERIFY(naturalOrder("50x20", "400x50") < 0);
     QVERIFY(naturalOrder("wheel 10", "wheel 9") > 0);
@@ -43,6 +35,7 @@ void TestNaturalOrder::decimalsAreOrderedAsSuch() {
 
 void TestNaturalOrder::theOrderIsThatOfTheLibrary() {
 #ifdef __GLIBC__
+    const auto sign = [](int value) { return (value > 0) - (value < 0); };
     std::mt19937 random(1);
     constexpr char letters[] = "0019a.-2";
     const auto extend = [&](std::string text, unsigned most) {

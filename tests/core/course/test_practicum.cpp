@@ -222,7 +222,7 @@ bool hasSetting(const Lesson& lesson) {
 void lessonRows() {
     QTest::addColumn<QString>("file");
     for (const auto& file : samples::lessonFiles()) {
-        QTest::newRow(file.filename().c_str()) << QString::fromStdString(file);
+        QTest::newRow(file.filename().string().c_str()) << QString::fromStdString(file.string());
     }
 }
 
@@ -241,7 +241,7 @@ private slots:
         QCOMPARE(files.size(), std::size_t{10});
         int minutes = 0;
         for (std::size_t i = 0; i < files.size(); ++i) {
-            const Lesson lesson = lessonIn(QString::fromStdString(files[i]));
+            const Lesson lesson = lessonIn(QString::fromStdString(files[i].string()));
             const std::string number = std::to_string(i + 1);
             QVERIFY(lesson.title.ru.starts_with("Работа " + number + ". "));
             QVERIFY(lesson.title.en.starts_with("Work " + number + ". "));
@@ -341,7 +341,7 @@ private slots:
     void whatChoicesClaimIsSo() {
         QFETCH(int, work);
         const auto file = samples::lessonFiles()[static_cast<std::size_t>(work) - 1];
-        const Lesson lesson = lessonIn(QString::fromStdString(file));
+        const Lesson lesson = lessonIn(QString::fromStdString(file.string()));
         const auto count = static_cast<std::size_t>(samples::sized(3, 1, 25));
         const MadeVariants made = makeVariants(lesson, count, 77);
         QCOMPARE(made.variants.size(), count);

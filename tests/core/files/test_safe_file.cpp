@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The safe writer in ordinary life and on odd targets. Injected faults, kills and full disks are
 // in safe_file_faults.py. Root may do everything, so as root the tests run as the user nobody.
+// What is made of links, modes, devices and a second program is tried on POSIX alone.
 #include "core/files/safe_file.h"
 #include "core/files/safe_file_writer.h"
 #include "tests/check_line.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -18,6 +20,11 @@
 #include <thread>
 #include <vector>
 
+#ifdef _WIN32
+#include <fcntl.h>
+#include <io.h>
+#include <share.h>
+#else
 #include <fcntl.h>
 #include <grp.h>
 #include <sys/file.h>
@@ -25,11 +32,24 @@
 #include <sys/sysmacros.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#endif
 
 using namespace sparkout;
 namespace fs = std::filesystem;
 
 namespace {
+
+#ifdef _WIN32
+
+fs::path makeFolder() {
+    static int made = 0;
+    fs::path folder = fs::temp_directory_path()
+                      / ("sparkout-files-" + std::to_string(QCoreApplication::applicationPid())
+                         + "-" + std::to_string(++made));
+    return fs::create_directory(folder) ? folder : fs::path();
+}
+
+#else
 
 fs::path rootsFolder; ///< prepared by root for what nobody cannot make; empty without root
 
@@ -44,6 +64,13 @@ fs::path makeFolder() {
     return name;
 }
 
+mode_t modeOf(const fs::path& path) {
+    struct stat found {};
+    return ::lstat(path.c_str(), &found) == 0 ? found.st_mode & 07777 : 0;
+}
+
+#endif
+
 void put(const fs::path& path, const std::string& text) {
     std::ofstream(path, std::ios::binary) << text;
 }
@@ -51,11 +78,6 @@ void put(const fs::path& path, const std::string& text) {
 std::string get(const fs::path& path) {
     std::ifstream in(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-mode_t modeOf(const fs::path& path) {
-    struct stat found {};
-    return ::lstat(path.c_str(), &found) == 0 ? found.st_mode & 07777 : 0;
 }
 
 std::vector<std::string> namesIn(const fs::path& folder) {
@@ -84,7 +106,7 @@ private slots:
     }
     void cleanup() {
         std::error_code ignored;
-        ::chmod(m_folder.c_str(), 0700);
+        fs::permissions(m_folder, fs::perms::owner_all, ignored);
         fs::remove_all(m_folder, ignored);
         if (std::string(QTest::currentTestFunction()).starts_with("kind"))
             m_kinds.count();
@@ -154,7 +176,8 @@ private slots:
 
     void aFileInTheWayIsKeptOrReplaced() {
         put(file(), "old");
-        ::chmod(file().c_str(), 0640);
+        fs::permissions(file(), fs::perms(0640));
+        const fs::perms before = fs::status(file()).permissions();
         SafeFileWriter refused(file(), SafeFileWriter::Existing::refused);
         QVERIFY(refused.error() && refused.error()->systemError == EEXIST);
         QVERIFY(!refused.write("x") && !refused.finish());
@@ -162,7 +185,7 @@ private slots:
         SafeFileWriter replaced(file(), SafeFileWriter::Existing::replaced);
         QVERIFY(replaced.write("new") && replaced.finish());
         QCOMPARE(get(file()), std::string("new"));
-        QCOMPARE(modeOf(file()), mode_t{0640});
+        QVERIFY(fs::status(file()).permissions() == before);
     }
 
     void aFileThatCameMeanwhileIsKept() {
@@ -181,6 +204,7 @@ private slots:
         QVERIFY(!writer.write("x"));
     }
 
+#ifndef _WIN32
     void aNewFileGetsItsModeFromTheUmask() {
         const mode_t before = ::umask(027);
         const auto error = writeFileSafely(file(), "new");
@@ -188,6 +212,7 @@ private slots:
         QVERIFY(!error);
         QCOMPARE(modeOf(file()), mode_t{0640});
     }
+#endif
 
     void aShorterTextLeavesNothingOfTheLongerOne() {
         put(file(), std::string(5000, 'x'));
@@ -195,6 +220,7 @@ private slots:
         QCOMPARE(get(file()), std::string("short"));
     }
 
+#ifndef _WIN32
     void aNameRelativeToTheWorkingFolderIsWrittenThere() {
         // In a child: who dropped root's rights may not be able to come back to where it was.
         const pid_t child = ::fork();
@@ -208,6 +234,7 @@ private slots:
         QCOMPARE(status, 0);
         QCOMPARE(get(file("вал 30h6.sparkout")), std::string("new"));
     }
+#endif
 
     void theBackupIsThePreviousVersion() {
         const WriteOptions keep{.keepBackup = true};
@@ -230,6 +257,7 @@ private slots:
         QCOMPARE(namesIn(m_folder), (Names{"part.sparkout", "part.sparkout.bak"}));
     }
 
+#ifndef _WIN32
     void anErrorNamesThePathAndTheFreeSpace() {
         fs::create_directory(file());
         ::chmod(m_folder.c_str(), 0500);
@@ -271,6 +299,7 @@ private slots:
         QVERIFY(fs::exists(file(otherFile)));
         QVERIFY(fs::exists(file(notOurs)));
     }
+#endif
 
     void savesAtTheSameTimeLeaveOneWholeFile() {
         std::vector<std::thread> threads;
@@ -290,8 +319,39 @@ private slots:
         QCOMPARE(namesIn(m_folder), Names{"part.sparkout"});
     }
 
+#ifdef _WIN32
+    // A scanner for viruses, for one, has it open so that it cannot be replaced.
+    void aFileThatIsOpenElsewhereForAMomentIsWaitedFor() {
+        put(file(), "old");
+        const int held = ::_wsopen(file().c_str(), _O_RDONLY | _O_BINARY, _SH_DENYNO);
+        QVERIFY(held >= 0);
+        std::thread release([held] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(300));
+            ::_close(held);
+        });
+        const auto error = writeFileSafely(file(), "new");
+        release.join();
+        QVERIFY(!error);
+        QCOMPARE(get(file()), std::string("new"));
+        QCOMPARE(namesIn(m_folder), Names{"part.sparkout"});
+    }
+
+    void aFileThatStaysOpenElsewhereIsKept() {
+        put(file(), "old");
+        const int held = ::_wsopen(file().c_str(), _O_RDONLY | _O_BINARY, _SH_DENYNO);
+        QVERIFY(held >= 0);
+        const auto error = writeFileSafely(file(), "new");
+        ::_close(held);
+        QVERIFY(error && error->step == FileStep::rename && error->systemError == EACCES);
+        QVERIFY(!error->replaced);
+        QCOMPARE(get(file()), std::string("old"));
+        QCOMPARE(namesIn(m_folder), Names{"part.sparkout"});
+    }
+#endif
+
     // Targets of twelve kinds, numbered as in reliability.md, check 3
 
+#ifndef _WIN32
     void kind01_aLinkStaysAndItsTargetIsWritten() {
         fs::create_directory(file("folder"));
         put(file("folder/real"), "old");
@@ -316,6 +376,7 @@ private slots:
         const auto error = writeFileSafely(file("a"), "new");
         QVERIFY(error && error->systemError == ELOOP);
     }
+#endif
 
     void kind03_anotherHardLinkKeepsTheOldText() {
         put(file(), "old");
@@ -325,6 +386,7 @@ private slots:
         QCOMPARE(get(file("other")), std::string("old"));
     }
 
+#ifndef _WIN32
     void kind04_aFifoIsRefusedAndStays() {
         QCOMPARE(::mkfifo(file().c_str(), 0600), 0);
         const auto error = writeFileSafely(file(), "new");
@@ -333,6 +395,7 @@ private slots:
         const auto read = readFile(file(), 100); // and reading it does not wait for a writer
         QVERIFY(std::get<FileError>(read).step == FileStep::notRegular);
     }
+#endif
 
     void kind05_aFolderIsRefusedAndStays_data() {
         QTest::addColumn<QString>("name");
@@ -348,6 +411,7 @@ private slots:
         QCOMPARE(namesIn(m_folder), Names{"folder"});
     }
 
+#ifndef _WIN32
     void kind06_theModeIsKept_data() {
         QTest::addColumn<int>("mode");
         for (const int mode : {0640, 0600, 0664, 0755})
@@ -360,16 +424,19 @@ private slots:
         QVERIFY(!writeFileSafely(file(), "new"));
         QCOMPARE(static_cast<int>(modeOf(file())), mode);
     }
+#endif
 
     void kind07_aReadOnlyFileIsRefused() {
         put(file(), "old");
-        ::chmod(file().c_str(), 0444);
+        fs::permissions(file(), fs::perms(0444));
         const auto error = writeFileSafely(file(), "new");
         QVERIFY(error && error->step == FileStep::readOnly && error->systemError == EACCES);
         QCOMPARE(get(file()), std::string("old"));
         QCOMPARE(namesIn(m_folder), Names{"part.sparkout"});
+        fs::permissions(file(), fs::perms(0644)); // Windows removes no such file
     }
 
+#ifndef _WIN32
     void kind08_inAReadOnlyFolderTheOldFileStays() {
         put(file(), "old");
         ::chmod(m_folder.c_str(), 0500);
@@ -395,6 +462,7 @@ private slots:
                 QVERIFY(!name.starts_with(".sparkout-"));
         }
     }
+#endif
 
     void kind10_aMissingFolderIsNotMade() {
         const auto error = writeFileSafely(file("no folder/part.sparkout"), "new");
@@ -411,7 +479,10 @@ private slots:
         QVERIFY(noBackup && noBackup->step == FileStep::backup);
         QCOMPARE(get(file(longest)), std::string("new"));
         const auto error = writeFileSafely(file(longest + "n"), "new");
-        QVERIFY(error && error->systemError == ENAMETOOLONG);
+        QVERIFY(error && error->systemError != 0);
+#ifndef _WIN32
+        QCOMPARE(error->systemError, ENAMETOOLONG);
+#endif
         QCOMPARE(namesIn(m_folder), Names{longest});
     }
 
@@ -422,6 +493,14 @@ private slots:
         QCOMPARE(namesIn(m_folder), Names{});
     }
 
+#ifdef _WIN32
+    void kind12_aDeviceIsRefusedAndStays() {
+        const auto error = writeFileSafely("NUL", "new");
+        QVERIFY(error && error->step == FileStep::notRegular);
+        const auto read = readFile("NUL", 100);
+        QVERIFY(std::get<FileError>(read).step == FileStep::notRegular);
+    }
+#else
     void kind12_aDeviceIsRefusedAndStays() {
         const fs::path device =
             fs::exists(rootsFolder / "device") ? rootsFolder / "device" : fs::path("/dev/null");
@@ -435,6 +514,7 @@ private slots:
         }
         QVERIFY(fs::is_symlink(file("link")));
     }
+#endif
 
     // Reading
 
@@ -457,13 +537,21 @@ private slots:
         const auto missing = readFile(file(), 100);
         QCOMPARE(std::get<FileError>(missing).systemError, ENOENT);
         QCOMPARE(std::get<FileError>(missing).path, file().string());
+#ifndef _WIN32
         put(file(), "secret");
         ::chmod(file().c_str(), 0);
         const auto forbidden = readFile(file(), 100);
         QVERIFY(std::get<FileError>(forbidden).step == FileStep::open);
         QCOMPARE(std::get<FileError>(forbidden).systemError, EACCES);
+#endif
     }
 };
+
+#ifdef _WIN32
+
+QTEST_GUILESS_MAIN(TestSafeFile)
+
+#else
 
 namespace {
 
@@ -506,5 +594,7 @@ int main(int argc, char** argv) {
     fs::remove_all(rootsFolder, ignored);
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
+
+#endif
 
 #include "test_safe_file.moc"

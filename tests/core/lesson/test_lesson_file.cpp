@@ -24,7 +24,8 @@ private slots:
     void shippedLessonsAreAsTheirWriterWritesThem_data() {
         QTest::addColumn<QString>("file");
         for (const auto& file : samples::lessonFiles()) {
-            QTest::newRow(file.filename().c_str()) << QString::fromStdString(file);
+            QTest::newRow(file.filename().string().c_str())
+                << QString::fromStdString(file.string());
         }
     }
     void shippedLessonsAreAsTheirWriterWritesThem() {

@@ -224,16 +224,16 @@ private slots:
             for (const auto& entry :
                  std::filesystem::directory_iterator(samples::sourcePath(folder))) {
                 if (entry.path().extension() == ".sparkout") {
-                    QTest::newRow(entry.path().filename().c_str())
-                        << QString::fromStdString(entry.path()) << false;
+                    QTest::newRow(entry.path().filename().string().c_str())
+                        << QString::fromStdString(entry.path().string()) << false;
                 }
             }
         }
         for (const auto& entry :
              std::filesystem::directory_iterator(samples::sourcePath("tests/data/vectors"))) {
             if (entry.path().extension() == ".json") {
-                QTest::newRow(entry.path().filename().c_str())
-                    << QString::fromStdString(entry.path()) << true;
+                QTest::newRow(entry.path().filename().string().c_str())
+                    << QString::fromStdString(entry.path().string()) << true;
             }
         }
     }

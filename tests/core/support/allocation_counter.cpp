@@ -4,6 +4,9 @@
 #include <cstddef>
 #include <cstdlib>
 #include <new>
+#ifdef _WIN32
+#include <malloc.h>
+#endif
 
 namespace allocations {
 
@@ -14,7 +17,18 @@ namespace {
 void* allocate(std::size_t size, std::align_val_t alignment = std::align_val_t{16}) noexcept {
     ++count;
     const auto unit = static_cast<std::size_t>(alignment);
+#ifdef _WIN32
+    return ::_aligned_malloc(size + 1, unit);
+#else
     return std::aligned_alloc(unit, (size / unit + 1) * unit);
+#endif
+}
+void release(void* memory) noexcept {
+#ifdef _WIN32
+    ::_aligned_free(memory);
+#else
+    std::free(memory);
+#endif
 }
 void* orThrow(void* memory) {
     return memory ? memory : throw std::bad_alloc();
@@ -53,32 +67,32 @@ SPARKOUT_REPLACED* operator new[](std::size_t n, std::align_val_t a,
     return allocations::allocate(n, a);
 }
 SPARKOUT_REPLACED operator delete(void* p) noexcept {
-    std::free(p);
+    allocations::release(p);
 }
 SPARKOUT_REPLACED operator delete[](void* p) noexcept {
-    std::free(p);
+    allocations::release(p);
 }
 SPARKOUT_REPLACED operator delete(void* p, std::size_t) noexcept {
-    std::free(p);
+    allocations::release(p);
 }
 SPARKOUT_REPLACED operator delete[](void* p, std::size_t) noexcept {
-    std::free(p);
+    allocations::release(p);
 }
 SPARKOUT_REPLACED operator delete(void* p, std::align_val_t) noexcept {
-    std::free(p);
+    allocations::release(p);
 }
 SPARKOUT_REPLACED operator delete[](void* p, std::align_val_t) noexcept {
-    std::free(p);
+    allocations::release(p);
 }
 SPARKOUT_REPLACED operator delete(void* p, std::size_t, std::align_val_t) noexcept {
-    std::free(p);
+    allocations::release(p);
 }
 SPARKOUT_REPLACED operator delete[](void* p, std::size_t, std::align_val_t) noexcept {
-    std::free(p);
+    allocations::release(p);
 }
 SPARKOUT_REPLACED operator delete(void* p, const std::nothrow_t&) noexcept {
-    std::free(p);
+    allocations::release(p);
 }
 SPARKOUT_REPLACED operator delete[](void* p, const std::nothrow_t&) noexcept {
-    std::free(p);
+    allocations::release(p);
 }

@@ -12,6 +12,15 @@ namespace test_settings {
 
 using namespace sparkout;
 
+namespace {
+
+/// A path is whole with its drive, which Linux has none of.
+QString inRoot(const QString& path) {
+    return QDir::rootPath() + path;
+}
+
+} // namespace
+
 class TestSettings : public QObject {
     Q_OBJECT
 
@@ -28,7 +37,7 @@ private slots:
             settings.setLastFolder(QStringLiteral("/tmp/детали"));
             settings.setWindow(geometry, "state");
             settings.setStockOnDiameter(true);
-            settings.addRecentFile(QStringLiteral("/tmp/вал.sparkout"));
+            settings.addRecentFile(inRoot(QStringLiteral("tmp/вал.sparkout")));
         }
         const Settings again(file);
         QCOMPARE(again.language(), QStringLiteral("ru"));
@@ -38,7 +47,7 @@ private slots:
         QCOMPARE(again.lastFolder(), QStringLiteral("/tmp/детали"));
         QCOMPARE(again.windowGeometry(), geometry);
         QCOMPARE(again.windowState(), QByteArray("state"));
-        QCOMPARE(again.recentFiles(), QStringList{QStringLiteral("/tmp/вал.sparkout")});
+        QCOMPARE(again.recentFiles(), QStringList{inRoot(QStringLiteral("tmp/вал.sparkout"))});
         QVERIFY(again.damaged().isEmpty());
     }
 
@@ -85,13 +94,14 @@ private slots:
     void theNewestRecentFileComesFirstAndNineAreKept() {
         Settings settings = Settings::transient();
         for (int i = 0; i < 12; ++i) {
-            settings.addRecentFile(QStringLiteral("/tmp/%1.sparkout").arg(i));
+            settings.addRecentFile(inRoot(QStringLiteral("tmp/%1.sparkout")).arg(i));
         }
-        settings.addRecentFile(QStringLiteral("/tmp/../tmp/7.sparkout")); // as given, made absolute
-        settings.addRecentFile(QStringLiteral("/tmp/7.sparkout"));
+        const QString seventh = inRoot(QStringLiteral("tmp/7.sparkout"));
+        settings.addRecentFile(inRoot(QStringLiteral("tmp/../tmp/7.sparkout"))); // made absolute
+        settings.addRecentFile(seventh);
         QCOMPARE(settings.recentFiles().size(), 9);
-        QCOMPARE(settings.recentFiles().first(), QStringLiteral("/tmp/7.sparkout"));
-        QCOMPARE(settings.recentFiles().count(QStringLiteral("/tmp/7.sparkout")), 1);
+        QCOMPARE(settings.recentFiles().first(), seventh);
+        QCOMPARE(settings.recentFiles().count(seventh), 1);
     }
 
     // Both write the whole file; neither may take the other's away.
@@ -154,6 +164,31 @@ private slots:
         QVERIFY2(trouble::bytesOf(file).contains("\"later\""), "a newer version's key survives");
     }
 
+#ifdef Q_OS_WIN
+    void aFileOpenElsewhereStopsNobody() {
+        using trouble::Held;
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("settings.json"));
+        for (const auto against : {Held::Against::everything, Held::Against::replacing}) {
+            const QByteArray before = R"({"theme": "dark", "later": "kept"})";
+            trouble::write(file, before);
+            Settings settings(file);
+            QCOMPARE(settings.theme(), QStringLiteral("dark"));
+            {
+                const Held held(file, against);
+                settings.setTheme(QStringLiteral("light"));
+                const auto error = settings.flush();
+                QVERIFY(error && error->systemError != 0 && error->step != FileStep::write);
+                QCOMPARE(settings.theme(), QStringLiteral("light"));
+            }
+            QCOMPARE(trouble::bytesOf(file), before);
+            QVERIFY(!settings.flush());
+            QVERIFY(trouble::bytesOf(file).contains("\"later\""));
+            QCOMPARE(Settings(file).theme(), QStringLiteral("light"));
+            QCOMPARE(trouble::entries(folder.path()), QStringList{QStringLiteral("settings.json")});
+        }
+    }
+#else
     void aFolderThatTakesNoFilesOrAFullDiskStopsNobody() {
         const QTemporaryDir folder;
         const QString file = folder.filePath(QStringLiteral("settings.json"));
@@ -177,6 +212,7 @@ private slots:
         QVERIFY(Settings(file).theme() == u"dark" || Settings(file).theme() == u"light");
         QCOMPARE(trouble::entries(folder.path()), QStringList{QStringLiteral("settings.json")});
     }
+#endif
 
     void somethingElseInItsPlaceIsLeftAlone() {
         const QTemporaryDir folder;
@@ -191,9 +227,11 @@ private slots:
 
     void whatCannotBeReadIsNamedAndLeftAlone_data() {
         QTest::addColumn<QString>("kind");
-        QTest::newRow("pipe") << QStringLiteral("pipe");
-        QTest::newRow("zero") << QStringLiteral("zero");
-        QTest::newRow("folder") << QStringLiteral("folder");
+        for (const char* kind : {"pipe", "zero", "folder"}) {
+            if (trouble::strangeKinds().contains(QString::fromLatin1(kind))) {
+                QTest::newRow(kind) << QString::fromLatin1(kind);
+            }
+        }
     }
 
     void whatCannotBeReadIsNamedAndLeftAlone() {
@@ -213,6 +251,7 @@ private slots:
         QVERIFY(!Settings(folder.filePath(QStringLiteral("absent.json"))).unreadable());
     }
 
+#ifndef Q_OS_WIN
     // Its owner may write it, and for a while not read it.
     void whatCannotBeReadForAWhileIsNotWrittenOver() {
         const QTemporaryDir folder;
@@ -236,6 +275,7 @@ private slots:
         QVERIFY(after.contains("\"later\"") && after.contains("1.sparkout"));
         QCOMPARE(Settings(file).theme(), QStringLiteral("dark"));
     }
+#endif
 
     void aDamagedFileThatCannotBePutAsideStays_data() {
         QTest::addColumn<QByteArray>("bytes");

@@ -4,8 +4,15 @@
 #include <QByteArray>
 #include <QDir>
 #include <QFile>
+#include <QLockFile>
 #include <QString>
+#include <QTemporaryDir>
 
+#ifdef Q_OS_WIN
+#include <fcntl.h>
+#include <io.h>
+#include <share.h>
+#else
 #include <csignal>
 
 #include <sched.h>
@@ -13,11 +20,10 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#endif
 
 /// Trouble with disks and rights, made on purpose and in folders of the test's own.
 namespace trouble {
-
-constexpr uid_t nobody = 65534;
 
 inline QByteArray bytesOf(const QString& path) {
     QFile file(path);
@@ -29,6 +35,91 @@ inline void write(const QString& path, const QByteArray& bytes) {
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) {
         qFatal("the test cannot write %s", qPrintable(path));
     }
+}
+
+/// What is in a folder, hidden files too.
+inline QStringList entries(const QString& folder) {
+    return QDir(folder).entryList(
+        QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot, QDir::Name);
+}
+
+/// The lock of a program that no longer runs. What a lock calls this computer is asked of one.
+inline QByteArray deadLock() {
+    const QTemporaryDir folder;
+    QLockFile lock(folder.filePath(QStringLiteral("any")));
+    qint64 process = 0;
+    QString host, program;
+    if (!lock.tryLock() || !lock.getLockInfo(&process, &host, &program)) {
+        qFatal("the test cannot lock a file");
+    }
+    return "999999999\nsparkout\n" + host.toUtf8() + "\n\n\n";
+}
+
+/// What putStrange() can make here.
+inline QStringList strangeKinds() {
+#ifdef Q_OS_WIN
+    return {QStringLiteral("huge"), QStringLiteral("folder")};
+#else
+    return {QStringLiteral("pipe"), QStringLiteral("zero"), QStringLiteral("huge"),
+            QStringLiteral("folder"), QStringLiteral("dangling")};
+#endif
+}
+
+#ifdef Q_OS_WIN
+
+// A user without rights, a disk that is full and a pipe among the files are made on POSIX alone.
+// What stands in the way of a file here is that another program has it open.
+
+/// While it lives, a file is open elsewhere: nobody else reads or writes it, or nobody replaces it.
+class Held {
+public:
+    enum class Against { everything, replacing };
+    Held(const QString& path, Against against)
+        : m_file(::_wsopen(QDir::toNativeSeparators(path).toStdWString().c_str(),
+                           _O_RDWR | _O_BINARY,
+                           against == Against::everything ? _SH_DENYRW : _SH_DENYNO)) {
+        if (m_file < 0) {
+            qFatal("the test cannot hold %s", qPrintable(path));
+        }
+    }
+    Held(const Held&) = delete;
+    Held& operator=(const Held&) = delete;
+    ~Held() { ::_close(m_file); }
+
+private:
+    int m_file;
+};
+
+inline void putStrange(const QString& kind, const QString& path) {
+    bool made = false;
+    if (kind == u"folder") {
+        made = QDir().mkdir(path);
+    } else if (kind == u"huge") {
+        write(path, {});
+        made = QFile::resize(path, qint64{2} << 30);
+    }
+    if (!made) {
+        qFatal("the test cannot make %s", qPrintable(path));
+    }
+}
+
+/// Whether its owner may write a file is all that Windows has of a mode.
+inline void setMode(const QString& path, unsigned mode) {
+    QFile::Permissions allowed = QFile::ReadOwner | QFile::ReadUser;
+    if ((mode & 0200U) != 0) {
+        allowed |= QFile::WriteOwner | QFile::WriteUser;
+    }
+    if (!QFile::setPermissions(path, allowed)) {
+        qFatal("the test cannot set the attributes of %s", qPrintable(path));
+    }
+}
+
+#else
+
+constexpr uid_t nobody = 65534;
+
+inline bool mayBecomeAnother() {
+    return ::geteuid() == 0;
 }
 
 /// While it lives, root counts as nobody: root may write anything, so nothing could be forbidden.
@@ -112,10 +203,6 @@ inline bool mountSmallDisk(const QString& folder, int kilobytes) {
            == 0;
 }
 
-/// What is in a folder, hidden files too.
-inline QStringList entries(const QString& folder) {
-    return QDir(folder).entryList(
-        QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot, QDir::Name);
-}
+#endif
 
 } // namespace trouble
