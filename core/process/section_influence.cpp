@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sparkout {
 
@@ -31,8 +32,8 @@ Eigen::Map<const MatrixXd> square(const std::vector<double>& matrix, std::size_t
 
 } // namespace
 
-SectionInfluence::SectionInfluence(const std::vector<double>& influence_mm_n, std::size_t sections)
-    : m_size(sections), m_matrix(influence_mm_n) {
+SectionInfluence::SectionInfluence(std::vector<double> influence_mm_n, std::size_t sections)
+    : m_size(sections), m_matrix(std::move(influence_mm_n)) {
     if (m_size >= fewestSections) {
         findFactors();
     }
@@ -66,6 +67,10 @@ void SectionInfluence::findFactors() {
     const auto kept = static_cast<Index>(m_rank);
     m_rows.assign(m_rank * m_size, 0.0);
     m_columns.assign(m_rank * m_size, 0.0);
+    if (rank == 0) { // each gives way by itself, or nothing does
+        m_rank = isExact() ? m_rank : 0;
+        return;
+    }
     auto rows = Eigen::Map<MatrixXd>(m_rows.data(), kept, count).topRows(rank);
     auto columns = Eigen::Map<MatrixXd>(m_columns.data(), kept, count).topRows(rank);
     const MatrixXd basis = factors.householderQ() * MatrixXd::Identity(count - middle, rank);
@@ -73,18 +78,16 @@ void SectionInfluence::findFactors() {
     columns.leftCols(middle) = basis.transpose() * block;
     Eigen::ColPivHouseholderQR<MatrixXd> known;
     known.setThreshold(cutOff);
-    for (Index j = 1; j < middle && rank > 0; ++j) {
+    for (Index j = 1; j < middle; ++j) {
         known.compute(columns.leftCols(j).transpose());
         rows.col(j) = known.solve(G.row(j).head(j).transpose());
     }
-    for (Index l = middle; l + 1 < count && rank > 0; ++l) {
+    for (Index l = middle; l + 1 < count; ++l) {
         const Index below = count - l - 1;
         known.compute(rows.rightCols(below).transpose());
         columns.col(l) = known.solve(G.col(l).tail(below));
     }
-    if (!isExact()) {
-        m_rank = 0;
-    }
+    m_rank = isExact() ? m_rank : 0;
 }
 
 // As good as the usual product, for forces that are alike and for some that are not.
@@ -168,8 +171,8 @@ void SectionInfluence::solveShort(const double* added, const std::vector<std::pt
     }
     std::fill(x + next, x + m_size, 0.0);
     sum.setZero();
-    for (auto each = free.rbegin(); each != free.rend(); ++each) {
-        const auto j = static_cast<std::size_t>(*each);
+    for (std::size_t i = free.size(); i-- > 0;) {
+        const auto j = static_cast<std::size_t>(free[i]);
         x[j] = x[j] / m_pivots[j] - numbers<rank>(m_gains, j).dot(sum);
         sum += numbers<rank>(m_rows, j) * x[j];
     }

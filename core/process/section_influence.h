@@ -17,7 +17,7 @@ namespace sparkout {
 /// sections, goes the usual way.
 class SectionInfluence {
 public:
-    SectionInfluence(const std::vector<double>& influence_mm_n, std::size_t sections);
+    SectionInfluence(std::vector<double> influence_mm_n, std::size_t sections);
 
     [[nodiscard]] std::size_t size() const { return m_size; }
     [[nodiscard]] double own(std::size_t j) const { return m_matrix[j * m_size + j]; }    ///< G_jj
