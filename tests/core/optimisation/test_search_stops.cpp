@@ -11,6 +11,7 @@
 #include "core/process/system_compliance.h"
 #include "core/project/machine.h"
 #include "core/project/optimisation.h"
+#include "core/project/cycle.h"
 #include "core/project/part.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/optimisation/search_cases.h"
@@ -50,9 +51,15 @@ Project coupled(int sections, int radii) {
     return p;
 }
 
-/// Of which a cycle takes seconds, as many sections as there may be.
+/// Of which a cycle takes seconds: as many sections as there may be, and ten times the stock.
 Project slow() {
-    return coupled(200, 360);
+    Project p = coupled(200, 360);
+    p.part->stock_mm *= 10;
+    p.optimisation->stock_step_mm *= 10;
+    for (Stage& stage : p.cycle->stages) {
+        stage.stock_mm *= 10;
+    }
+    return p;
 }
 
 /// Time [ms] that the work goes on for after the stop, so long after its begin; the least of three.
