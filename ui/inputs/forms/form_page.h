@@ -56,7 +56,7 @@ public:
     [[nodiscard]] bool holds(const std::string& path);
     /// Scrolls to the field at a path, and gives it the focus if wanted.
     void showPath(const std::string& path, bool focus);
-    [[nodiscard]] const std::vector<FormRow*>& rows() const { return m_rows; }
+    [[nodiscard]] const std::vector<FormRow*>& rows() const { return m_rows; } ///< once built
 
 signals:
     void built();
