@@ -19,7 +19,6 @@ class SectionInfluence {
 public:
     SectionInfluence(std::vector<double> influence_mm_n, std::size_t sections);
 
-    [[nodiscard]] std::size_t size() const { return m_size; }
     [[nodiscard]] double own(std::size_t j) const { return m_matrix[j * m_size + j]; }    ///< G_jj
     [[nodiscard]] const double* of(std::size_t j) const { return &m_matrix[j * m_size]; } ///< G_j·
 
@@ -34,8 +33,8 @@ public:
 
     static constexpr std::size_t mostRank = 8;
     static constexpr std::size_t fewestSections = 32; ///< for fewer the usual way is as quick
-    static constexpr double mostError =
-        1e-14; ///< of a product, of what the forces do without signs
+    /// Of a product, in parts of what the forces do without signs.
+    static constexpr double mostError = 1e-14;
 
 private:
     void findFactors();
