@@ -24,16 +24,24 @@ run_test() { # PROGRAM NAME
     local -a words=("$2")
     [[ $2 != "$(basename "$1")" ]] || words=() # a program of one test
     # On Windows Qt's tests write to a file alone, where their output is led elsewhere.
-    timeout 1800 wine "$tests/$1.exe" "${words[@]}" -o "tests/$2.txt,txt" >"tests/$2.out" 2>&1
+    timeout 900 wine "$tests/$1.exe" "${words[@]}" -o "tests/$2.txt,txt" >"tests/$2.out" 2>&1
+    echo $? >"tests/$2.status"
 }
 
 passed() { # NAME, once it ran; the functions that failed are named
-    grep -q '^Totals: [1-9][0-9]* passed, 0 failed' "tests/$1.txt" && return
+    local status
+    status=$(cat "tests/$1.status")
+    if grep -q '^Totals: [1-9][0-9]* passed, 0 failed' "tests/$1.txt"; then
+        ((status)) || return 0
+        echo "    $1 did not end as it should: $status (124: not at all)"
+        return 1
+    fi
     grep -A2 '^FAIL!' "tests/$1.txt" || tail -n 3 "tests/$1.txt"
     return 1
 }
 
-mkdir -p tests
+rm -rf tests
+mkdir tests
 for program in "${test_programs[@]}"; do # two at a time, as ctest has them on Linux
     if [[ $program == */test_* ]]; then
         names=("$(basename "$program")")

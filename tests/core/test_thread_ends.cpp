@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a thread keeps for itself goes with it, in the right order (core/thread_keys_windows.cpp).
+#include "tests/registry.h"
+
+#include <QTest>
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <thread>
+
+namespace test_thread_ends {
+
+namespace {
+
+std::atomic<int> intact{0};
+
+/// So large that the system takes its memory back as soon as it is freed.
+struct Large {
+    std::array<int, 1 << 18> numbers{};
+    std::unique_ptr<int> last = std::make_unique<int>(7);
+    ~Large() { intact += numbers[1000] == 42 && *last == 7; }
+};
+thread_local Large large;
+
+} // namespace
+
+class TestThreadEnds : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aThreadsObjectsAreDestroyedBeforeTheirMemoryGoes() {
+        constexpr int threads = 5;
+        for (int i = 0; i < threads; ++i) {
+            std::jthread([] { large.numbers[1000] = 42; }).join();
+        }
+        QCOMPARE(intact.load(), threads);
+    }
+};
+
+} // namespace test_thread_ends
+
+SPARKOUT_TEST(test_thread_ends, TestThreadEnds)
+#include "test_thread_ends.moc"
