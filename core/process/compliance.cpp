@@ -176,12 +176,16 @@ std::vector<double> Compliance::rows(const std::vector<double>& at, const std::v
     };
     const std::vector<std::vector<double>> atEach = terms(at);
     const std::vector<std::vector<double>> fromEach = terms(from);
-    std::vector<double> G;
+    const bool isSymmetric = at == from;
+    std::vector<double> G(at.size() * from.size()); // 0: what was stopped
     for (std::size_t i = 0; i < at.size() && !stop.stop_requested(); ++i) {
-        for (std::size_t j = 0; j < from.size(); ++j)
-            G.push_back(with(atEach[i], fromEach[j], bareAt(onShaft(at[i]), onShaft(from[j]))));
+        for (std::size_t j = 0; j < (isSymmetric ? i + 1 : from.size()); ++j) {
+            const double g = with(atEach[i], fromEach[j], bareAt(onShaft(at[i]), onShaft(from[j])));
+            G[i * from.size() + j] = g;
+            if (isSymmetric)
+                G[j * from.size() + i] = g;
+        }
     }
-    G.resize(at.size() * from.size()); // what was stopped
     return G;
 }
 

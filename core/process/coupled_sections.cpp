@@ -40,6 +40,7 @@ public:
         , m_wholeWidth(m_width.sum())
         , m_influence(influence, widths.size())
         , m_own(mapped(influence).reshaped(m_count, m_count).diagonal())
+        , m_gamma((mapped(influence).reshaped(m_count, m_count) * mapped(widths)).cwiseMax(0))
         , m_now(m_count)
         , m_next(m_count)
         , m_step(m_count)
@@ -53,6 +54,8 @@ public:
     }
 
     Outcome solve(const double* lag_mm, double* root, const std::stop_token& stop);
+    void begin(const MapConst& h, Eigen::Ref<ArrayXd> u) const;
+    [[nodiscard]] const SectionInfluence& influence() const { return m_influence; }
     VectorXd force; ///< of the last solution
 
 private:
@@ -92,6 +95,9 @@ private:
     double m_wholeWidth;
     SectionInfluence m_influence;
     ArrayXd m_own; ///< G_jj
+    /// Σ_l G_jl·Δx_l; 0 where neighbours push a section towards the wheel, for that is no balance
+    /// of its own.
+    ArrayXd m_gamma;
     Point m_now, m_next;
     VectorXd m_step, m_reduced;
     ArrayXd m_gap;        ///< z, which becomes r where it is positive [mm]
@@ -136,20 +142,20 @@ CoupledSections::Outcome CoupledSections::Solver::solve(const double* lag_mm, do
     return outcome;
 }
 
-// Cold: each section's own balance with its neighbours at its pressure, a + γ·p(a) = h,
-// γ_j = Σ_l G_jl·Δx_l; the contact is left to the steps.
 void CoupledSections::Solver::start(const MapConst& h, const double* root) {
     m_now.u = MapConst(root, m_count).max(0);
     if ((m_now.u == 0).all()) {
-        for (Index j = 0; j < m_count; ++j) {
-            // Neighbours may push a section towards the wheel: γ below 0 is no balance of its own.
-            const double gamma = std::max(0.0, (influenceOf(j).array() * m_width).sum());
-            const double C = gamma * m_law.kr;
-            const double q = std::sqrt(C * C + 4 * (1 + gamma * m_law.ks) * std::max(0.0, h[j]));
-            m_now.u[j] = h[j] > 0 ? 2 * h[j] / (C + q) : 0;
-        }
+        begin(h, m_now.u);
     }
     m_now.f = m_width * m_now.u * (m_law.ks * m_now.u + m_law.kr);
+}
+
+void CoupledSections::Solver::begin(const MapConst& h, Eigen::Ref<ArrayXd> u) const {
+    for (Index j = 0; j < m_count; ++j) {
+        const double C = m_gamma[j] * m_law.kr;
+        const double q = std::sqrt(C * C + 4 * (1 + m_gamma[j] * m_law.ks) * std::max(0.0, h[j]));
+        u[j] = h[j] > 0 ? 2 * h[j] / (C + q) : 0;
+    }
 }
 
 // u is the root of k_s·u² + k_r·u = p.
@@ -413,8 +419,17 @@ CoupledSections::Outcome CoupledSections::solve(const double* lag_mm, double* ro
     return m_solver->solve(lag_mm, root, stop);
 }
 
+void CoupledSections::begin(const double* lag_mm, double* root) const {
+    const auto count = static_cast<Index>(size());
+    m_solver->begin(MapConst(lag_mm, count), Eigen::Map<ArrayXd>(root, count));
+}
+
 std::size_t CoupledSections::size() const {
     return static_cast<std::size_t>(m_solver->force.size());
+}
+
+const SectionInfluence& CoupledSections::influence() const {
+    return m_solver->influence();
 }
 
 const double* CoupledSections::sliceForces_n() const {

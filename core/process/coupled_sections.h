@@ -12,6 +12,8 @@
 
 namespace sparkout {
 
+class SectionInfluence;
+
 /// The elastic balance of sections that deflect each other [MODEL-6]: one radius, one revolution.
 /// Sections j = 0…J−1 of width Δx_j carry the pressures p_j = p(a_j), the normal force per unit
 /// width of the force law, p(a) = k_s·a + k_r·√a [N/mm]. With the influence function G [mm/N] at
@@ -83,7 +85,12 @@ public:
     /// A stop ends it within a factor, not converged.
     Outcome solve(const double* lag_mm, double* root, const std::stop_token& stop = {});
 
+    /// u where solve() begins cold: each section in its own balance, its neighbours at its
+    /// pressure, a + γ·p(a) = h, γ_j = Σ_l G_jl·Δx_l; the contact is left to the steps.
+    void begin(const double* lag_mm, double* root) const;
+
     [[nodiscard]] std::size_t size() const;
+    [[nodiscard]] const SectionInfluence& influence() const; ///< G
     /// f of the last solution [N], J values; their sum is the normal force on the wheel.
     [[nodiscard]] const double* sliceForces_n() const;
 

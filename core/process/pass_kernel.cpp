@@ -156,8 +156,12 @@ PassFunction passFunction(VectorUnit unit) {
     return unit == VectorUnit::avx2 ? cutAvx2 : cutBaseline;
 }
 
+VectorUnit widestUnit() {
+    return isSupported(VectorUnit::avx2) ? VectorUnit::avx2 : VectorUnit::baseline;
+}
+
 PassFunction widestPassFunction() {
-    return passFunction(isSupported(VectorUnit::avx2) ? VectorUnit::avx2 : VectorUnit::baseline);
+    return passFunction(widestUnit());
 }
 
 } // namespace sparkout

@@ -106,9 +106,11 @@ using PassFunction = double (*)(Lanes& lanes, const LaneCoefficients& coefficien
 enum class VectorUnit { baseline, avx2 };
 
 [[nodiscard]] bool isSupported(VectorUnit unit);
+/// The widest of this processor.
+[[nodiscard]] VectorUnit widestUnit();
 [[nodiscard]] PassFunction passFunction(VectorUnit unit);
 
-/// The function for the widest unit of this processor. All give bit-identical results.
+/// That of widestUnit(). All give bit-identical results.
 [[nodiscard]] PassFunction widestPassFunction();
 
 /// The largest P_y of each zone or section so far [N].

@@ -30,9 +30,13 @@ public:
     void solve(const double* added, const std::vector<std::ptrdiff_t>& free, double* x);
 
     [[nodiscard]] bool isShort() const { return m_rank > 0; } ///< in time proportional to J
+    /// How many numbers a section has: 3, 4 or `mostRank`; 0 where it is not short.
+    [[nodiscard]] std::size_t rank() const { return m_rank; }
+    [[nodiscard]] const std::vector<double>& rows() const { return m_rows; } ///< by sections
+    [[nodiscard]] const std::vector<double>& columns() const { return m_columns; }
 
     static constexpr std::size_t mostRank = 8;
-    static constexpr std::size_t fewestSections = 32; ///< for fewer the usual way is as quick
+    static constexpr std::size_t fewestSections = 8; ///< fewer have no block to tell by
     /// Of a product, in parts of what the forces do without signs.
     static constexpr double mostError = 1e-14;
 

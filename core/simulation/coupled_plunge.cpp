@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/coupled_plunge.h"
 
+#include "core/process/section_influence.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace sparkout {
@@ -35,8 +37,10 @@ std::vector<double> gaugeInfluence(const Project& project,
     return influenceRows(project, {points.back().position_mm}, positionsOf(points, sections), stop);
 }
 
-CoupledSections balance(const Project& project, const std::vector<CompliantPoint>& points,
-                        const std::stop_token& stop) {
+constexpr std::size_t sideBySide = CoupledRadii::sideBySide;
+
+CoupledSections balanceOf(const Project& project, const std::vector<CompliantPoint>& points,
+                          const std::stop_token& stop) {
     const auto sections = static_cast<std::size_t>(project.sections);
     const std::vector<double> middles = positionsOf(points, sections);
     const std::vector<double> widths(sections, project.part->length_mm / project.sections);
@@ -50,97 +54,218 @@ SectionCoupling::SectionCoupling(const Project& project, const std::vector<Compl
                                  const Blank& blank, const std::stop_token& stop)
     : m_radii(blank.depth_mm.size())
     , m_sections(static_cast<std::size_t>(project.sections))
-    , m_points(points.size())
     , m_sliceWidth(project.part->length_mm / project.sections)
     , m_law(forceLaw(project))
     , m_contact(wheelContact(project))
-    , m_balance(balance(project, points, stop))
+    , m_balance(balanceOf(project, points, stop))
     , m_gaugeInfluence(gaugeInfluence(project, points, stop))
-    , m_roots(m_radii * m_sections)
     , m_lag(m_sections)
+    , m_oneLag(m_sections)
+    , m_oneRoot(m_sections)
+    , m_fed((m_radii + sideBySide - 1) / sideBySide)
+    , m_normal(m_fed.size())
+    , m_tangential(m_fed.size())
     , m_wheelSpeed_m_s(project.machine->wheel_speed_m_s)
     , m_peaks(project.cycle->stages.size()) {
-    for (std::size_t point = 0; point < m_points; ++point) {
-        const std::vector<double>& depths = blank.depthAt(placeOfPoint(project, point));
-        m_depth.insert(m_depth.end(), depths.begin(), depths.end());
+    for (std::vector<Row>* rows : {&m_depth, &m_root, &m_rootBefore, &m_rootTwoBefore}) {
+        rows->resize(m_fed.size() * m_sections);
+    }
+    for (std::size_t j = 0; j < m_sections; ++j) {
+        const std::vector<double>& depths = blank.depthAt(placeOfPoint(project, j));
+        for (std::size_t k = 0; k < m_radii; ++k) {
+            m_depth[k / sideBySide * m_sections + j].of[k % sideBySide] = depths[k];
+        }
+    }
+    if (!m_gaugeInfluence.empty()) {
+        m_gaugeDepth = blank.depthAt(placeOfPoint(project, m_sections));
+    }
+    if (!m_contact && m_balance.influence().isShort()) {
+        m_sideBySide.emplace(m_balance.influence(), std::vector(m_sections, m_sliceWidth), m_law);
     }
 }
 
 SectionCoupling::Outcome SectionCoupling::solve(const PassFeed& feed, const Place& at,
                                                 CutWidth& width, const std::stop_token& stop) {
     for (std::size_t k = 0; k < m_radii; ++k) {
+        m_fed[k / sideBySide].of[k % sideBySide] =
+            feed.at(static_cast<double>(k + 1) / static_cast<double>(m_radii));
+    }
+    for (std::size_t block = 0; block < m_fed.size(); ++block) {
+        const std::size_t count = std::min(sideBySide, m_radii - block * sideBySide);
+        expect(block);
         if (stop.stop_requested()) {
             return Outcome::stopped;
         }
-        const double fed = feed.at(static_cast<double>(k + 1) / static_cast<double>(m_radii));
-        for (std::size_t j = 0; j < m_sections; ++j) {
-            m_lag[j] = fed - m_depth[j * m_radii + k];
-        }
-        double* roots = m_roots.data() + k * m_sections;
-        if (!m_balance.solve(m_lag.data(), roots, stop).converged) {
+        if (!balance(block, count, stop)) {
             return stop.stop_requested() ? Outcome::stopped : Outcome::notSolved;
         }
-        keepPeaks(roots, at);
-        for (std::size_t j = 0; j < m_sections; ++j) {
-            impose(j * m_radii + k, roots[j], m_lag[j], width);
-        }
-        if (!m_gaugeInfluence.empty()) {
-            const std::size_t lane = m_sections * m_radii + k;
-            const double lag = fed - m_depth[lane];
-            m_gaugeRoot = gaugeRoot(lag, m_gaugeRoot);
-            impose(lane, m_gaugeRoot, lag, width);
-        }
+        impose(block, count, width);
+    }
+    keepPeaks(at);
+    if (!m_gaugeInfluence.empty()) {
+        imposeGauge(width);
     }
     return Outcome::solved;
 }
 
-double SectionCoupling::gaugeRoot(double lag_mm, double from) const {
-    double a = lag_mm;
-    for (std::size_t l = 0; l < m_sections; ++l) {
-        a -= m_gaugeInfluence[l] * m_balance.sliceForces_n()[l];
+// The lag, and the roots that the last three revolutions let expect: the parabola through them.
+void SectionCoupling::expect(std::size_t block) {
+    const std::size_t first = block * m_sections;
+    Row *root = &m_root[first], *before = &m_rootBefore[first], *earlier = &m_rootTwoBefore[first];
+    const Row *depth = &m_depth[first], fed = m_fed[block];
+    Row* lag = m_lag.data();
+    for (std::size_t j = 0; j < m_sections; ++j) {
+        for (std::size_t k = 0; k < sideBySide; ++k) {
+            lag[j].of[k] = fed.of[k] - depth[j].of[k];
+            const double last = root[j].of[k], second = before[j].of[k], third = earlier[j].of[k];
+            root[j].of[k] = 3 * (last - second) + third;
+            before[j].of[k] = last;
+            earlier[j].of[k] = second;
+        }
     }
-    if (m_contact) {
-        const double width = m_sliceWidth * static_cast<double>(m_sections);
-        return m_contact->root({1, 0, width * m_law.ks, width * m_law.kr}, a, from);
+}
+
+bool SectionCoupling::balance(std::size_t block, std::size_t count, const std::stop_token& stop) {
+    CoupledRadii::Set solved;
+    if (m_sideBySide) {
+        CoupledRadii::Set asked;
+        for (std::size_t k = 0; k < count; ++k) {
+            asked[k] = m_rootBefore[block * m_sections].of[k] > 0 || begin(block, k);
+        }
+        solved = m_sideBySide->solve(m_lag.data(), &m_root[block * m_sections], asked);
     }
-    return std::sqrt(std::max(0.0, a));
+    for (std::size_t k = 0; k < count; ++k) {
+        if (!solved[k] && !balanceAlone(block, k, stop)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// The start of a radius that has not cut yet; false where the wheel does not reach all sections.
+bool SectionCoupling::begin(std::size_t block, std::size_t k) {
+    for (std::size_t j = 0; j < m_sections; ++j) {
+        m_oneLag[j] = m_lag[j].of[k];
+        if (!(m_oneLag[j] > 0)) {
+            return false;
+        }
+    }
+    m_balance.begin(m_oneLag.data(), m_oneRoot.data());
+    for (std::size_t j = 0; j < m_sections; ++j) {
+        m_root[block * m_sections + j].of[k] = m_oneRoot[j];
+    }
+    return true;
+}
+
+bool SectionCoupling::balanceAlone(std::size_t block, std::size_t k, const std::stop_token& stop) {
+    const std::size_t first = block * m_sections;
+    for (std::size_t j = 0; j < m_sections; ++j) {
+        m_oneLag[j] = m_lag[j].of[k];
+        m_oneRoot[j] = m_rootBefore[first + j].of[k];
+    }
+    if (std::ranges::all_of(m_oneLag, [](double h) { return h <= 0; })) {
+        std::ranges::fill(m_oneRoot, 0.0); // nothing presses the wheel anywhere
+    } else if (!m_balance.solve(m_oneLag.data(), m_oneRoot.data(), stop).converged) {
+        return false;
+    }
+    for (std::size_t j = 0; j < m_sections; ++j) {
+        m_root[first + j].of[k] = m_oneRoot[j];
+    }
+    return true;
 }
 
 // The pass computes q = √(C² + 4A·h) and u = (q − C)/(2A), or 2h/(C + q) with a very dull wheel:
 // with C = 4A = 0 and the right C² both give the root that is asked for.
-void SectionCoupling::impose(std::size_t lane, double root, double lag_mm, CutWidth& width) {
-    LaneCoefficients& lanes = width.coefficients;
-    lanes.C[lane] = 0;
-    lanes.A4[lane] = 0;
-    lanes.inverse2A[lane] = 1;
-    if (width.bkr > multipliedFormLimit * width.bks) {
-        const double q = 2 * lag_mm / root; // no root: infinite, and 2h/q is none again
-        lanes.C2[lane] = root > 0 ? q * q : std::numeric_limits<double>::infinity();
-    } else {
-        lanes.C2[lane] = root * root;
-    }
-    m_depth[lane] += root * root;
+void SectionCoupling::takeOver(CutWidth& width) {
+    std::ranges::fill(width.coefficients.C, 0.0);
+    std::ranges::fill(width.coefficients.A4, 0.0);
+    std::ranges::fill(width.coefficients.inverse2A, 1.0);
 }
 
-void SectionCoupling::keepPeaks(const double* roots, const Place& at) {
-    double force = 0;
-    double tangential = 0;
-    std::size_t deepest = 0;
-    for (std::size_t j = 0; j < m_sections; ++j) {
-        force += m_law.normal(m_sliceWidth, roots[j]);
-        tangential += m_law.tangential(m_sliceWidth, roots[j]);
-        deepest = roots[j] > roots[deepest] ? j : deepest;
+void SectionCoupling::impose(std::size_t block, std::size_t count, CutWidth& width) {
+    const std::size_t first = block * m_sections;
+    const bool divides = width.bkr > multipliedFormLimit * width.bks;
+    const double slice = m_sliceWidth;
+    const ForceLaw law = m_law; // which no store below can change
+    const Row* roots = &m_root[first];
+    Row* depth = &m_depth[first];
+    Row normal = {}, tangential = {};
+    double* C2 = &width.coefficients.C2[block * sideBySide];
+    for (std::size_t j = 0; j < m_sections; ++j, C2 += m_radii) {
+        Row square;
+        for (std::size_t k = 0; k < sideBySide; ++k) {
+            const double u = roots[j].of[k];
+            square.of[k] = u * u;
+            depth[j].of[k] += square.of[k];
+            normal.of[k] += law.normal(slice, u);
+            tangential.of[k] += law.tangential(slice, u);
+        }
+        if (divides) {
+            for (std::size_t k = 0; k < sideBySide; ++k) { // no root: infinite, and 2h/q none again
+                const double q = 2 * m_lag[j].of[k] / roots[j].of[k];
+                square.of[k] = roots[j].of[k] > 0 ? q * q : std::numeric_limits<double>::infinity();
+            }
+        }
+        if (count == sideBySide) {
+            std::memcpy(C2, &square, sizeof square);
+        } else {
+            std::copy_n(square.of, count, C2);
+        }
     }
-    Place place = at;
-    place.section = static_cast<int>(deepest);
-    const auto keep = [&place](Peak& peak, double value) {
-        if (value > peak.value) {
-            peak = {value, place};
+    m_normal[block] = normal;
+    m_tangential[block] = tangential;
+}
+
+// A free gauge is moved by all forces.
+void SectionCoupling::imposeGauge(CutWidth& width) {
+    for (std::size_t k = 0; k < m_radii; ++k) {
+        const double lag = m_fed[k / sideBySide].of[k % sideBySide] - m_gaugeDepth[k];
+        const Row* roots = &m_root[k / sideBySide * m_sections];
+        double a = lag;
+        for (std::size_t l = 0; l < m_sections; ++l) {
+            a -= m_gaugeInfluence[l] * m_law.normal(m_sliceWidth, roots[l].of[k % sideBySide]);
+        }
+        const double across = m_sliceWidth * static_cast<double>(m_sections);
+        m_gaugeRoot = m_contact ? m_contact->root({1, 0, across * m_law.ks, across * m_law.kr}, a,
+                                                  m_gaugeRoot)
+                                : std::sqrt(std::max(0.0, a));
+        const double q =
+            width.bkr > multipliedFormLimit * width.bks
+                ? m_gaugeRoot > 0 ? 2 * lag / m_gaugeRoot : std::numeric_limits<double>::infinity()
+                : m_gaugeRoot;
+        width.coefficients.C2[m_sections * m_radii + k] = q * q;
+        m_gaugeDepth[k] += m_gaugeRoot * m_gaugeRoot;
+    }
+}
+
+void SectionCoupling::keepPeaks(const Place& at) {
+    const auto keep = [&](Peak& peak, const std::vector<Row>& values, double factor) {
+        std::size_t largest = 0;
+        const auto value = [&](std::size_t k) {
+            return values[k / sideBySide].of[k % sideBySide] * factor;
+        };
+        for (std::size_t k = 1; k < m_radii; ++k) {
+            largest = value(k) > value(largest) ? k : largest;
+        }
+        if (value(largest) > peak.value) {
+            Place place = at;
+            place.section = static_cast<int>(deepest(largest));
+            peak = {value(largest), place};
         }
     };
     StagePeaks& peaks = m_peaks[static_cast<std::size_t>(at.stage - 1)];
-    keep(peaks.normalForce_n, force);
-    keep(peaks.power_w, tangential * m_wheelSpeed_m_s);
+    keep(peaks.normalForce_n, m_normal, 1);
+    keep(peaks.power_w, m_tangential, m_wheelSpeed_m_s);
+}
+
+/// The section that radius k is cut deepest in, the first of them.
+std::size_t SectionCoupling::deepest(std::size_t k) const {
+    const Row* roots = &m_root[k / sideBySide * m_sections];
+    std::size_t most = 0;
+    for (std::size_t j = 1; j < m_sections; ++j) {
+        most = roots[j].of[k % sideBySide] > roots[most].of[k % sideBySide] ? j : most;
+    }
+    return most;
 }
 
 void SectionCoupling::putPeaks(SimulationResult& result) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/process/contact_compliance.h"
+#include "core/process/coupled_radii.h"
 #include "core/process/coupled_sections.h"
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
@@ -15,8 +16,9 @@ namespace sparkout {
 
 /// Sections coupled [MODEL-6]: what the plunge cycle does differently when a force in one section
 /// deflects the others too. Before a revolution it solves the balance of all sections for every
-/// radius and sets the coefficients under which the pass then cuts exactly these depths. Stages,
-/// gauge, trajectory and books are those of the cycle with independent sections.
+/// radius, eight by eight where that is possible, and sets the coefficients under which the pass
+/// then cuts exactly these depths. Stages, gauge, trajectory and books are those of the cycle with
+/// independent sections.
 ///
 /// The discrete influence of the sections is G(x_j,x_l)·Δx, Δx = L_p/J. A section of the
 /// independent model is one whose G has nothing beside G_jj·Δx = γ_j·L_p. A free gauge is a place
@@ -32,6 +34,8 @@ public:
 
     enum class Outcome { solved, notSolved, stopped };
 
+    /// Once, of the width that solve() is given: leaves C² alone to say what a pass cuts.
+    static void takeOver(CutWidth& width);
     /// Solves the coming revolution and puts it into `width`. `at` is where it stands in the cycle.
     Outcome solve(const PassFeed& feed, const Place& at, CutWidth& width,
                   const std::stop_token& stop);
@@ -43,19 +47,32 @@ private:
     struct StagePeaks {
         Peak normalForce_n, power_w;
     };
-    void keepPeaks(const double* roots, const Place& at);
-    [[nodiscard]] double gaugeRoot(double lag_mm, double from) const;
-    void impose(std::size_t lane, double root, double lag_mm, CutWidth& width);
+    using Row = CoupledRadii::Row;
+    void expect(std::size_t block);
+    [[nodiscard]] bool balance(std::size_t block, std::size_t count, const std::stop_token& stop);
+    [[nodiscard]] bool begin(std::size_t block, std::size_t k);
+    [[nodiscard]] bool balanceAlone(std::size_t block, std::size_t k, const std::stop_token& stop);
+    void impose(std::size_t block, std::size_t count, CutWidth& width);
+    void imposeGauge(CutWidth& width);
+    void keepPeaks(const Place& at);
+    [[nodiscard]] std::size_t deepest(std::size_t k) const;
 
-    std::size_t m_radii, m_sections, m_points;
+    std::size_t m_radii, m_sections;
     double m_sliceWidth;
     ForceLaw m_law;
     std::optional<ContactCompliance> m_contact;
     CoupledSections m_balance;
-    std::vector<double> m_gaugeInfluence; ///< G(x_gauge, x_l), empty without a free gauge
-    std::vector<double> m_depth;          ///< of each lane, as the run keeps it [mm]
-    std::vector<double> m_roots;          ///< of the last revolution, radius by radius, J each
-    std::vector<double> m_lag;            ///< of one radius, J values
+    std::optional<CoupledRadii> m_sideBySide; ///< where the balance allows it
+    std::vector<double> m_gaugeInfluence;     ///< G(x_gauge, x_l), empty without a free gauge
+    /// Radii stand eight by eight; in each such block a row for each section.
+    std::vector<Row> m_depth; ///< of each lane, as the run keeps it [mm]
+    std::vector<Row> m_root;  ///< u of the last revolution, and of those before it [√mm]
+    std::vector<Row> m_rootBefore, m_rootTwoBefore;
+    std::vector<Row> m_lag;                  ///< of one block [mm]
+    std::vector<double> m_oneLag, m_oneRoot; ///< of one radius
+    std::vector<double> m_gaugeDepth;        ///< of each radius [mm]
+    std::vector<Row> m_fed;                  ///< t_П, a row for each block [mm]
+    std::vector<Row> m_normal, m_tangential; ///< the same of the forces of all sections [N]
     double m_wheelSpeed_m_s;
     double m_gaugeRoot = 0;          ///< of the last radius
     std::vector<StagePeaks> m_peaks; ///< of each stage of the cycle

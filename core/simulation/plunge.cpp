@@ -41,6 +41,7 @@ public:
         }
         if (isCoupled(project)) {
             m_coupling.emplace(project, points(project, stop), m_run.blank(), stop);
+            SectionCoupling::takeOver(*m_width);
         }
     }
 

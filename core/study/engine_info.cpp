@@ -16,9 +16,8 @@ std::string dotted(int major, int minor, int patch) {
     return std::to_string(major) + '.' + std::to_string(minor) + '.' + std::to_string(patch);
 }
 
-/// That of widestPassFunction().
 std::string vectorUnitInUse() {
-    return isSupported(VectorUnit::avx2) ? "AVX2" : "SSE2";
+    return widestUnit() == VectorUnit::avx2 ? "AVX2" : "SSE2";
 }
 
 } // namespace

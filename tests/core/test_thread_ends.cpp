@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a thread keeps for itself goes with it, in the right order (core/thread_keys_windows.cpp).
+// What a thread keeps for itself goes with it, in the right order (cmake/thread_keys.cpp).
 #include "tests/registry.h"
 
 #include <QTest>
