@@ -5,6 +5,7 @@
 #include "core/process/section_influence.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -133,7 +134,8 @@ template <class Register, std::size_t rank>
             const Register du = df * inverse;
             const Register square = du * du;
             u = moving[v] > 0 ? u - du : u;
-            least[v] = least[v] < u ? least[v] : u; // no number reaches the last section, and stays
+            // What is no number spreads by the sum up to section 0, the last, and so is left here.
+            least[v] = least[v] < u ? least[v] : u;
             most[v] = most[v] > square ? most[v] : square;
             store(step.root[j], u, v);
         }
@@ -170,9 +172,10 @@ auto newton(VectorUnit unit) {
 
 CoupledRadii::CoupledRadii(const SectionInfluence& influence, const std::vector<double>& widths_mm,
                            const ForceLaw& law, VectorUnit unit)
-    : m_take(influence.rank() == 3   ? newton<3>(unit)
+    : m_step(influence.rank() == 3   ? newton<3>(unit)
              : influence.rank() == 4 ? newton<4>(unit)
                                      : newton<SectionInfluence::mostRank>(unit)) {
+    assert(influence.isShort());
     const std::size_t sections = widths_mm.size();
     Balance& b = m_balance;
     b.rows = influence.rows();
@@ -199,7 +202,7 @@ CoupledRadii::Set CoupledRadii::solve(const Row* lag_mm, Row* root, Set asked) {
         for (std::size_t k = 0; k < sideBySide; ++k) {
             step.moving.of[k] = moving[k] ? 1 : 0;
         }
-        m_take(m_balance, step);
+        m_step(m_balance, step);
         for (std::size_t k = 0; k < sideBySide; ++k) {
             const bool cuts = step.least.of[k] > 0;
             const bool isLast = cuts && m_leaves * step.most.of[k] <= CoupledSections::tolerance_mm;

@@ -18,8 +18,8 @@ class SectionInfluence;
 ///     r_j = u_j² + Σ_l G_jl·f_l − h_j,      (D + G)·δf = −r,      D = 2u/f′,      δu = δf/f′
 ///
 /// in time proportional to J: G is semiseparable (SectionInfluence), and D + G = L·Δ·Lᵀ with L of
-/// the same form. G being linear, a step leaves only what u² and f have beside their tangents, δu²
-/// and Δx·k_s·δu²:
+/// the same form. G being linear, a step leaves only what u² and f have beyond their tangents, δu²
+/// and Δx·k_s·δu², but for rounding:
 ///
 ///     |r_j| ≤ (1 + max_j Σ_l |G_jl|·Δx_l·k_s)·max_l δu_l²
 ///
@@ -40,9 +40,9 @@ public:
     CoupledRadii(const SectionInfluence& influence, const std::vector<double>& widths_mm,
                  const ForceLaw& law, VectorUnit unit = widestUnit());
 
-    /// `lag_mm` has a row of h for each section [mm]; `root` one of u where the steps begin, and
-    /// takes what they come to [√mm]. Returns which of those asked for are solved, each as it would
-    /// be alone, with every vector unit to the bit; the others keep no meaning.
+    /// `lag_mm` has a row of h for each section [mm]; `root` one of u ≥ 0 where the steps begin,
+    /// and takes what they come to [√mm]. Returns which of those asked for are solved, each as it
+    /// would be alone, with every vector unit to the bit; the others keep no meaning.
     [[nodiscard]] Set solve(const Row* lag_mm, Row* root, Set asked);
 
     /// All that a step reads and writes beside these.
@@ -64,7 +64,7 @@ public:
 private:
     Balance m_balance;
     double m_leaves = 1; ///< the bound on |r| is this times max δu² [1]
-    void (*m_take)(Balance& balance, Step& step);
+    void (*m_step)(Balance& balance, Step& step);
 };
 
 } // namespace sparkout

@@ -36,7 +36,7 @@ public:
     [[nodiscard]] const std::vector<double>& columns() const { return m_columns; }
 
     static constexpr std::size_t mostRank = 8;
-    static constexpr std::size_t fewestSections = 8; ///< fewer have no block to tell by
+    static constexpr std::size_t fewestSections = 8; ///< for fewer it is no quicker
     /// Of a product, in parts of what the forces do without signs.
     static constexpr double mostError = 1e-14;
 

@@ -62,6 +62,7 @@ SectionCoupling::SectionCoupling(const Project& project, const std::vector<Compl
     , m_lag(m_sections)
     , m_oneLag(m_sections)
     , m_oneRoot(m_sections)
+    , m_cuts(m_radii, Cut::none)
     , m_fed((m_radii + sideBySide - 1) / sideBySide)
     , m_normal(m_fed.size())
     , m_tangential(m_fed.size())
@@ -92,10 +93,10 @@ SectionCoupling::Outcome SectionCoupling::solve(const PassFeed& feed, const Plac
     }
     for (std::size_t block = 0; block < m_fed.size(); ++block) {
         const std::size_t count = std::min(sideBySide, m_radii - block * sideBySide);
-        expect(block);
         if (stop.stop_requested()) {
             return Outcome::stopped;
         }
+        expect(block);
         if (!balance(block, count, stop)) {
             return stop.stop_requested() ? Outcome::stopped : Outcome::notSolved;
         }
@@ -118,7 +119,8 @@ void SectionCoupling::expect(std::size_t block) {
         for (std::size_t k = 0; k < sideBySide; ++k) {
             lag[j].of[k] = fed.of[k] - depth[j].of[k];
             const double last = root[j].of[k], second = before[j].of[k], third = earlier[j].of[k];
-            root[j].of[k] = 3 * (last - second) + third;
+            const double expected = 3 * (last - second) + third;
+            root[j].of[k] = expected > 0 ? expected : last;
             before[j].of[k] = last;
             earlier[j].of[k] = second;
         }
@@ -126,23 +128,26 @@ void SectionCoupling::expect(std::size_t block) {
 }
 
 bool SectionCoupling::balance(std::size_t block, std::size_t count, const std::stop_token& stop) {
+    Cut* const cuts = &m_cuts[block * sideBySide];
     CoupledRadii::Set solved;
     if (m_sideBySide) {
         CoupledRadii::Set asked;
         for (std::size_t k = 0; k < count; ++k) {
-            asked[k] = m_rootBefore[block * m_sections].of[k] > 0 || begin(block, k);
+            asked[k] = cuts[k] == Cut::all || (cuts[k] == Cut::none && begin(block, k));
         }
         solved = m_sideBySide->solve(m_lag.data(), &m_root[block * m_sections], asked);
     }
     for (std::size_t k = 0; k < count; ++k) {
-        if (!solved[k] && !balanceAlone(block, k, stop)) {
+        if (solved[k]) {
+            cuts[k] = Cut::all;
+        } else if (!balanceAlone(block, k, stop)) {
             return false;
         }
     }
     return true;
 }
 
-// The start of a radius that has not cut yet; false where the wheel does not reach all sections.
+// The start of a radius that did not cut; false where the wheel does not reach all sections.
 bool SectionCoupling::begin(std::size_t block, std::size_t k) {
     for (std::size_t j = 0; j < m_sections; ++j) {
         m_oneLag[j] = m_lag[j].of[k];
@@ -168,9 +173,14 @@ bool SectionCoupling::balanceAlone(std::size_t block, std::size_t k, const std::
     } else if (!m_balance.solve(m_oneLag.data(), m_oneRoot.data(), stop).converged) {
         return false;
     }
+    std::size_t cutting = 0;
     for (std::size_t j = 0; j < m_sections; ++j) {
         m_root[first + j].of[k] = m_oneRoot[j];
+        cutting += m_oneRoot[j] > 0 ? 1 : 0;
     }
+    m_cuts[block * sideBySide + k] = cutting == 0            ? Cut::none
+                                     : cutting == m_sections ? Cut::all
+                                                             : Cut::some;
     return true;
 }
 
@@ -190,8 +200,7 @@ void SectionCoupling::impose(std::size_t block, std::size_t count, CutWidth& wid
     const Row* roots = &m_root[first];
     Row* depth = &m_depth[first];
     Row normal = {}, tangential = {};
-    double* C2 = &width.coefficients.C2[block * sideBySide];
-    for (std::size_t j = 0; j < m_sections; ++j, C2 += m_radii) {
+    for (std::size_t j = 0; j < m_sections; ++j) {
         Row square;
         for (std::size_t k = 0; k < sideBySide; ++k) {
             const double u = roots[j].of[k];
@@ -206,6 +215,7 @@ void SectionCoupling::impose(std::size_t block, std::size_t count, CutWidth& wid
                 square.of[k] = roots[j].of[k] > 0 ? q * q : std::numeric_limits<double>::infinity();
             }
         }
+        double* const C2 = &width.coefficients.C2[j * m_radii + block * sideBySide];
         if (count == sideBySide) {
             std::memcpy(C2, &square, sizeof square);
         } else {

@@ -16,7 +16,7 @@ namespace sparkout {
 
 /// Sections coupled [MODEL-6]: what the plunge cycle does differently when a force in one section
 /// deflects the others too. Before a revolution it solves the balance of all sections for every
-/// radius, eight by eight where that is possible, and sets the coefficients under which the pass
+/// radius, eight at a time where that is possible, and sets the coefficients under which the pass
 /// then cuts exactly these depths. Stages, gauge, trajectory and books are those of the cycle with
 /// independent sections.
 ///
@@ -48,6 +48,7 @@ private:
         Peak normalForce_n, power_w;
     };
     using Row = CoupledRadii::Row;
+    enum class Cut { none, some, all }; ///< in how many sections a radius was cut
     void expect(std::size_t block);
     [[nodiscard]] bool balance(std::size_t block, std::size_t count, const std::stop_token& stop);
     [[nodiscard]] bool begin(std::size_t block, std::size_t k);
@@ -64,15 +65,16 @@ private:
     CoupledSections m_balance;
     std::optional<CoupledRadii> m_sideBySide; ///< where the balance allows it
     std::vector<double> m_gaugeInfluence;     ///< G(x_gauge, x_l), empty without a free gauge
-    /// Radii stand eight by eight; in each such block a row for each section.
+    /// Radii stand in eights, the blocks; in each block a row for each section.
     std::vector<Row> m_depth; ///< of each lane, as the run keeps it [mm]
-    std::vector<Row> m_root;  ///< u of the last revolution, and of those before it [√mm]
-    std::vector<Row> m_rootBefore, m_rootTwoBefore;
-    std::vector<Row> m_lag;                  ///< of one block [mm]
-    std::vector<double> m_oneLag, m_oneRoot; ///< of one radius
-    std::vector<double> m_gaugeDepth;        ///< of each radius [mm]
-    std::vector<Row> m_fed;                  ///< t_П, a row for each block [mm]
-    std::vector<Row> m_normal, m_tangential; ///< the same of the forces of all sections [N]
+    std::vector<Row> m_root;  ///< u of the last revolution, from expect() on of the coming [√mm]
+    std::vector<Row> m_rootBefore, m_rootTwoBefore; ///< of the two before that
+    std::vector<Row> m_lag;                         ///< of one block [mm]
+    std::vector<double> m_oneLag, m_oneRoot;        ///< of one radius
+    std::vector<Cut> m_cuts;                        ///< of each radius in the last revolution
+    std::vector<double> m_gaugeDepth;               ///< of each radius [mm]
+    std::vector<Row> m_fed;                         ///< t_П, a row for each block [mm]
+    std::vector<Row> m_normal, m_tangential;        ///< the same of the forces of all sections [N]
     double m_wheelSpeed_m_s;
     double m_gaugeRoot = 0;          ///< of the last radius
     std::vector<StagePeaks> m_peaks; ///< of each stage of the cycle

@@ -51,9 +51,11 @@ Project coupled(int sections, int radii) {
     return p;
 }
 
-/// Of which a cycle takes seconds: as many sections as there may be, and ten times the stock.
+/// Of which a cycle takes seconds: as many sections as there may be, ten times the stock, and a
+/// wheel contact that yields, with which each radius is solved by itself.
 Project slow() {
     Project p = coupled(200, 360);
+    p.machine->wheel_contact = WheelContact{std::vector<std::vector<double>>{{1000, 50}}};
     p.part->stock_mm *= 10;
     p.optimisation->stock_step_mm *= 10;
     for (Stage& stage : p.cycle->stages) {

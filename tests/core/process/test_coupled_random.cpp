@@ -100,8 +100,8 @@ void drawCycle(Draw& draw, Project& p) {
 
 int drawSections(Draw& draw) {
     const double kind = draw.uniform(0, 1);
-    return kind < 0.95     ? draw.whole(2, 8)
-           : kind < 0.99   ? draw.whole(9, 25)
+    return kind < 0.95     ? draw.whole(2, 14)
+           : kind < 0.99   ? draw.whole(15, 25)
            : kind < 0.9995 ? draw.whole(26, 70)
                            : draw.whole(71, 200);
 }
@@ -114,7 +114,7 @@ Project randomProject(std::uint64_t seed) {
     p.sections_coupled = true;
     p.sections = drawSections(draw);
     p.part->diameter_mm = draw.logUniform(8, 120);
-    p.part->radii_per_section = p.sections > 40 ? 4 : 2 * draw.whole(2, 4);
+    p.part->radii_per_section = p.sections > 40 ? 4 : 2 * draw.whole(2, 6);
     p.part->initial_runout_mm = draw.chance(0.2) ? 0 : draw.logUniform(1e-4, 0.1);
     p.part->stock_mm = p.part->initial_runout_mm * draw.uniform(0, 1) + draw.logUniform(5e-3, 0.3);
     drawShaft(draw, p);

@@ -64,7 +64,14 @@ double middle(const Project& p, int j) {
     return p.part->length_mm * (j + 0.5) / p.sections;
 }
 
-/// The passes of a revolution stand side by side, from the headstock on.
+/// Radii are solved one by one, and side by side.
+void someSections(int few, int more) {
+    QTest::addColumn<int>("sections");
+    QTest::newRow("one by one") << few;
+    QTest::newRow("side by side") << more;
+}
+
+/// The passes of a revolution stand next to each other, from the headstock on.
 const Visit& visitOf(const Traced& run, int revolution, int section, int k) {
     const int sections = run.result.project.sections;
     return run.visit(run.trajectory.passes[std::size_t(revolution * sections + section)], k);
@@ -85,6 +92,10 @@ private slots:
         QTest::newRow("sharp") << 6 << 0.0 << false;
         QTest::newRow("dull") << 8 << 0.2 << false;
         QTest::newRow("bore") << 5 << 0.02 << true;
+        // From eight sections on radii are solved side by side.
+        QTest::newRow("sharp, side by side") << 10 << 0.0 << false;
+        QTest::newRow("bore, side by side") << 9 << 0.02 << true;
+        QTest::newRow("contact is lost and comes back") << 10 << 0.02 << false;
     }
     void everyRevolutionSatisfiesTheConditions() {
         QFETCH(int, sections);
@@ -94,6 +105,11 @@ private slots:
         p.wheel->dullness = dullness;
         p.cycle->stages = {plungeStage(0.9, 0.15), plungeStage(0.2, 0.05),
                            sparkStage(fixtures::count(20))};
+        const bool losesContact = sections == 10 && dullness > 0;
+        if (losesContact) {
+            p.cycle->stages = {plungeStage(0.9, 0.1), plungeStage(-60, 0.08),
+                               plungeStage(0.3, 0.02)};
+        }
         if (bore) {
             p.part->surface = Surface::internal;
             p.wheel->diameter_mm = 20;
@@ -114,8 +130,9 @@ private slots:
         const std::vector<double> blank = fixtures::blankDepths(p);
         const double slice = p.part->length_mm / sections;
         const int revolutions = run.result.cycleCount;
-        int cutting = 0;
+        int cutting = 0, idleLast = 0;
         for (int m = 0; m < revolutions; ++m) {
+            const int cutBefore = cutting;
             for (int k = 0; k < p.part->radii_per_section; ++k) {
                 for (int j = 0; j < sections; ++j) {
                     const Visit& v = visitOf(run, m, j, k);
@@ -134,8 +151,10 @@ private slots:
                     cutting += v.actual_mm > 0;
                 }
             }
+            idleLast = cutting == cutBefore ? m : idleLast;
         }
         QVERIFY(cutting > revolutions * sections);
+        QVERIFY(!losesContact || (idleLast > 10 && idleLast < revolutions - 10));
     }
 
     // J = 1: G(x,x) at the middle is the one compliance there is.
@@ -272,16 +291,18 @@ private slots:
         QVERIFY2(fine < coarse / 5, qPrintable(QStringLiteral("%1 %2").arg(coarse).arg(fine)));
     }
 
+    void freeGaugeOnASectionReadsThatSection_data() { someSections(5, 9); }
     void freeGaugeOnASectionReadsThatSection() {
-        for (int j = 0; j < 5; ++j) {
-            Project fixed = slender(5);
+        QFETCH(int, sections);
+        for (int j = 0; j < sections; ++j) {
+            Project fixed = slender(sections);
             fixed.gauge->section = j;
-            Project free = slender(5);
+            Project free = slender(sections);
             free.gauge->position_mm = middle(free, j);
             const SimulationResult one = simulateUnchecked(fixed), two = simulateUnchecked(free);
             QCOMPARE(one.countsByStage, two.countsByStage);
             QVERIFY(within(one.gaugeReading_mm, two.gaugeReading_mm, 1e-11));
-            QCOMPARE(two.sections.size(), std::size_t(5));
+            QCOMPARE(two.sections.size(), std::size_t(sections));
             QCOMPARE(one.sections[2].radii_mm, two.sections[2].radii_mm);
         }
     }
@@ -304,8 +325,10 @@ private slots:
         QVERIFY(within(rigid / 2, targetRadius(*p.part) + 0.005 / 4, 1e-9));
     }
 
+    void veryDullWheelOnVerySlowWorkKeepsTheDepths_data() { someSections(3, 9); }
     void veryDullWheelOnVerySlowWorkKeepsTheDepths() {
-        Project p = slender(3);
+        QFETCH(int, sections);
+        Project p = slender(sections);
         p.wheel->dullness = 1;
         p.machine->work_speed_rpm = 2;
         p.cycle->stages = {plungeStage(0.01, 0.2)};
@@ -316,9 +339,9 @@ private slots:
         for (int m = 0; m < run.result.cycleCount; ++m) {
             const Visit& v = visitOf(run, m, 1, 5);
             double rest = v.actual_mm;
-            for (int l = 0; l < 3; ++l) {
+            for (int l = 0; l < sections; ++l) {
                 rest += influence(p, middle(p, 1), middle(p, l))
-                        * law.force(40.0 / 3, visitOf(run, m, l, 5).actual_mm);
+                        * law.force(40.0 / sections, visitOf(run, m, l, 5).actual_mm);
             }
             rest -=
                 v.programmed_mm - (v.accumulated_mm - v.actual_mm) - fixtures::blankDepths(p)[5];
@@ -333,9 +356,11 @@ private slots:
         QVERIFY(fixtures::sameBits(simulateUnchecked(p), simulateUnchecked(p)));
     }
 
+    void plainRunAllocatesNothingPerRevolution_data() { someSections(4, 9); }
     void plainRunAllocatesNothingPerRevolution() {
-        const auto allocationsOf = [](int sparking) {
-            Project p = slender(4);
+        QFETCH(int, sections);
+        const auto allocationsOf = [sections](int sparking) {
+            Project p = slender(sections);
             p.gauge->position_mm = 10;
             p.cycle->stages.push_back(sparkStage(fixtures::count(sparking)));
             const long long before = allocations::count;
