@@ -78,7 +78,9 @@ double ContactCompliance::root(const Balance& balance, double h, double from) co
     double high = 2 * h / (C + std::sqrt(C * C + 4 * A * h)); // without the contact
     double u = from > 0 && from < high ? from : high;
     const double enough = 2 * std::numeric_limits<double>::epsilon() * h;
-    constexpr int mostSteps = 200; // bisection alone needs less
+    constexpr int mostSteps = 200;
+    constexpr int usualSteps = 20; // where a stiffness turns, Newton's may creep to and fro: then
+                                   // every other one halves what is between the bounds
     for (int step = 0; step < mostSteps; ++step) {
         const double force = (bks * u + bkr) * u;
         const double rest = (A * u + C) * u + deflection(force) - h;
@@ -88,7 +90,7 @@ double ContactCompliance::root(const Balance& balance, double h, double from) co
         (rest > 0 ? high : low) = u;
         const double slope = 2 * A * u + C + compliance(force) * (2 * bks * u + bkr);
         double next = u - rest / slope;
-        if (!(next > low && next < high)) {
+        if (!(next > low && next < high) || (step > usualSteps && step % 2 == 0)) {
             next = low + (high - low) / 2;
         }
         if (next == low || next == high || next == u) {

@@ -296,6 +296,9 @@ int CoupledSections::Solver::descend(const MapConst& h, double enough, int mostS
                 break;
             }
         }
+        if (m_now.residual <= enough) { // which the next sweep might undo by its rounding
+            break;
+        }
     }
     return steps;
 }

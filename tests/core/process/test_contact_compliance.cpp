@@ -191,6 +191,22 @@ private slots:
         QVERIFY(held);
     }
 
+    // Where the stiffness falls to a hundredth and rises again at once, Newton's steps alone go to
+    // and fro across the turn for good.
+    void aStiffnessThatTurnsSharplyIsNoTrap() {
+        const ContactCompliance contact(
+            {{1.07029, 494.883}, {4.63669, 99.5492}, {172.144, 5.40339}, {188.689, 402.274}});
+        constexpr double gamma = 1.1e-5, ks = 3218, kr = 1.2e5;
+        for (int i = 0; i <= 1000; ++i) {
+            const double h = 0.004 + 6e-6 * i;
+            for (const double last : {0.0, 0.0009, 0.0014}) {
+                const double u = rootOf(contact, gamma, ks, kr, h, last);
+                const double P = (ks * u + kr) * u;
+                QVERIFY(within(u * u + gamma * P + contact.deflection(P), h, 1e-15));
+            }
+        }
+    }
+
     void softerContactCutsLessAndMoreLagCutsMore() {
         const bool held = rc::check("monotone", [] {
             const double soft = logUniform(1, 1e3), gamma = logUniform(1e-7, 1e-3);

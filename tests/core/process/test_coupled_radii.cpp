@@ -143,6 +143,26 @@ private slots:
         }
     }
 
+    // The last step is known by its length alone, however soft the shaft.
+    void fromWhereverTheStepsBeginTheBalanceHolds() {
+        const System system(20, sharp, {}, 0.003);
+        std::vector<Row> root = start(system);
+        QVERIFY(radiiOf(system).solve(system.lag.data(), root.data(), Set().set()).all());
+        for (int i = 0; i <= 120; ++i) {
+            const double off = std::pow(10, -1 - 0.06 * i); // in parts of u
+            std::vector<Row> other = root;
+            for (Row& row : other) {
+                for (double& u : row.of) {
+                    u *= 1 + off;
+                }
+            }
+            QVERIFY(radiiOf(system).solve(system.lag.data(), other.data(), Set().set()).all());
+            for (std::size_t k = 0; k < radii; ++k) {
+                QVERIFY(system.rest(other, k) <= 2 * CoupledSections::tolerance_mm);
+            }
+        }
+    }
+
     void aRadiusComesOutAsItDoesAloneAndWithEveryVectorUnit() {
         const System system(50, usual);
         std::vector<Row> together = start(system), baseline = together;
