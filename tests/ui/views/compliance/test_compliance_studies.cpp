@@ -54,6 +54,15 @@ Project steppedShaft() {
     return project;
 }
 
+/// One that takes its time: with a wheel contact that yields each radius is solved by itself.
+Project slowShaft() {
+    Project project = steppedShaft();
+    project.sections = 40;
+    project.sections_coupled = true;
+    project.machine->wheel_contact = WheelContact{std::vector<std::vector<double>>{{100, 50}}};
+    return project;
+}
+
 /// The greatest distance of a diameter from the middle of the field [µm], by the engine.
 double farthest_um(const SimulationResult& result) {
     const Part& part = *result.project.part;
@@ -256,9 +265,7 @@ private slots:
     }
 
     void theNewestProjectWinsAndTheWindowDoesNotWait() {
-        Project project = steppedShaft();
-        project.sections = 40; // slow
-        project.sections_coupled = true;
+        Project project = slowShaft();
         Window window(project);
         auto* box = window.view->findChild<QComboBox*>(QStringLiteral("complianceContent"));
         box->setCurrentIndex(static_cast<int>(ComplianceContent::gauge));
@@ -283,10 +290,7 @@ private slots:
     }
 
     void whileItIsComputedTheWindowAnswers() {
-        Project project = steppedShaft();
-        project.sections = 40;
-        project.sections_coupled = true;
-        Window window(project);
+        Window window(slowShaft());
         auto* box = window.view->findChild<QComboBox*>(QStringLiteral("complianceContent"));
         box->setCurrentIndex(static_cast<int>(ComplianceContent::gauge));
         const double longest_ms = leastOfTries_ms(200, [] {
