@@ -32,8 +32,7 @@ class CoupledSections::Solver {
 public:
     Solver(const std::vector<double>& influence, const std::vector<double>& widths,
            const ForceLaw& law, std::optional<ContactCompliance> contact)
-        : force(VectorXd::Zero(mapped(widths).size()))
-        , m_count(force.size())
+        : m_count(mapped(widths).size())
         , m_law(law)
         , m_contact(std::move(contact))
         , m_width(mapped(widths))
@@ -56,7 +55,7 @@ public:
     Outcome solve(const double* lag_mm, double* root, const std::stop_token& stop);
     void begin(const MapConst& h, Eigen::Ref<ArrayXd> u) const;
     [[nodiscard]] const SectionInfluence& influence() const { return m_influence; }
-    VectorXd force; ///< of the last solution
+    [[nodiscard]] Index count() const { return m_count; }
 
 private:
     /// A point of the iteration and what belongs to it.
@@ -136,7 +135,6 @@ CoupledSections::Outcome CoupledSections::Solver::solve(const double* lag_mm, do
         outcome.iterations += descend(h, enough, maxDescents, stop);
     }
     Eigen::Map<ArrayXd>(root, m_count) = m_now.u;
-    force = m_now.f;
     outcome.residual_mm = m_now.residual;
     outcome.converged = m_now.residual <= enough;
     return outcome;
@@ -428,15 +426,11 @@ void CoupledSections::begin(const double* lag_mm, double* root) const {
 }
 
 std::size_t CoupledSections::size() const {
-    return static_cast<std::size_t>(m_solver->force.size());
+    return static_cast<std::size_t>(m_solver->count());
 }
 
 const SectionInfluence& CoupledSections::influence() const {
     return m_solver->influence();
-}
-
-const double* CoupledSections::sliceForces_n() const {
-    return m_solver->force.data();
 }
 
 } // namespace sparkout

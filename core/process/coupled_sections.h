@@ -91,8 +91,6 @@ public:
 
     [[nodiscard]] std::size_t size() const;
     [[nodiscard]] const SectionInfluence& influence() const; ///< G
-    /// f of the last solution [N], J values; their sum is the normal force on the wheel.
-    [[nodiscard]] const double* sliceForces_n() const;
 
     /// Largest residual of a solution [mm], beside what rounding costs at a large h.
     static constexpr double tolerance_mm = 1e-13;

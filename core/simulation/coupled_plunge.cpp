@@ -48,6 +48,13 @@ CoupledSections balanceOf(const Project& project, const std::vector<CompliantPoi
             wheelContact(project)};
 }
 
+/// C² under which the divided form, 2h/(C + √(C² + 4A·h)) with C = 4A = 0, gives this root; no
+/// root: infinite, and 2h/√C² is none again.
+double dividedC2(double root, double lag_mm) {
+    const double q = 2 * lag_mm / root;
+    return root > 0 ? q * q : std::numeric_limits<double>::infinity();
+}
+
 } // namespace
 
 SectionCoupling::SectionCoupling(const Project& project, const std::vector<CompliantPoint>& points,
@@ -210,9 +217,8 @@ void SectionCoupling::impose(std::size_t block, std::size_t count, CutWidth& wid
             tangential.of[k] += law.tangential(slice, u);
         }
         if (divides) {
-            for (std::size_t k = 0; k < sideBySide; ++k) { // no root: infinite, and 2h/q none again
-                const double q = 2 * m_lag[j].of[k] / roots[j].of[k];
-                square.of[k] = roots[j].of[k] > 0 ? q * q : std::numeric_limits<double>::infinity();
+            for (std::size_t k = 0; k < sideBySide; ++k) {
+                square.of[k] = dividedC2(roots[j].of[k], m_lag[j].of[k]);
             }
         }
         double* const C2 = &width.coefficients.C2[j * m_radii + block * sideBySide];
@@ -239,11 +245,9 @@ void SectionCoupling::imposeGauge(CutWidth& width) {
         m_gaugeRoot = m_contact ? m_contact->root({1, 0, across * m_law.ks, across * m_law.kr}, a,
                                                   m_gaugeRoot)
                                 : std::sqrt(std::max(0.0, a));
-        const double q =
-            width.bkr > multipliedFormLimit * width.bks
-                ? m_gaugeRoot > 0 ? 2 * lag / m_gaugeRoot : std::numeric_limits<double>::infinity()
-                : m_gaugeRoot;
-        width.coefficients.C2[m_sections * m_radii + k] = q * q;
+        width.coefficients.C2[m_sections * m_radii + k] =
+            width.bkr > multipliedFormLimit * width.bks ? dividedC2(m_gaugeRoot, lag)
+                                                        : m_gaugeRoot * m_gaugeRoot;
         m_gaugeDepth[k] += m_gaugeRoot * m_gaugeRoot;
     }
 }

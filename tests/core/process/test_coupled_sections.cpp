@@ -72,7 +72,9 @@ Solution solve(const System& system, const std::vector<double>& h, std::vector<d
     Solution solution;
     solution.u = from.empty() ? std::vector<double>(h.size()) : std::move(from);
     solution.outcome = sections.solve(h.data(), solution.u.data());
-    solution.force.assign(sections.sliceForces_n(), sections.sliceForces_n() + h.size());
+    for (std::size_t j = 0; j < h.size(); ++j) {
+        solution.force.push_back(system.sliceForce(solution.u[j], j));
+    }
     return solution;
 }
 
