@@ -9,7 +9,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <numbers>
 #include <utility>
 
@@ -37,6 +36,8 @@ double product(const std::vector<double>& a, const std::vector<double>& b, std::
 
 /// Segments times rests up to which each number is summed up for itself.
 constexpr std::size_t mostSingly = 256;
+/// Places on either side of G up to which the same is done.
+constexpr std::size_t fewPlaces = 4;
 
 } // namespace
 
@@ -166,21 +167,34 @@ std::vector<double> Compliance::rows(const std::vector<double>& at, const std::v
         }
         return all;
     };
-    std::map<double, BentLine> lines; // by the place of the load
-    const auto bareAt = [&](double x, double s) {
-        if (!isLarge())
+    // Under a load at each place, which bends the shaft at all places beyond.
+    const bool isSymmetric = at == from;
+    const bool byLines = isLarge() || std::min(at.size(), from.size()) > fewPlaces;
+    const auto linesUnder = [&](const std::vector<double>& places) {
+        std::vector<BentLine> lines;
+        for (const double place : places) {
+            if (!byLines || stop.stop_requested())
+                break;
+            lines.emplace_back(*this, onShaft(place), onShaft(place));
+        }
+        return lines;
+    };
+    const std::vector<BentLine> underAt = linesUnder(at);
+    const std::vector<BentLine> underFrom = linesUnder(isSymmetric ? std::vector<double>() : from);
+    const auto bareAt = [&](std::size_t i, std::size_t j) {
+        const double x = onShaft(at[i]);
+        const double s = onShaft(from[j]);
+        if (!byLines)
             return bare(x, s);
-        const double load = std::min(x, s);
-        const auto line = lines.try_emplace(load, *this, load, load).first;
-        return springs(x, s) + line->second.at(std::max(x, s));
+        const BentLine& line = x < s ? underAt[i] : isSymmetric ? underAt[j] : underFrom[j];
+        return springs(x, s) + line.at(std::max(x, s));
     };
     const std::vector<std::vector<double>> atEach = terms(at);
     const std::vector<std::vector<double>> fromEach = terms(from);
-    const bool isSymmetric = at == from;
     std::vector<double> G(at.size() * from.size()); // 0: what was stopped
     for (std::size_t i = 0; i < at.size() && !stop.stop_requested(); ++i) {
         for (std::size_t j = 0; j < (isSymmetric ? i + 1 : from.size()); ++j) {
-            const double g = with(atEach[i], fromEach[j], bareAt(onShaft(at[i]), onShaft(from[j])));
+            const double g = with(atEach[i], fromEach[j], bareAt(i, j));
             G[i * from.size() + j] = g;
             if (isSymmetric)
                 G[j * from.size() + i] = g;

@@ -29,6 +29,13 @@ struct ForceLaw {
     [[nodiscard]] double tangential(double b, double u) const {
         return b * (kt * u * u + mu * kr * u);
     }
+    /// The sums of P_y and P_z of sections of one width b, for Σa [mm] and Σu [√mm].
+    [[nodiscard]] double normalOfAll(double b, double a, double u) const {
+        return b * (ks * a + kr * u);
+    }
+    [[nodiscard]] double tangentialOfAll(double b, double a, double u) const {
+        return b * (kt * a + mu * kr * u);
+    }
 };
 
 /// The law of a project's part, material, wheel and speeds.

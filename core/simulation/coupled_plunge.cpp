@@ -55,6 +55,59 @@ double dividedC2(double root, double lag_mm) {
     return root > 0 ? q * q : std::numeric_limits<double>::infinity();
 }
 
+using Row = CoupledRadii::Row;
+
+// What a block of radii was cut by in the last revolution goes into `depth`, then its lag, and the
+// roots that the last three revolutions let expect: the parabola through them. `root` holds those
+// of the third and takes these. A row for each section, as everywhere here.
+[[gnu::always_inline]] inline void expectRoots(std::size_t sections, const Row* last,
+                                               const Row* second, const Row& fedTo, Row* depth,
+                                               Row* lag, Row* root) {
+    const Row fed = fedTo; // which no store can change
+    for (std::size_t j = 0; j < sections; ++j) {
+#pragma GCC unroll 12
+        for (std::size_t k = 0; k < sideBySide; ++k) {
+            const double u = last[j].of[k];
+            depth[j].of[k] += u * u;
+            lag[j].of[k] = fed.of[k] - depth[j].of[k];
+            const double expected = 3 * (u - second[j].of[k]) + root[j].of[k];
+            root[j].of[k] = expected > 0 ? expected : u;
+        }
+    }
+}
+
+// Σu and Σu² of the sections.
+[[gnu::always_inline]] inline void sumUp(std::size_t sections, const Row* root, Row& roots,
+                                         Row& squares) {
+    Row sum = {}, sumOfSquares = {}; // which no store can change
+    for (std::size_t j = 0; j < sections; ++j) {
+        for (std::size_t k = 0; k < sideBySide; ++k) {
+            sum.of[k] += root[j].of[k];
+            sumOfSquares.of[k] += root[j].of[k] * root[j].of[k];
+        }
+    }
+    roots = sum;
+    squares = sumOfSquares;
+}
+
+// Written once, compiled for each vector unit, as in the pass.
+void expectRootsBaseline(std::size_t sections, const Row* last, const Row* second, const Row& fed,
+                         Row* depth, Row* lag, Row* root) {
+    expectRoots(sections, last, second, fed, depth, lag, root);
+}
+[[gnu::target("avx2")]] void expectRootsAvx2(std::size_t sections, const Row* last,
+                                             const Row* second, const Row& fed, Row* depth,
+                                             Row* lag, Row* root) {
+    expectRoots(sections, last, second, fed, depth, lag, root);
+}
+void sumUpBaseline(std::size_t sections, const Row* root, Row& roots, Row& squares) {
+    sumUp(sections, root, roots, squares);
+}
+[[gnu::target("avx2")]] void sumUpAvx2(std::size_t sections, const Row* root, Row& roots,
+                                       Row& squares) {
+    sumUp(sections, root, roots, squares);
+}
+
 } // namespace
 
 SectionCoupling::SectionCoupling(const Project& project, const std::vector<CompliantPoint>& points,
@@ -98,17 +151,19 @@ SectionCoupling::Outcome SectionCoupling::solve(const PassFeed& feed, const Plac
         m_fed[k / sideBySide].of[k % sideBySide] =
             feed.at(static_cast<double>(k + 1) / static_cast<double>(m_radii));
     }
+    m_root.swap(m_rootBefore); // the oldest of the three give way to the coming ones
+    m_root.swap(m_rootTwoBefore);
     for (std::size_t block = 0; block < m_fed.size(); ++block) {
-        const std::size_t count = std::min(sideBySide, m_radii - block * sideBySide);
         if (stop.stop_requested()) {
             return Outcome::stopped;
         }
         expect(block);
-        if (!balance(block, count, stop)) {
+        if (!balance(block, stop)) {
             return stop.stop_requested() ? Outcome::stopped : Outcome::notSolved;
         }
-        impose(block, count, width);
+        sumForces(block);
     }
+    impose(width);
     keepPeaks(at);
     if (!m_gaugeInfluence.empty()) {
         imposeGauge(width);
@@ -116,31 +171,21 @@ SectionCoupling::Outcome SectionCoupling::solve(const PassFeed& feed, const Plac
     return Outcome::solved;
 }
 
-// The lag, and the roots that the last three revolutions let expect: the parabola through them.
 void SectionCoupling::expect(std::size_t block) {
     const std::size_t first = block * m_sections;
-    Row *root = &m_root[first], *before = &m_rootBefore[first], *earlier = &m_rootTwoBefore[first];
-    const Row *depth = &m_depth[first], fed = m_fed[block];
-    Row* lag = m_lag.data();
-    for (std::size_t j = 0; j < m_sections; ++j) {
-        for (std::size_t k = 0; k < sideBySide; ++k) {
-            lag[j].of[k] = fed.of[k] - depth[j].of[k];
-            const double last = root[j].of[k], second = before[j].of[k], third = earlier[j].of[k];
-            const double expected = 3 * (last - second) + third;
-            root[j].of[k] = expected > 0 ? expected : last;
-            before[j].of[k] = last;
-            earlier[j].of[k] = second;
-        }
-    }
+    const auto kernel = widestUnit() == VectorUnit::avx2 ? expectRootsAvx2 : expectRootsBaseline;
+    kernel(m_sections, &m_rootBefore[first], &m_rootTwoBefore[first], m_fed[block], &m_depth[first],
+           m_lag.data(), &m_root[first]);
 }
 
-bool SectionCoupling::balance(std::size_t block, std::size_t count, const std::stop_token& stop) {
+bool SectionCoupling::balance(std::size_t block, const std::stop_token& stop) {
+    const std::size_t count = countIn(block);
     Cut* const cuts = &m_cuts[block * sideBySide];
     CoupledRadii::Set solved;
     if (m_sideBySide) {
         CoupledRadii::Set asked;
         for (std::size_t k = 0; k < count; ++k) {
-            asked[k] = cuts[k] == Cut::all || (cuts[k] == Cut::none && begin(block, k));
+            asked[k] = cuts[k] == Cut::all || begin(block, k);
         }
         solved = m_sideBySide->solve(m_lag.data(), &m_root[block * m_sections], asked);
     }
@@ -154,7 +199,7 @@ bool SectionCoupling::balance(std::size_t block, std::size_t count, const std::s
     return true;
 }
 
-// The start of a radius that did not cut; false where the wheel does not reach all sections.
+// The start of a radius that not all sections cut; false where the wheel does not reach all.
 bool SectionCoupling::begin(std::size_t block, std::size_t k) {
     for (std::size_t j = 0; j < m_sections; ++j) {
         m_oneLag[j] = m_lag[j].of[k];
@@ -199,37 +244,47 @@ void SectionCoupling::takeOver(CutWidth& width) {
     std::ranges::fill(width.coefficients.inverse2A, 1.0);
 }
 
-void SectionCoupling::impose(std::size_t block, std::size_t count, CutWidth& width) {
-    const std::size_t first = block * m_sections;
+// The forces of all sections.
+void SectionCoupling::sumForces(std::size_t block) {
+    Row roots, cuts;
+    const auto kernel = widestUnit() == VectorUnit::avx2 ? sumUpAvx2 : sumUpBaseline;
+    kernel(m_sections, &m_root[block * m_sections], roots, cuts);
+    for (std::size_t k = 0; k < sideBySide; ++k) {
+        m_normal[block].of[k] = m_law.normalOfAll(m_sliceWidth, cuts.of[k], roots.of[k]);
+        m_tangential[block].of[k] = m_law.tangentialOfAll(m_sliceWidth, cuts.of[k], roots.of[k]);
+    }
+}
+
+// Section by section, as the coefficients stand.
+void SectionCoupling::impose(CutWidth& width) {
     const bool divides = width.bkr > multipliedFormLimit * width.bks;
-    const double slice = m_sliceWidth;
-    const ForceLaw law = m_law; // which no store below can change
-    const Row* roots = &m_root[first];
-    Row* depth = &m_depth[first];
-    Row normal = {}, tangential = {};
+    double* C2 = width.coefficients.C2.data();
     for (std::size_t j = 0; j < m_sections; ++j) {
-        Row square;
-        for (std::size_t k = 0; k < sideBySide; ++k) {
-            const double u = roots[j].of[k];
-            square.of[k] = u * u;
-            depth[j].of[k] += square.of[k];
-            normal.of[k] += law.normal(slice, u);
-            tangential.of[k] += law.tangential(slice, u);
-        }
-        if (divides) {
+        for (std::size_t block = 0; block < m_fed.size(); ++block) {
+            const Row& root = m_root[block * m_sections + j];
+            Row needed;
             for (std::size_t k = 0; k < sideBySide; ++k) {
-                square.of[k] = dividedC2(roots[j].of[k], m_lag[j].of[k]);
+                needed.of[k] = root.of[k] * root.of[k];
             }
-        }
-        double* const C2 = &width.coefficients.C2[j * m_radii + block * sideBySide];
-        if (count == sideBySide) {
-            std::memcpy(C2, &square, sizeof square);
-        } else {
-            std::copy_n(square.of, count, C2);
+            if (divides) {
+                const Row& depth = m_depth[block * m_sections + j];
+                for (std::size_t k = 0; k < sideBySide; ++k) {
+                    needed.of[k] = dividedC2(root.of[k], m_fed[block].of[k] - depth.of[k]);
+                }
+            }
+            const std::size_t count = countIn(block);
+            if (count == sideBySide) {
+                std::memcpy(C2, &needed, sizeof needed);
+            } else {
+                std::copy_n(needed.of, count, C2);
+            }
+            C2 += count;
         }
     }
-    m_normal[block] = normal;
-    m_tangential[block] = tangential;
+}
+
+std::size_t SectionCoupling::countIn(std::size_t block) const {
+    return std::min(sideBySide, m_radii - block * sideBySide);
 }
 
 // A free gauge is moved by all forces.

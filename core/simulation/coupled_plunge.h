@@ -16,7 +16,7 @@ namespace sparkout {
 
 /// Sections coupled [MODEL-6]: what the plunge cycle does differently when a force in one section
 /// deflects the others too. Before a revolution it solves the balance of all sections for every
-/// radius, eight at a time where that is possible, and sets the coefficients under which the pass
+/// radius, twelve at a time where that is possible, and sets the coefficients under which the pass
 /// then cuts exactly these depths. Stages, gauge, trajectory and books are those of the cycle with
 /// independent sections.
 ///
@@ -50,12 +50,14 @@ private:
     using Row = CoupledRadii::Row;
     enum class Cut { none, some, all }; ///< in how many sections a radius was cut
     void expect(std::size_t block);
-    [[nodiscard]] bool balance(std::size_t block, std::size_t count, const std::stop_token& stop);
+    [[nodiscard]] bool balance(std::size_t block, const std::stop_token& stop);
     [[nodiscard]] bool begin(std::size_t block, std::size_t k);
     [[nodiscard]] bool balanceAlone(std::size_t block, std::size_t k, const std::stop_token& stop);
-    void impose(std::size_t block, std::size_t count, CutWidth& width);
+    void sumForces(std::size_t block);
+    void impose(CutWidth& width);
     void imposeGauge(CutWidth& width);
     void keepPeaks(const Place& at);
+    [[nodiscard]] std::size_t countIn(std::size_t block) const; ///< radii of a block
     [[nodiscard]] std::size_t deepest(std::size_t k) const;
 
     std::size_t m_radii, m_sections;
@@ -65,9 +67,10 @@ private:
     CoupledSections m_balance;
     std::optional<CoupledRadii> m_sideBySide; ///< where the balance allows it
     std::vector<double> m_gaugeInfluence;     ///< G(x_gauge, x_l), empty without a free gauge
-    /// Radii stand in eights, the blocks; in each block a row for each section.
-    std::vector<Row> m_depth; ///< of each lane, as the run keeps it [mm]
-    std::vector<Row> m_root;  ///< u of the last revolution, from expect() on of the coming [√mm]
+    /// Radii stand in dozens, the blocks; in each block a row for each section.
+    /// Of each lane as the run keeps it, but for what the last revolution cut [mm].
+    std::vector<Row> m_depth;
+    std::vector<Row> m_root; ///< u of the last revolution, from expect() on of the coming [√mm]
     std::vector<Row> m_rootBefore, m_rootTwoBefore; ///< of the two before that
     std::vector<Row> m_lag;                         ///< of one block [mm]
     std::vector<double> m_oneLag, m_oneRoot;        ///< of one radius
