@@ -23,7 +23,7 @@ using Two [[gnu::vector_size(16)]] = double;
 using Four [[gnu::vector_size(32)]] = double;
 constexpr std::size_t third = CoupledRadii::third, across = CoupledRadii::sideBySide;
 template <class Register, std::size_t thirds>
-constexpr std::size_t registers = thirds* third * sizeof(double) / sizeof(Register);
+constexpr std::size_t registers = sizeof(double) * third* thirds / sizeof(Register);
 
 template <class Register>
 [[gnu::always_inline]] inline void load(Register& to, const double* row, std::size_t v) {
@@ -44,8 +44,8 @@ template <class Register, std::size_t thirds, std::size_t rank>
     double *scales = b.scale[0].of + step.first, *inverses = b.inverse[0].of + step.first;
     const double *roots = step.root->of + step.first, *lags = step.lag->of + step.first;
     Register left[registers<Register, thirds>][rank] = {};
-    Register carried[registers<Register, thirds>][rank][rank] =
-        {}; // Σ pivot·gain·gainᵀ, its lower half
+    // Σ Δ·gain·gainᵀ, its lower half
+    Register carried[registers<Register, thirds>][rank][rank] = {};
     for (std::size_t j = 0, count = b.own.size(); j < count; ++j) {
 #pragma GCC unroll 6
         for (std::size_t v = 0; v < registers<Register, thirds>; ++v) {

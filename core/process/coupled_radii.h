@@ -40,7 +40,7 @@ public:
     static constexpr std::size_t thirds = 3; ///< where none of a third moves, it is passed over
     static constexpr std::size_t third = sideBySide / thirds;
     using Set = std::bitset<sideBySide>; ///< of the twelve radii
-    static constexpr int mostSteps = 8;
+    static constexpr int mostSteps = 8;  ///< of Newton, each with its correction
 
     /// What twelve radii have in one section.
     struct alignas(32) Row {
@@ -58,14 +58,14 @@ public:
 
     /// All that a step reads and writes beside these.
     struct Balance {
-        std::vector<double> rows, columns; ///< numbers of the influence, section by section
-        std::vector<double> own, bks, bkr; ///< G_jj, Δx_j·k_s and Δx_j·k_r
-        std::vector<double> twoBks, halfBkr;
-        std::vector<Row> inverse; ///< 1/f′
-        std::vector<Row> scale;   ///< 1/Δ
-        std::vector<Row> gain;    ///< L_jl = row_j·gain_l
-        std::vector<Row> force;   ///< f̂ or y, as far as it is known
-        std::vector<Row> change;  ///< δu
+        std::vector<double> rows, columns;   ///< numbers of the influence, section by section
+        std::vector<double> own, bks, bkr;   ///< G_jj, Δx_j·k_s and Δx_j·k_r
+        std::vector<double> twoBks, halfBkr; ///< these twice and by half
+        std::vector<Row> inverse;            ///< 1/f′
+        std::vector<Row> scale;              ///< 1/Δ
+        std::vector<Row> gain;               ///< L_jl = row_j·gain_l
+        std::vector<Row> force;              ///< f̂ or y, as far as it is known
+        std::vector<Row> change;             ///< δu
     };
     struct Step {
         const Row* lag;

@@ -122,7 +122,7 @@ SectionCoupling::SectionCoupling(const Project& project, const std::vector<Compl
     , m_lag(m_sections)
     , m_oneLag(m_sections)
     , m_oneRoot(m_sections)
-    , m_cuts(m_radii, Cut::none)
+    , m_cutAll(m_radii, false)
     , m_fed((m_radii + sideBySide - 1) / sideBySide)
     , m_normal(m_fed.size())
     , m_tangential(m_fed.size())
@@ -180,21 +180,21 @@ void SectionCoupling::expect(std::size_t block) {
 
 bool SectionCoupling::balance(std::size_t block, const std::stop_token& stop) {
     const std::size_t count = countIn(block);
-    Cut* const cuts = &m_cuts[block * sideBySide];
+    const std::size_t firstRadius = block * sideBySide;
     CoupledRadii::Set solved;
     if (m_sideBySide) {
         CoupledRadii::Set asked;
         for (std::size_t k = 0; k < count; ++k) {
-            asked[k] = cuts[k] == Cut::all || begin(block, k);
+            asked[k] = m_cutAll[firstRadius + k] || begin(block, k);
         }
         solved = m_sideBySide->solve(m_lag.data(), &m_root[block * m_sections], asked);
     }
     for (std::size_t k = 0; k < count; ++k) {
-        if (solved[k]) {
-            cuts[k] = Cut::all;
-        } else if (!balanceAlone(block, k, stop)) {
+        if (!solved[k] && !balanceAlone(block, k, stop)) {
             return false;
         }
+        m_cutAll[firstRadius + k] =
+            solved[k] || std::ranges::all_of(m_oneRoot, [](double u) { return u > 0; });
     }
     return true;
 }
@@ -225,14 +225,9 @@ bool SectionCoupling::balanceAlone(std::size_t block, std::size_t k, const std::
     } else if (!m_balance.solve(m_oneLag.data(), m_oneRoot.data(), stop).converged) {
         return false;
     }
-    std::size_t cutting = 0;
     for (std::size_t j = 0; j < m_sections; ++j) {
         m_root[first + j].of[k] = m_oneRoot[j];
-        cutting += m_oneRoot[j] > 0 ? 1 : 0;
     }
-    m_cuts[block * sideBySide + k] = cutting == 0            ? Cut::none
-                                     : cutting == m_sections ? Cut::all
-                                                             : Cut::some;
     return true;
 }
 

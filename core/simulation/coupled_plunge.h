@@ -48,7 +48,6 @@ private:
         Peak normalForce_n, power_w;
     };
     using Row = CoupledRadii::Row;
-    enum class Cut { none, some, all }; ///< in how many sections a radius was cut
     void expect(std::size_t block);
     [[nodiscard]] bool balance(std::size_t block, const std::stop_token& stop);
     [[nodiscard]] bool begin(std::size_t block, std::size_t k);
@@ -67,17 +66,16 @@ private:
     CoupledSections m_balance;
     std::optional<CoupledRadii> m_sideBySide; ///< where the balance allows it
     std::vector<double> m_gaugeInfluence;     ///< G(x_gauge, x_l), empty without a free gauge
-    /// Radii stand in dozens, the blocks; in each block a row for each section.
-    /// Of each lane as the run keeps it, but for what the last revolution cut [mm].
-    std::vector<Row> m_depth;
-    std::vector<Row> m_root; ///< u of the last revolution, from expect() on of the coming [√mm]
+    // Radii stand in dozens, the blocks; in each block a row for each section.
+    std::vector<Row> m_depth; ///< of each lane as the run keeps it, before the last revolution [mm]
+    std::vector<Row> m_root;  ///< u of the last revolution, from expect() on of the coming [√mm]
     std::vector<Row> m_rootBefore, m_rootTwoBefore; ///< of the two before that
     std::vector<Row> m_lag;                         ///< of one block [mm]
     std::vector<double> m_oneLag, m_oneRoot;        ///< of one radius
-    std::vector<Cut> m_cuts;                        ///< of each radius in the last revolution
-    std::vector<double> m_gaugeDepth;               ///< of each radius [mm]
-    std::vector<Row> m_fed;                         ///< t_П, a row for each block [mm]
-    std::vector<Row> m_normal, m_tangential;        ///< the same of the forces of all sections [N]
+    std::vector<bool> m_cutAll; ///< of each radius: all sections cut it in the last revolution
+    std::vector<double> m_gaugeDepth;        ///< of each radius [mm]
+    std::vector<Row> m_fed;                  ///< t_П, a row for each block [mm]
+    std::vector<Row> m_normal, m_tangential; ///< the same of the forces of all sections [N]
     double m_wheelSpeed_m_s;
     double m_gaugeRoot = 0;          ///< of the last radius
     std::vector<StagePeaks> m_peaks; ///< of each stage of the cycle
