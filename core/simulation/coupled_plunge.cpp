@@ -303,6 +303,8 @@ void SectionCoupling::imposeGauge(CutWidth& width) {
 }
 
 void SectionCoupling::keepPeaks(const Place& at) {
+    Place place = at;
+    std::size_t placed = m_radii; // of which radius the section is known
     const auto keep = [&](Peak& peak, const std::vector<Row>& values, double factor) {
         std::size_t largest = 0;
         const auto value = [&](std::size_t k) {
@@ -312,8 +314,10 @@ void SectionCoupling::keepPeaks(const Place& at) {
             largest = value(k) > value(largest) ? k : largest;
         }
         if (value(largest) > peak.value) {
-            Place place = at;
-            place.section = static_cast<int>(deepest(largest));
+            if (largest != placed) {
+                place.section = static_cast<int>(deepest(largest));
+                placed = largest;
+            }
             peak = {value(largest), place};
         }
     };
