@@ -3,7 +3,7 @@
 // Qt, and nearly every widget reached (check 22). Two of them, of different seeds, make 5,000
 // events together, with SPARKOUT_LONG ten of them 100,000; SPARKOUT_SEED and SPARKOUT_EVENTS
 // choose.
-#include "core/format/project_file.h"
+#include "core/setup/setup_file.h"
 #include "tests/check_line.h"
 #include "tests/registry.h"
 #include "tests/ui/window/monkey.h"
@@ -75,14 +75,14 @@ private slots:
         while (document.canRedo()) { // its last keys may have been Undo
             document.redo();
         }
-        const Project last = document.project();
+        const Setup last = document.setup(); // which surface is in front belongs to no step
         while (document.canUndo()) {
             document.undo();
         }
         while (document.canRedo()) {
             document.redo();
         }
-        QVERIFY(sameProject(document.project(), last));
+        QVERIFY(sameSetup(document.setup(), last));
     }
 };
 
