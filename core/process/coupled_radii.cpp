@@ -118,6 +118,24 @@ struct Found {
         most[registers<Register, thirds>];
 };
 
+/// f of a section from what the forward substitution left of it; `sum` is of the sections right of
+/// it, and takes it in.
+template <class Register, std::size_t rank>
+[[gnu::always_inline]] inline void substituteBack(Register& f, Register (&sum)[rank],
+                                                  const double* gains, const double* row,
+                                                  std::size_t v) {
+#pragma GCC unroll 8
+    for (std::size_t i = 0; i < rank; ++i) {
+        Register gain;
+        load(gain, gains + i * across, v);
+        f -= gain * sum[i];
+    }
+#pragma GCC unroll 8
+    for (std::size_t i = 0; i < rank; ++i) {
+        sum[i] += row[i] * f;
+    }
+}
+
 template <class Register, std::size_t thirds, std::size_t rank>
 [[gnu::always_inline]] inline void newtonStep(Balance& b, Step& step) {
     eliminate<Register, thirds, rank>(b, step);
@@ -130,19 +148,11 @@ template <class Register, std::size_t thirds, std::size_t rank>
     for (std::size_t j = b.own.size(); j-- > 0;) {
 #pragma GCC unroll 6
         for (std::size_t v = 0; v < registers<Register, thirds>; ++v) {
-            Register u, f, inverse, gain;
+            Register u, f, inverse;
             load(u, roots + j * across, v);
             load(f, forces + j * across, v);
             load(inverse, inverses + j * across, v);
-#pragma GCC unroll 8
-            for (std::size_t i = 0; i < rank; ++i) {
-                load(gain, gains + (j * rank + i) * across, v);
-                f -= gain * sum[v][i];
-            }
-#pragma GCC unroll 8
-            for (std::size_t i = 0; i < rank; ++i) {
-                sum[v][i] += row[j * rank + i] * f;
-            }
+            substituteBack(f, sum[v], gains + j * rank * across, row + j * rank, v);
             const Register to = (u * u * bks[j] + f) * inverse;
             const Register du = to - u;
             store(changes + j * across, du, v);
@@ -166,7 +176,7 @@ template <class Register, std::size_t thirds, std::size_t rank>
             load(du, changes + j * across, v);
             load(inverse, inverses + j * across, v);
             load(scale, scales + j * across, v);
-            Register f = du * du * bkr[j] * inverse; // −y
+            Register f = du * du * bkr[j] * inverse; // y
 #pragma GCC unroll 8
             for (std::size_t i = 0; i < rank; ++i) {
                 f -= row[j * rank + i] * left[v][i];
@@ -184,20 +194,12 @@ template <class Register, std::size_t thirds, std::size_t rank>
     for (std::size_t j = b.own.size(); j-- > 0;) {
 #pragma GCC unroll 6
         for (std::size_t v = 0; v < registers<Register, thirds>; ++v) {
-            Register u, du, f, inverse, gain;
+            Register u, du, f, inverse;
             load(u, roots + j * across, v);
             load(du, changes + j * across, v);
             load(f, forces + j * across, v);
             load(inverse, inverses + j * across, v);
-#pragma GCC unroll 8
-            for (std::size_t i = 0; i < rank; ++i) {
-                load(gain, gains + (j * rank + i) * across, v);
-                f -= gain * sum[v][i];
-            }
-#pragma GCC unroll 8
-            for (std::size_t i = 0; i < rank; ++i) {
-                sum[v][i] += row[j * rank + i] * f;
-            }
+            substituteBack(f, sum[v], gains + j * rank * across, row + j * rank, v);
             const Register less = (du * du * bks[j] + f) * inverse;
             const Register off = less * (less - 2 * du);
             found.add(roots + j * across, u, u - less, off > 0 ? off : -off, v);
