@@ -47,6 +47,10 @@ elseif(WIN32)
 else()
     target_compile_options(sparkout_options INTERFACE -fstack-protector-strong -fcf-protection)
 endif()
+# To clang a local name shadows what another of the sources joined has in its own namespace.
+if(SPARKOUT_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    target_compile_options(sparkout_options INTERFACE -Wno-shadow)
+endif()
 # What the core and the window's libraries keep to besides; the macros of the tests do not.
 add_library(sparkout_strict INTERFACE)
 target_compile_options(sparkout_strict INTERFACE -Wconversion)
