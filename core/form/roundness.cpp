@@ -100,16 +100,18 @@ private:
         return std::find(m_reference.begin(), m_reference.end(), k) != m_reference.end();
     }
 
+    /// Equal and alternating residuals: the differences of the first and the third distance, and of
+    /// the second and the fourth, know of neither radius nor level.
     [[nodiscard]] Fit solve(const CentreView& s) const {
-        Eigen::Matrix4d A;
-        Eigen::Vector4d d;
-        for (int m = 0; m < 4; ++m) {
-            const std::size_t k = m_reference[static_cast<std::size_t>(m)];
-            A.row(m) << 1, s.nx[k], s.ny[k], m % 2 == 0 ? 1 : -1;
-            d[m] = s.d[k];
-        }
-        const Eigen::Vector4d v = A.partialPivLu().solve(d);
-        return {v[0], v[1], v[2], v[3]};
+        const auto [a, b, c, d] = m_reference;
+        const double ax = s.nx[a] - s.nx[c], ay = s.ny[a] - s.ny[c], ad = s.d[a] - s.d[c];
+        const double bx = s.nx[b] - s.nx[d], by = s.ny[b] - s.ny[d], bd = s.d[b] - s.d[d];
+        const double determinant = ax * by - ay * bx;
+        const double x = (ad * by - ay * bd) / determinant;
+        const double y = (ax * bd - ad * bx) / determinant;
+        const auto rest = [&](std::size_t k) { return s.d[k] - x * s.nx[k] - y * s.ny[k]; };
+        const double above = (rest(a) + rest(c)) / 2, below = (rest(b) + rest(d)) / 2;
+        return {(above + below) / 2, x, y, (above - below) / 2};
     }
 
     std::size_t furthest(const CentreView& view, const Fit& fit) {

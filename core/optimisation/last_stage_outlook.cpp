@@ -9,7 +9,10 @@ constexpr double followedRounding_mm = 1e-9; ///< of depths, generously
 
 FollowedRadii tellingRadii(const CycleSteps& steps) {
     const auto [lane, opposite] = steps.run().deepestDiameter();
-    return steps.follower()->follow({steps.run().deepestLane(steps.gaugePoint()), lane, opposite});
+    FollowedRadii telling =
+        steps.follower()->follow({steps.run().deepestLane(steps.gaugePoint()), lane, opposite});
+    telling.radii[0].share = 1;
+    return telling;
 }
 
 LastStageOutlook outlook(const CycleSteps& part, const FollowedRadii& telling,
@@ -35,7 +38,7 @@ LastStageOutlook outlook(const CycleSteps& part, const FollowedRadii& telling,
         follower.strokesAlone(strokes, stage.feed);
         ++outlook.leastSteps;
     }
-    if (outlook.cutsTooDeep) {
+    if (outlook.cutsTooDeep || follower.hasStrokesAlone()) {
         return outlook;
     }
     FollowedRadii all = telling;

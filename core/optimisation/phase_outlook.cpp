@@ -14,7 +14,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr double mostFormChange_mm = 1e-6;
+constexpr double mostFormChange_mm = 2e-5;
 constexpr double roundings_mm = 2e-9; ///< of depths and written stocks, generously
 constexpr double nearest_mm = 1e-5;   ///< what the deviation of a diameter is left in doubt
 
@@ -199,7 +199,9 @@ bool PhaseOutlook::endsTooDeep(const State& state, const GridCycle& cycle, Stock
         follower.strokesAlone(strokes, m_feeds[setting]);
     }
     FollowedRadii all = state.telling;
-    for (std::size_t made = 1; made < m_least_mm.size() && m_least_mm[made] < most_mm; ++made) {
+    for (std::size_t made = 1;
+         !follower.hasStrokesAlone() && made < m_least_mm.size() && m_least_mm[made] < most_mm;
+         ++made) {
         follower.stepAlone(all, m_feeds[setting]);
         if (isTooDeep(all, m_least_mm[made])) {
             return true;
@@ -210,7 +212,7 @@ bool PhaseOutlook::endsTooDeep(const State& state, const GridCycle& cycle, Stock
 
 /// Of a stock greater by so much than that of the shared run.
 bool PhaseOutlook::isTooDeep(const FollowedRadii& radii, double more_mm) const {
-    const double larger_mm = 2 * more_mm + nearest_mm;
+    const double larger_mm = 2 * more_mm + nearest_mm + 4 * m_doubt_mm;
     const double deviation_mm =
         m_blank->run().diameterDeviation(radii.radii[1].depth_mm, radii.radii[2].depth_mm);
     const bool isBore = m_part.part->surface == Surface::internal;

@@ -35,8 +35,8 @@ namespace sparkout {
 ///
 /// The blank's form changes with the stock by no more than formChange_mm(), and every step shown
 /// to end a stage, or not to, is so by more than that and what rounding is; a diameter is too small
-/// by more than 10 nm, as failingStock_mm() counts them. Nothing is said of what the gauge tells
-/// late, nor where LastStageOutlook knows nothing.
+/// by more than four times that and 10 nm, as failingStock_mm() counts them. Nothing is said of
+/// what the gauge tells late, nor where LastStageOutlook knows nothing.
 class PhaseOutlook {
 public:
     /// @param memory_bytes  for states to go on from, about

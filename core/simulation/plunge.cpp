@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace sparkout {
 
@@ -26,7 +28,7 @@ std::vector<CompliantPoint> points(const Project& project, const std::stop_token
 }
 
 /// Revolutions: all sections are fed by the same t_П, each for itself or coupled [MODEL-6].
-class PlungeSteps : public CycleSteps {
+class PlungeSteps : public CycleSteps, public RadiusFollower {
 public:
     PlungeSteps(const Project& project, Trajectory* trajectory, const std::stop_token& stop)
         : CycleSteps(Run(project, points(project, stop), trajectory, stop), gaugePoint(project))
@@ -42,6 +44,13 @@ public:
         if (isCoupled(project)) {
             m_coupling.emplace(project, points(project, stop), m_run.blank(), stop);
             SectionCoupling::takeOver(*m_width);
+        }
+        if (!m_coupling && !m_hasFreeGauge && m_run.isEachAlone()) {
+            auto balances = std::make_shared<std::vector<LaneBalance>>();
+            for (std::size_t j = 0; j < m_sections; ++j) {
+                balances->push_back(m_run.balance(j, project.part->length_mm));
+            }
+            m_balances = std::move(balances);
         }
     }
 
@@ -62,7 +71,7 @@ public:
             place.cycleCount = m_steps;
         }
         const double duration = units::secondsPerMinute / m_project.machine->work_speed_rpm;
-        const PassFeed feed{m_run.fed_mm, 0, infeed, std::max(infeed, 0.0)};
+        const PassFeed feed = revolution(m_run.fed_mm, infeed);
         if (m_coupling && !couple(feed)) {
             return false;
         }
@@ -85,7 +94,32 @@ public:
         return result;
     }
 
+    /// The free gauge position has no requirements, and is not told from sections.
+    const RadiusFollower* follower() const override { return m_balances ? this : nullptr; }
+    FollowedRadii follow(const FollowedRadii::Lanes& lanes) const override {
+        return radiiOf(m_run, lanes);
+    }
+    FollowedFeed feed(double infeed_mm, double) const override {
+        return {.infeed_mm = infeed_mm, .strokes = {}};
+    }
+    void stepAlone(FollowedRadii& radii, const FollowedFeed& feed) const override {
+        const PassFeed pass = revolution(radii.fed_mm, feed.infeed_mm);
+        for (FollowedRadius& radius : radii.radii) {
+            cutAlone(radius, (*m_balances)[radius.zone], pass.at(radius.share));
+        }
+        radii.fed_mm += feed.infeed_mm;
+        ++radii.passes;
+    }
+    void strokesAlone(FollowedRadii& radii, const FollowedFeed& feed) const override {
+        stepAlone(radii, feed);
+    }
+    bool hasStrokesAlone() const override { return true; }
+
 private:
+    static PassFeed revolution(double fed_mm, double infeed_mm) {
+        return {fed_mm, 0, infeed_mm, std::max(infeed_mm, 0.0)};
+    }
+
     static std::size_t gaugePoint(const Project& project) {
         return static_cast<std::size_t>(project.gauge->position_mm ? project.sections
                                                                    : gaugeSection(project));
@@ -106,7 +140,8 @@ private:
     std::stop_token m_stop;
     std::shared_ptr<CutWidth> m_width; ///< one for all copies, but where the coupling changes it
     std::vector<Place> m_places;
-    std::optional<SectionCoupling> m_coupling; ///< with sections coupled
+    std::shared_ptr<const std::vector<LaneBalance>> m_balances; ///< by section; none: no follower
+    std::optional<SectionCoupling> m_coupling;                  ///< with sections coupled
 };
 
 } // namespace

@@ -8,11 +8,13 @@
 
 namespace sparkout {
 
+class Run;
+
 /// A radius that is followed alone.
 struct FollowedRadius {
     double depth_mm = 0;
     double share = 0;     ///< of the revolution, at which it is visited
-    std::size_t zone = 0; ///< that it is in
+    std::size_t zone = 0; ///< or section that it is in
 };
 
 /// A few radii and how far the wheel is fed at them.
@@ -27,12 +29,12 @@ struct FollowedRadii {
 /// What a step feeds, and how the zones yield in its strokes.
 struct FollowedFeed {
     double infeed_mm = 0;
-    std::array<LaneBalance, 3> strokes; ///< by zone
+    std::array<LaneBalance, 3> strokes; ///< by zone; traverse
 };
 
 /// Follows a few radii through steps of a cycle without the rest of the part: each is cut as the
 /// whole run would cut it, but for rounding. Where radii depend on each other there is none. Feeds
-/// and steps are the same for all states of a part.
+/// and steps are the same for all states of a part. In plunge grinding a step is one stroke.
 class RadiusFollower {
 public:
     virtual ~RadiusFollower() = default;
@@ -44,6 +46,17 @@ public:
     /// Of a step the strokes alone, which cut all zones. A radius that no other pass cuts stands as
     /// after the step, any other one no deeper.
     virtual void strokesAlone(FollowedRadii& radii, const FollowedFeed& feed) const = 0;
+    /// Whether no other pass cuts any radius.
+    [[nodiscard]] virtual bool hasStrokesAlone() const = 0;
 };
+
+/// Radii of a run as they stand now.
+[[nodiscard]] FollowedRadii radiiOf(const Run& run, const FollowedRadii::Lanes& lanes);
+
+/// A pass at a radius that the wheel is fed to t_П = `fed_mm` at.
+inline void cutAlone(FollowedRadius& radius, const LaneBalance& balance, double fed_mm) {
+    const double root = balance.root(fed_mm - radius.depth_mm);
+    radius.depth_mm += root * root;
+}
 
 } // namespace sparkout

@@ -101,12 +101,7 @@ public:
     }
 
     FollowedRadii follow(const FollowedRadii::Lanes& lanes) const override {
-        FollowedRadii radii{.fed_mm = m_run.fed_mm, .radii = {}};
-        for (std::size_t i = 0; i < lanes.size(); ++i) {
-            radii.radii[i] = {m_run.depth_mm(lanes[i]), m_run.share(lanes[i]),
-                              m_run.pointOf(lanes[i])};
-        }
-        return radii;
+        return radiiOf(m_run, lanes);
     }
 
     FollowedFeed feed(double infeed_mm, double axialFeed_mm_min) const override {
@@ -143,6 +138,8 @@ public:
         }
     }
 
+    bool hasStrokesAlone() const override { return false; }
+
 private:
     static constexpr std::size_t zoneCount = 3;
 
@@ -166,11 +163,6 @@ private:
             const double way_mm = fromEntry(m_project, section.position_mm) - first_mm;
             m_wayShares.push_back(std::clamp(way_mm / m_travel_mm, 0.0, 1.0));
         }
-    }
-
-    static void cutAlone(FollowedRadius& radius, const LaneBalance& balance, double fed_mm) {
-        const double root = balance.root(fed_mm - radius.depth_mm);
-        radius.depth_mm += root * root;
     }
 
     std::shared_ptr<const CutWidth> sharedCut(double width_mm) const {

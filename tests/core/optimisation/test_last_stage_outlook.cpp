@@ -23,12 +23,13 @@ using search_cases::smallCase;
 
 namespace {
 
-/// Small cases of traverse grinding under gauge control, each radius by its own balance.
-Project followable(unsigned seed) {
+/// Small cases under gauge control, each radius by its own balance.
+Project followable(Operation operation, unsigned seed) {
     for (unsigned salt = 0;; ++salt) {
         Project p = smallCase(seed + 1000 * salt);
-        if (p.operation == Operation::traverse && p.gauge->control == Control::gauge
-            && !p.machine->wheel_contact) {
+        const bool isAlone =
+            !p.machine->wheel_contact && !p.sections_coupled && !p.gauge->position_mm;
+        if (p.operation == operation && p.gauge->control == Control::gauge && isAlone) {
             search_cases::Dice dice(seed);
             p.zone_sections = 1; // several are not followed alone
             p.machine->dwell_entry_s =
@@ -40,8 +41,12 @@ Project followable(unsigned seed) {
             p.machine->reversal_infeed = static_cast<ReversalInfeed>(seed % 3);
             p.cycle->stages.assign(2, {});
             for (Stage& stage : p.cycle->stages) {
-                stage.radial_feed_mm = dice.uniform(0.002, 0.012);
-                stage.axial_feed_mm_min = dice.uniform(500, 2000);
+                if (operation == Operation::traverse) {
+                    stage.radial_feed_mm = dice.uniform(0.002, 0.012);
+                    stage.axial_feed_mm_min = dice.uniform(500, 2000);
+                } else {
+                    stage.radial_feed_mm_min = dice.uniform(0.1, 1.5);
+                }
                 stage.stock_mm = p.part->stock_mm / 2;
             }
             return p;
@@ -49,15 +54,24 @@ Project followable(unsigned seed) {
     }
 }
 
+Project traversed(unsigned seed) {
+    return followable(Operation::traverse, seed);
+}
+
+Project plunged(unsigned seed) {
+    return followable(Operation::plunge, seed);
+}
+
 struct CycleRun {
     explicit CycleRun(const Project& p)
         : project(p)
-        , steps(traverseSteps(p, Zone::nz, nullptr, {}))
+        , steps(p.operation == Operation::traverse ? traverseSteps(p, Zone::nz, nullptr, {})
+                                                   : plungeSteps(p, nullptr, {}))
         , control(p, infeedsOfStages(p), steps->run().blank().totalInfeed_mm) {}
     [[nodiscard]] StepFeed feed() const {
         const std::size_t stage = control.stage();
         return {control.nextInfeed(steps->run().fed_mm), stage,
-                *project.cycle->stages[stage].axial_feed_mm_min};
+                project.cycle->stages[stage].axial_feed_mm_min.value_or(0)};
     }
     void step() {
         QVERIFY(steps->step(feed()));
@@ -91,7 +105,7 @@ private slots:
     void aRadiusFollowedAloneStandsWhereTheWholeRunHasItAndByStrokesAloneNoDeeper() {
         int shallower = 0;
         for (unsigned seed = 0; seed < 100; ++seed) {
-            const Project p = followable(seed);
+            const Project p = traversed(seed);
             CycleRun whole(p);
             const auto K = static_cast<std::size_t>(p.part->radii_per_section);
             const FollowedRadii::Lanes lanes{seed % K, K + seed % K, 2 * K + K - 1};
@@ -119,10 +133,44 @@ private slots:
         QVERIFY(shallower > 100); // else the plunge and the dwells were none
     }
 
+    void inPlungeGrindingARadiusFollowedAloneStandsWhereTheWholeRunHasIt() {
+        for (unsigned seed = 0; seed < 100; ++seed) {
+            const Project p = plunged(seed);
+            CycleRun whole(p);
+            const auto K = static_cast<std::size_t>(p.part->radii_per_section);
+            const FollowedRadii::Lanes lanes{seed % K, (seed + K / 3) % K, K - 1};
+            const RadiusFollower* follower = whole.steps->follower();
+            QVERIFY(follower && follower->hasStrokesAlone());
+            const FollowedFeed feed = follower->feed(whole.feed().infeed_mm, 0);
+            FollowedRadii alone = follower->follow(lanes);
+            FollowedRadii telling = tellingRadii(*whole.steps);
+            while (whole.control.stage() == 0) {
+                follower->stepAlone(alone, feed);
+                follower->strokesAlone(telling, feed);
+                whole.step();
+                const FollowedRadii there = follower->follow(lanes);
+                QCOMPARE(alone.fed_mm, there.fed_mm);
+                for (std::size_t i = 0; i < lanes.size(); ++i) {
+                    QVERIFY(std::abs(alone.radii[i].depth_mm - there.radii[i].depth_mm) < 1e-14);
+                }
+                const Run& run = whole.steps->run();
+                const double deepest_mm = run.depth_mm(run.deepestLane(whole.steps->gaugePoint()));
+                QVERIFY(telling.radii[0].depth_mm > deepest_mm - 1e-14); // none comes deeper
+            }
+        }
+    }
+
+    void theStageTakesNoFewerStepsAndWhatIsToldTooDeepIsSo_data() {
+        QTest::addColumn<bool>("travels");
+        QTest::addRow("traverse") << true;
+        QTest::addRow("plunge") << false;
+    }
+
     void theStageTakesNoFewerStepsAndWhatIsToldTooDeepIsSo() {
+        QFETCH(bool, travels);
         int exact = 0, deep = 0, missed = 0, stages = 0;
         for (unsigned seed = 0; seed < 400; ++seed) {
-            const Project p = followable(seed);
+            const Project p = travels ? traversed(seed) : plunged(seed);
             const PassCuts cuts(p);
             CycleRun run(p);
             while (run.control.stage() == 0) {
@@ -152,7 +200,7 @@ private slots:
     }
 
     void aSparkOutIsFollowedForItsSteps() {
-        const Project p = followable(3);
+        const Project p = traversed(3);
         CycleRun run(p);
         while (run.control.stage() == 0) {
             run.step();
@@ -165,10 +213,18 @@ private slots:
     }
 
     void nothingIsToldWhereRadiiDependOnEachOther() {
-        Project p = followable(1);
+        Project p = traversed(1);
         p.machine->wheel_contact = WheelContact{std::vector<std::vector<double>>{{50, 20}}};
         QVERIFY(!CycleRun(p).steps->follower());
-        const Project plunge = fixtures::plunge();
+        Project plunge = fixtures::plunge();
+        QVERIFY(plungeSteps(plunge, nullptr, {})->follower());
+        plunge.gauge->position_mm = plunge.part->length_mm / 3;
+        plunge.gauge->compliance_mm_per_n = 1e-5;
+        QVERIFY(!plungeSteps(plunge, nullptr, {})->follower());
+        plunge.gauge->position_mm.reset();
+        fixtures::putOnSlenderShaft(plunge);
+        plunge.sections = 3;
+        plunge.sections_coupled = true;
         QVERIFY(!plungeSteps(plunge, nullptr, {})->follower());
     }
 };

@@ -237,6 +237,9 @@ private slots:
                 const std::optional<double> margin = overEveryStock(cycle);
                 if (margin && !hasIdleStage(simulateUnchecked(cycle))) {
                     each.margin = std::min(each.margin, *margin);
+                    for (const Project& drawn : fewPhases(cycle, 0)) { // less by a last bit at most
+                        each.margin = std::min(each.margin, leastMargin(simulateUnchecked(drawn)));
+                    }
                     all.push_back(each);
                 }
             }

@@ -70,7 +70,7 @@ private slots:
             shown.clear();
             bench.window->document().startUntitled(projects[std::size_t(round) % 2]);
             QTRY_VERIFY(!shown.isEmpty());
-            QCoreApplication::processEvents(); // the view draws
+            QCoreApplication::processEvents();    // the view draws
             if (!isSwept && sweep->isVisible()) { // on a quick machine the next round would stop it
                 QTRY_VERIFY(sweep->graphCount() > 0);
                 isSwept = true;
