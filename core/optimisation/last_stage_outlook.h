@@ -27,7 +27,8 @@ struct LastStageOutlook {
     bool cutsTooDeep = false; ///< a diameter ends beyond the field
 };
 
-/// Under gauge control, from a state on in which all feeding stages but the last are done.
+/// Under gauge control, from a state on in which all feeding stages but the last are done. Levels
+/// of feeds are above 0: nothing retracts.
 ///
 /// The gauge stands in НЗ, or in a section, which is cut in strokes alone. The cycle ends when
 /// Π_rem ≤ slack, and Π_rem is |R_first − R_t| less the mean depth of two opposite radii there, or
