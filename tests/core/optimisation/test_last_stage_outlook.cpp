@@ -14,6 +14,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
 namespace test_last_stage_outlook {
@@ -82,6 +83,13 @@ struct CycleRun {
     StageControl control;
 };
 
+bool standAlike(const FollowedRadii& a, const FollowedRadii& b) {
+    return a.fed_mm == b.fed_mm
+           && std::ranges::equal(a.radii, b.radii, [](const auto& one, const auto& other) {
+                  return std::abs(one.depth_mm - other.depth_mm) < 1e-14;
+              });
+}
+
 LastStage lastStage(const CycleRun& run, double infeed_mm) {
     return {.feed = run.steps->follower()->feed(infeed_mm, run.feed().axialFeed_mm_min)};
 }
@@ -120,10 +128,9 @@ private slots:
                 follower->strokesAlone(strokes, feed);
                 whole.step();
                 const FollowedRadii there = follower->follow(lanes);
-                QCOMPARE(alone.fed_mm, there.fed_mm);
+                QVERIFY(standAlike(alone, there));
                 QCOMPARE(strokes.fed_mm, there.fed_mm);
                 for (std::size_t i = 0; i < lanes.size(); ++i) {
-                    QVERIFY(std::abs(alone.radii[i].depth_mm - there.radii[i].depth_mm) < 1e-14);
                     QVERIFY(strokes.radii[i].depth_mm <= alone.radii[i].depth_mm);
                 }
                 QCOMPARE(strokes.radii[1].depth_mm, alone.radii[1].depth_mm); // cut by strokes only
@@ -148,11 +155,7 @@ private slots:
                 follower->stepAlone(alone, feed);
                 follower->strokesAlone(telling, feed);
                 whole.step();
-                const FollowedRadii there = follower->follow(lanes);
-                QCOMPARE(alone.fed_mm, there.fed_mm);
-                for (std::size_t i = 0; i < lanes.size(); ++i) {
-                    QVERIFY(std::abs(alone.radii[i].depth_mm - there.radii[i].depth_mm) < 1e-14);
-                }
+                QVERIFY(standAlike(alone, follower->follow(lanes)));
                 const Run& run = whole.steps->run();
                 const double deepest_mm = run.depth_mm(run.deepestLane(whole.steps->gaugePoint()));
                 QVERIFY(telling.radii[0].depth_mm > deepest_mm - 1e-14); // none comes deeper

@@ -236,9 +236,12 @@ private slots:
                 *cycle.cycle = each.plain.cycle;
                 const std::optional<double> margin = overEveryStock(cycle);
                 if (margin && !hasIdleStage(simulateUnchecked(cycle))) {
+                    constexpr double lastBits = 1e-9;
                     each.margin = std::min(each.margin, *margin);
-                    for (const Project& drawn : fewPhases(cycle, 0)) { // less by a last bit at most
-                        each.margin = std::min(each.margin, leastMargin(simulateUnchecked(drawn)));
+                    for (const Project& drawn : fewPhases(cycle, 0)) { // no less but for rounding
+                        const double there = leastMargin(simulateUnchecked(drawn));
+                        QVERIFY2(there > each.margin - lastBits, QByteArray::number(seed));
+                        each.margin = std::min(each.margin, there);
                     }
                     all.push_back(each);
                 }
