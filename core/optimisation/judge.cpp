@@ -205,6 +205,16 @@ bool Judge::isHopeless(GridCycle cycle, int merged) {
     return true;
 }
 
+void Judge::keepHopeless(GridCycle beforeLast, int merged, std::vector<std::size_t>& settings) {
+    if (m_cases.empty()) {
+        settings.clear();
+    }
+    for (int more = 0; more <= merged && !settings.empty(); ++more) {
+        m_cases.front()->keepHopeless(beforeLast, settings);
+        ++beforeLast.back().steps;
+    }
+}
+
 /// For a stock of a case; the one that showed it last is asked first.
 bool Judge::endsTooDeep(const GridCycle& cycle) {
     const auto deep = std::find_if(m_cases.begin(), m_cases.end(),

@@ -30,6 +30,9 @@ public:
     /// Whether a cycle and each of the `merged` further ones is known to break a requirement in a
     /// scenario or for a stock of a case, before the last stage is run; then it is decided.
     bool isHopeless(GridCycle cycle, int merged);
+    /// Leaves those settings of a last stage with which a cycle that begins so, and each of the
+    /// `merged` further ones, is known to end too deep for a stock of a case without following it.
+    void keepHopeless(GridCycle beforeLast, int merged, std::vector<std::size_t>& settings);
     /// Challenges those of the waiting cycles that take no longer than this [s] and would be the
     /// best, the best first. Not when it is to stop.
     void settle(double time_s);

@@ -28,8 +28,10 @@ public:
     /// What most cycles fail by, found without closing the books and judging all the rest.
     [[nodiscard]] std::optional<ConstraintKind> brokenAtEnd(const Run& run) const;
     /// Whether a deviation of a diameter [mm] is beyond the end of the field that cutting comes to.
-    [[nodiscard]] bool isTooDeep(double deviation_mm) const {
-        return m_isBore ? deviation_mm > m_most_mm : deviation_mm < m_least_mm;
+    [[nodiscard]] bool isTooDeep(double deviation_mm) const { return left_mm(deviation_mm) < 0; }
+    /// How much deeper than here a diameter of this deviation may yet be cut [mm].
+    [[nodiscard]] double left_mm(double deviation_mm) const {
+        return m_isBore ? m_most_mm - deviation_mm : deviation_mm - m_least_mm;
     }
     [[nodiscard]] ConstraintKind tooDeep() const {
         return m_isBore ? ConstraintKind::diameterMax : ConstraintKind::diameterMin;

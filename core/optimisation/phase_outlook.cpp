@@ -8,7 +8,10 @@
 #include "core/project/part.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <iterator>
+#include <utility>
 
 namespace sparkout {
 
@@ -59,12 +62,49 @@ PhaseOutlook::PhaseOutlook(const PhaseCase& of, const Grid& grid, std::size_t me
         m_feeds.push_back(follower->feed(m_infeeds_mm.back(), setting.axialFeed_mm_min));
     }
     m_unbegun = stateOf(*m_blank);
+    m_lags.emplace(*follower, m_feeds);
+    const Run& run = m_blank->run();
+    m_sure_mm = run.blank().totalInfeed_mm - stageSlack_mm - 8 * m_doubt_mm;
+    m_excess_mm =
+        (m_runner.cuts().left_mm(run.diameterDeviation(m_sure_mm, m_sure_mm)) + larger_mm(0)) / 2;
 }
 
 bool PhaseOutlook::isHopeless(const GridCycle& cycle) {
     if (m_feeds.empty()) {
         return false;
     }
+    const StockRange range = stocksOf(cycle);
+    if (cycle.size() == 1) {
+        return endsTooDeep(m_unbegun, cycle, range);
+    }
+    return visitLast(
+        first(cycle.size(), cycle.front().setting), std::span(cycle).first(cycle.size() - 1), 0, 0,
+        range,
+        [&](const State& state, StockRange stocks) { return endsTooDeep(state, cycle, stocks); });
+}
+
+void PhaseOutlook::keepHopeless(const GridCycle& beforeLast, std::vector<std::size_t>& settings) {
+    m_ends.clear();
+    if (!m_feeds.empty() && !beforeLast.empty()) {
+        visitLast(first(beforeLast.size() + 1, beforeLast.front().setting), beforeLast, 0, 0,
+                  stocksOf(beforeLast), [&](const State& state, StockRange stocks) {
+                      m_ends.push_back(endOf(state.telling, stocks));
+                      return false;
+                  });
+    }
+    if (std::ranges::any_of(m_ends, &End::isTooDeep)) {
+        return;
+    }
+    std::ranges::sort(m_ends, std::greater(), &End::stocks_mm); // which shows most
+    std::erase_if(settings, [&](std::size_t setting) {
+        return m_grid.settings()[setting].sparkOut > 0
+               || std::ranges::none_of(m_ends,
+                                       [&](const End& end) { return isFedTooFar(end, setting); });
+    });
+}
+
+/// How much more than the least stock of all those that a cycle of these stages must hold for are.
+StockRange PhaseOutlook::stocksOf(const GridCycle& cycle) const {
     double infeed_mm = 0;
     for (const GridStage& stage : cycle) {
         const bool feeds = m_grid.settings()[stage.setting].sparkOut == 0;
@@ -73,25 +113,25 @@ bool PhaseOutlook::isHopeless(const GridCycle& cycle) {
     StockRange range = widened(m_stocks, infeed_mm);
     range.from_mm -= m_part.part->stock_mm;
     range.to_mm -= m_part.part->stock_mm;
+    return range;
+}
+
+PhaseOutlook::Stage& PhaseOutlook::first(std::size_t stages, std::size_t setting) {
     if (m_kept_bytes > m_mostKept_bytes) {
         m_first.clear();
         m_kept_bytes = 0;
     }
-    if (cycle.size() == 1) {
-        return endsTooDeep(m_unbegun, cycle, range);
-    }
-    const std::pair key(cycle.size(), cycle.front().setting);
+    const std::pair key(stages, setting);
     const auto found = m_first.find(key);
-    Stage& first = found != m_first.end()
-                       ? found->second
-                       : m_first.emplace(key, begin(m_runner.begin(cycle.size()))).first->second;
-    return isHopelessFrom(first, cycle, 0, 0, range);
+    return found != m_first.end()
+               ? found->second
+               : m_first.emplace(key, begin(m_runner.begin(stages))).first->second;
 }
 
-/// Goes through the steps at which stocks of the range end the stage.
-bool PhaseOutlook::isHopelessFrom(Stage& stage, const GridCycle& cycle, std::size_t place,
-                                  int taken, StockRange range) {
-    const int behind = taken + cycle[place].steps;
+/// Goes through the steps at which stocks of the range end a stage before the last.
+bool PhaseOutlook::visitLast(Stage& stage, std::span<const GridStage> before, std::size_t place,
+                             int taken, StockRange range, const AtLast& atLast) {
+    const int behind = taken + before[place].steps;
     const double later_mm = m_grid.remainder(behind) + stageSlack_mm;
     const auto isBefore = [&](const State& each) { // no stock of the range ends it there
         return later_mm - each.remaining_mm - range.from_mm <= 4 * m_doubt_mm;
@@ -100,7 +140,7 @@ bool PhaseOutlook::isHopelessFrom(Stage& stage, const GridCycle& cycle, std::siz
     const auto known = static_cast<std::size_t>(first - stage.states.begin());
     for (std::size_t count = std::max<std::size_t>(known, place == 0 ? 1 : 0);
          range.to_mm - range.from_mm > 4 * m_doubt_mm; ++count) {
-        const State* const state = stateAt(stage, count, place, cycle[place].setting);
+        const State* const state = stateAt(stage, count, place, before[place].setting);
         if (!state) {
             return false;
         }
@@ -109,12 +149,12 @@ bool PhaseOutlook::isHopelessFrom(Stage& stage, const GridCycle& cycle, std::siz
         if (ending.to_mm - ending.from_mm <= 4 * m_doubt_mm) {
             continue;
         }
-        if (place + 2 == cycle.size()) {
-            if (endsTooDeep(*state, cycle, ending)) {
+        if (place + 1 == before.size()) {
+            if (atLast(*state, ending)) {
                 return true;
             }
-        } else if (Stage* const next = follower(stage, count, cycle, place);
-                   next && isHopelessFrom(*next, cycle, place + 1, behind, ending)) {
+        } else if (Stage* const next = follower(stage, count, before, place);
+                   next && visitLast(*next, before, place + 1, behind, ending, atLast)) {
             return true;
         }
         range.from_mm = ending.to_mm;
@@ -125,6 +165,7 @@ bool PhaseOutlook::isHopelessFrom(Stage& stage, const GridCycle& cycle, std::siz
 PhaseOutlook::Stage PhaseOutlook::begin(std::shared_ptr<const CycleSteps> from) {
     Stage stage;
     stage.steps = from->copy();
+    stage.steps->run().keepRadiiAlone();
     stage.states.push_back(stateOf(*from));
     stage.kept.emplace(0, std::move(from));
     m_kept_bytes += prefixBytes(m_part);
@@ -151,17 +192,18 @@ const PhaseOutlook::State* PhaseOutlook::stateAt(Stage& stage, std::size_t count
 }
 
 /// The next stage of the cycle after so many steps; nothing: it was stopped.
-PhaseOutlook::Stage* PhaseOutlook::follower(Stage& stage, std::size_t count, const GridCycle& cycle,
-                                            std::size_t place) {
-    const std::size_t setting = cycle[place].setting;
-    const std::pair key(count, cycle[place + 1].setting);
+PhaseOutlook::Stage* PhaseOutlook::follower(Stage& stage, std::size_t count,
+                                            std::span<const GridStage> before, std::size_t place) {
+    const std::size_t setting = before[place].setting;
+    const std::pair key(count, before[place + 1].setting);
     if (const auto found = stage.next.find(key); found != stage.next.end()) {
         return &found->second;
     }
-    const auto& [made, before] = *std::prev(stage.kept.upper_bound(count));
-    std::shared_ptr<const CycleSteps> from = before;
+    const auto& [made, there] = *std::prev(stage.kept.upper_bound(count));
+    std::shared_ptr<const CycleSteps> from = there;
     if (made < count) {
-        std::unique_ptr<CycleSteps> steps = before->copy();
+        std::unique_ptr<CycleSteps> steps = there->copy();
+        steps->run().keepRadiiAlone();
         for (std::size_t i = made; i < count; ++i) {
             if (steps->run().mustEnd()
                 || !steps->step(
@@ -210,13 +252,48 @@ bool PhaseOutlook::endsTooDeep(const State& state, const GridCycle& cycle, Stock
     return false;
 }
 
+PhaseOutlook::End PhaseOutlook::endOf(const FollowedRadii& telling, StockRange stocks) {
+    const auto& [gauged, one, other] = telling.radii;
+    const auto lag_mm = [&](const FollowedRadius& radius) {
+        return telling.fed_mm - radius.depth_mm;
+    };
+    return {.infeed_mm = m_sure_mm + stocks.from_mm - telling.fed_mm,
+            .stocks_mm = stocks.to_mm - stocks.from_mm,
+            .gauged_mm = lag_mm(gauged),
+            .deep_mm = {lag_mm(one), lag_mm(other)},
+            .least_mm = m_lags->least_mm(gauged.zone).data(),
+            .most = {m_lags->most(one.zone).data(), m_lags->most(other.zone).data()},
+            .isTooDeep = isTooDeep(telling, stocks.from_mm + m_doubt_mm)};
+}
+
+bool PhaseOutlook::isFedTooFar(const End& end, std::size_t setting) const {
+    const double infeed_mm = m_infeeds_mm[setting];
+    const double least_mm = std::min(end.gauged_mm, end.least_mm[setting]);
+    const double beyond_mm = std::min(infeed_mm, end.stocks_mm) + least_mm - m_excess_mm;
+    double steady_mm = 0, more_mm = 0, slope = 0; // of both
+    for (std::size_t i = 0; i < end.most.size(); ++i) {
+        const SteadyLags::Most& most = end.most[i][setting];
+        steady_mm += most.lag_mm;
+        more_mm += std::max(end.deep_mm[i] - most.lag_mm, 0.0);
+        slope = std::max(slope, most.slope);
+    }
+    if (steady_mm + more_mm < 2 * beyond_mm || steady_mm >= 2 * beyond_mm) {
+        return steady_mm + more_mm < 2 * beyond_mm;
+    }
+    const double steps = (end.infeed_mm + least_mm) / infeed_mm; // at least, up to the end
+    return steps > 0 && steady_mm + more_mm * std::pow(slope, std::ceil(steps)) < 2 * beyond_mm;
+}
+
+/// By what a diameter is larger at most for a stock greater by so much than that of the shared run.
+double PhaseOutlook::larger_mm(double more_mm) const {
+    return 2 * more_mm + nearest_mm + 4 * m_doubt_mm;
+}
+
 /// Of a stock greater by so much than that of the shared run.
 bool PhaseOutlook::isTooDeep(const FollowedRadii& radii, double more_mm) const {
-    const double larger_mm = 2 * more_mm + nearest_mm + 4 * m_doubt_mm;
     const double deviation_mm =
         m_blank->run().diameterDeviation(radii.radii[1].depth_mm, radii.radii[2].depth_mm);
-    const bool isBore = m_part.part->surface == Surface::internal;
-    return m_runner.cuts().isTooDeep(deviation_mm + (isBore ? -larger_mm : larger_mm));
+    return m_runner.cuts().left_mm(deviation_mm) + larger_mm(more_mm) < 0;
 }
 
 } // namespace sparkout

@@ -8,8 +8,10 @@
 #include "core/quality/ranges.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -18,23 +20,24 @@ namespace sparkout {
 
 namespace {
 
-/// A cycle up to the end of a stage, and the settings of the next one. Where memory is short the
-/// steps and the settings are left out, and made anew when it is gone on with.
+/// A cycle up to the end of a stage, and the settings of the next one. Where memory is short all
+/// steps are left out, and made anew when it is gone on with.
 struct Prefix {
     CyclePrefix done;
     int merged = 0;     ///< further ends of its last stage on the same step
-    double least_s = 0; ///< bound of the branch it came from
+    double least_s = 0; ///< bound of all that goes on from it
     std::vector<std::pair<double, std::size_t>> next; ///< bound [s] and setting, by bound
     [[nodiscard]] bool isWhole() const { return done.steps != nullptr; }
 };
-using PrefixPtr = std::shared_ptr<const Prefix>;
+using PrefixPtr = std::shared_ptr<Prefix>;
 
 struct Branch {
+    static constexpr std::size_t closed = SIZE_MAX;
     double bound_s = 0;
     long long order = 0; ///< among equal bounds the newest first: deeper
-    PrefixPtr prefix;
-    std::size_t index = 0;   ///< in the prefix's next settings
-    std::size_t setting = 0; ///< that one
+    PrefixPtr prefix{};
+    std::size_t index = closed;   ///< in the prefix's next settings; closed: these are to be found
+    std::size_t setting = closed; ///< that one; closed: the first of them
     friend bool operator<(const Branch& a, const Branch& b) {
         return a.bound_s != b.bound_s ? a.bound_s > b.bound_s : a.order < b.order;
     }
@@ -83,6 +86,7 @@ public:
         , m_mayMerge(options.scenarios.empty() && !options.challenge && !options.wholeMargin
                      && !(project.optimisation && project.optimisation->stage_stock_mm))
         , m_leastSteps(project.least_steps.value_or(0))
+        , m_mostSince(m_runs.canTell() ? 4 : 0)
         , m_mostWhole(options.memory_bytes / 3 * 2 / wholeBytes(project, grid))
         , m_most(std::min(m_mostWhole + options.memory_bytes / 3 / leftOutBytes,
                           mostPerWhole * m_mostWhole)) {
@@ -105,8 +109,11 @@ public:
             if (isSlower(branch->bound_s)) {
                 continue;
             }
+            if (branch->index == Branch::closed && !open(*branch)) {
+                continue;
+            }
             push(branch->prefix, branch->index + 1);
-            explore(*branch->prefix, branch->prefix->next[branch->index].second, branch->bound_s);
+            explore(*branch->prefix, branch->setting, branch->bound_s);
             demandMargin();
             if (m_options.onProgress) {
                 m_options.onProgress(progress());
@@ -196,7 +203,10 @@ private:
             Prefix root;
             root.done.stages = stages;
             root.done.keep(steps);
-            add(std::move(root), *steps);
+            Branch branch{.prefix = std::make_shared<Prefix>(std::move(root))};
+            if (open(branch)) {
+                push(std::move(branch));
+            }
         }
     }
 
@@ -240,39 +250,105 @@ private:
         return known ? std::optional(prefix.cycle.back().setting) : std::nullopt;
     }
 
-    /// Keeps a prefix whose steps are these, or go on from them.
-    void add(Prefix prefix, const CycleSteps& steps) {
-        const CyclePrefix& done = prefix.done;
+    /// Finds the settings that a branch goes on with, from its first on; of one that was left out
+    /// those before are done. False: others come before, or there are none, or it is stopped.
+    bool open(Branch& branch) {
+        Prefix& prefix = *branch.prefix;
+        CyclePrefix& done = prefix.done;
+        if (!prefix.isWhole() && !makeSteps(done)) {
+            return false;
+        }
+        const bool isFirst = branch.setting == Branch::closed;
+        const std::pair now(branch.bound_s, branch.setting);
         const int taken = m_runs.leastTaken(done);
+        const auto cut = [&](ConstraintKind kind) {
+            if (isFirst) {
+                m_judge.cut(kind);
+            }
+        };
+        findSettings(done, cut);
+        findHopeless(prefix);
+        prefix.next.reserve(m_settings.size() - m_hopeless.size());
+        auto hopeless = m_hopeless.begin();
+        for (const std::size_t s : m_settings) {
+            if (hopeless != m_hopeless.end() && *hopeless == s) {
+                ++hopeless;
+                cut(m_runner.cuts().tooDeep());
+                continue;
+            }
+            const std::pair next(std::max(prefix.least_s, m_runs.bound_s(done, s, taken)), s);
+            if (!isSlower(next.first) && (isFirst || next >= now)) {
+                prefix.next.push_back(next);
+            }
+        }
+        std::sort(prefix.next.begin(), prefix.next.end());
+        if (prefix.next.empty() || prefix.next.front().first > branch.bound_s) {
+            push(branch.prefix, 0);
+            return false;
+        }
+        branch.index = 0;
+        branch.setting = prefix.next.front().second;
+        return true;
+    }
+
+    /// Makes those of its steps that are not kept. False: it was stopped.
+    bool makeSteps(CyclePrefix& done) {
+        if (done.steps && done.since == 0) {
+            return true;
+        }
+        const auto& from = done.steps ? done.steps : m_runner.begin(done.stages);
+        const int count = done.steps ? done.since : done.stepCount();
+        std::unique_ptr<CycleSteps> steps = from->copy();
+        const bool isThere = m_runs.again(done, *steps, count);
+        m_judge.counts.visits += steps->run().visits() - from->run().visits();
+        if (isThere) {
+            done.keep(std::move(steps));
+        }
+        return isThere;
+    }
+
+    /// Those that may be the next, but for what is cut.
+    template <class Cut>
+    void findSettings(const CyclePrefix& done, const Cut& cut) {
         const std::optional<std::size_t> shorter = toldShorter(done);
-        prefix.next.reserve(m_grid.settings().size());
-        for (std::size_t s = 0; s < m_grid.settings().size(); ++s) {
-            if (s == shorter || isTooNear(s) || !m_grid.mayGoOn(done.cycle, done.stages, s)) {
+        m_settings.clear();
+        for (const std::size_t s : followers(done)) {
+            if (s == shorter || isTooNear(s)) {
                 continue;
             }
             if (const auto& broken =
                     done.isBeforeLast() ? m_tooWide[s].last : m_tooWide[s].before) {
-                m_judge.cut(*broken);
-                continue;
-            }
-            const double bound_s = boundOf(prefix, steps, s, taken);
-            if (!isSlower(bound_s)) {
-                prefix.next.emplace_back(bound_s, s);
+                cut(*broken);
+            } else {
+                m_settings.push_back(s);
             }
         }
-        if (prefix.next.empty()) {
-            return;
-        }
-        if (!done.steps) {
-            prefix.done.keep(steps.copy());
-        }
-        std::sort(prefix.next.begin(), prefix.next.end());
-        push(std::make_shared<const Prefix>(std::move(prefix)), 0);
     }
 
-    [[nodiscard]] double boundOf(const Prefix& prefix, const CycleSteps& steps, std::size_t setting,
-                                 int taken) const {
-        return std::max(prefix.least_s, m_runs.bound_s(prefix.done, steps.run(), setting, taken));
+    /// All that the grid allows.
+    const std::vector<std::size_t>& followers(const CyclePrefix& done) {
+        const std::size_t before =
+            done.cycle.empty() ? m_grid.settings().size() : done.cycle.back().setting;
+        const auto [place, isNew] =
+            m_followers.try_emplace({done.stages, done.cycle.size(), before});
+        for (std::size_t s = 0; isNew && s < m_grid.settings().size(); ++s) {
+            if (m_grid.mayGoOn(done.cycle, done.stages, s)) {
+                place->second.push_back(s);
+            }
+        }
+        return place->second;
+    }
+
+    /// Those of them that are known to fail as a last stage: point 4 of the header.
+    void findHopeless(const Prefix& prefix) {
+        const CyclePrefix& done = prefix.done;
+        m_hopeless.clear();
+        if (done.isBeforeLast() && done.hasSteps()) {
+            m_hopeless = m_settings;
+        }
+        if (!m_hopeless.empty() && !m_runs.isTooDeep(done)) {
+            m_judge.keepHopeless(done.cycle, prefix.merged, m_hopeless);
+        }
     }
 
     // Each prefix that is kept has one branch. When there are too many whole ones, those that will
@@ -282,19 +358,22 @@ private:
     void push(const PrefixPtr& prefix, std::size_t index) {
         if (index < prefix->next.size() && !isSlower(prefix->next[index].first)) {
             const auto& [bound_s, setting] = prefix->next[index];
-            Branch branch{bound_s, ++m_order, prefix, index, setting};
-            if (m_isFirstTaken) {
-                putFirst(std::move(branch));
-            } else if (m_branches.size() < m_most) {
-                m_branches.push_back(std::move(branch));
-                std::push_heap(m_branches.begin(), m_branches.end());
-            } else {
-                m_newest.push_back(std::move(branch));
-                return;
-            }
-            if (++m_whole > m_mostWhole) {
-                leaveOut();
-            }
+            push({bound_s, ++m_order, prefix, index, setting});
+        }
+    }
+
+    void push(Branch branch) {
+        if (m_isFirstTaken) {
+            putFirst(std::move(branch));
+        } else if (m_branches.size() < m_most) {
+            m_branches.push_back(std::move(branch));
+            std::push_heap(m_branches.begin(), m_branches.end());
+        } else {
+            m_newest.push_back(std::move(branch));
+            return;
+        }
+        if (++m_whole > m_mostWhole) {
+            leaveOut();
         }
     }
 
@@ -308,52 +387,19 @@ private:
                              begin + static_cast<std::ptrdiff_t>(from),
                              [](const Branch& a, const Branch& b) { return b < a; });
             for (std::size_t i = half; i < from; ++i) {
-                PrefixPtr& prefix = m_branches[i].prefix;
-                if (prefix->isWhole()) {
-                    Prefix left{prefix->done, prefix->merged, prefix->least_s, {}};
+                Branch& branch = m_branches[i];
+                if (branch.prefix->isWhole()) {
+                    const Prefix& whole = *branch.prefix;
+                    Prefix left{whole.done, whole.merged, whole.least_s, {}};
                     left.done.steps.reset();
-                    prefix = std::make_shared<const Prefix>(std::move(left));
+                    branch.prefix = std::make_shared<Prefix>(std::move(left));
+                    branch.index = Branch::closed;
                     --m_whole;
                 }
             }
             from = half;
         }
         std::make_heap(m_branches.begin(), m_branches.end());
-    }
-
-    /// A branch whose prefix is whole again; what was gone on with before is left out of its
-    /// settings, and what cannot be better any more. Nothing: it was stopped.
-    std::optional<Branch> whole(Branch branch) {
-        if (branch.prefix->isWhole()) {
-            return branch;
-        }
-        Prefix prefix = *branch.prefix;
-        CyclePrefix& done = prefix.done;
-        std::unique_ptr<CycleSteps> steps = m_runner.begin(done.stages)->copy();
-        const bool isThere = m_runs.again(done, *steps);
-        m_judge.counts.visits += steps->run().visits();
-        if (!isThere) {
-            return std::nullopt;
-        }
-        const std::pair now(branch.bound_s, branch.setting);
-        const int taken = m_runs.leastTaken(done);
-        const std::optional<std::size_t> shorter = toldShorter(done);
-        for (std::size_t s = 0; s < m_grid.settings().size(); ++s) {
-            const bool broken =
-                (done.isBeforeLast() ? m_tooWide[s].last : m_tooWide[s].before).has_value();
-            if (s == shorter || broken || !m_grid.mayGoOn(done.cycle, done.stages, s)) {
-                continue;
-            }
-            const std::pair next(boundOf(prefix, *steps, s, taken), s);
-            if (next == now || (next > now && !isTooNear(s) && !isSlower(next.first))) {
-                prefix.next.push_back(next);
-            }
-        }
-        std::sort(prefix.next.begin(), prefix.next.end());
-        done.keep(std::move(steps));
-        branch.prefix = std::make_shared<const Prefix>(std::move(prefix));
-        branch.index = 0;
-        return branch;
     }
 
     /// In the place of the first branch of the heap, which was taken: mostly the one that takes its
@@ -375,11 +421,6 @@ private:
     }
 
     std::optional<Branch> take() {
-        std::optional<Branch> branch = takeAny();
-        return branch ? whole(*std::move(branch)) : std::nullopt;
-    }
-
-    std::optional<Branch> takeAny() {
         if (std::exchange(m_isFirstTaken, false)) {
             std::pop_heap(m_branches.begin(), m_branches.end());
             m_branches.pop_back();
@@ -400,14 +441,16 @@ private:
         return std::move(m_branches.front());
     }
 
-    void explore(const Prefix& from, std::size_t setting, double least_s) {
-        const CyclePrefix& done = from.done;
+    void explore(Prefix& from, std::size_t setting, double least_s) {
+        CyclePrefix& done = from.done;
         if (isTooNear(setting)) {
             return; // since a better one was found
         }
-        if (done.isBeforeLast() && isHopeless(done, setting, from.merged)) {
+        if ((done.isBeforeLast() && isHopeless(done, setting, from.merged)) || !makeSteps(done)) {
             return;
         }
+        std::shared_ptr<const CycleSteps> kept = done.steps; // of a stage that is run once
+        int keptAt = 0;
         const bool single = !m_mayMerge && done.cycle.size() + 2 != done.stages;
         m_runs.run(
             done, setting,
@@ -426,11 +469,22 @@ private:
                     return;
                 }
                 for (int taken = end.first; taken <= (single ? end.last : end.first); ++taken) {
-                    Prefix prefix;
-                    prefix.done = m_runs.after(done, setting, end, taken);
-                    prefix.merged = single ? 0 : end.last - taken;
-                    prefix.least_s = least_s;
-                    add(std::move(prefix), end.steps);
+                    const double bound_s =
+                        std::max(least_s, m_runs.bound_s(done, end.steps.run(), setting, taken));
+                    if (!isSlower(bound_s)) {
+                        Prefix prefix{m_runs.after(done, setting, end, taken),
+                                      single ? 0 : end.last - taken,
+                                      bound_s,
+                                      {}};
+                        if (!m_runs.isGauged() || end.count - keptAt > m_mostSince) {
+                            kept = end.steps.copy();
+                            keptAt = end.count;
+                        }
+                        prefix.done.steps = kept;
+                        prefix.done.since = end.count - keptAt;
+                        prefix.done.note(end.steps);
+                        push({bound_s, ++m_order, std::make_shared<Prefix>(std::move(prefix))});
+                    }
                 }
             },
             m_judge.counts);
@@ -472,11 +526,15 @@ private:
     bool m_freeLast;                    ///< no bounds of the last stage's stock
     bool m_mayMerge;                    ///< ends of stages before the one before the last
     int m_leastSteps;                   ///< of a stage; all before the last have stock and feed
-    std::vector<Branch> m_branches;     ///< a heap
-    bool m_isFirstTaken = false;        ///< the first of the heap is to be replaced
-    std::vector<Branch> m_newest;       ///< beyond the most branches in order
-    std::size_t m_mostWhole, m_most;    ///< in order
-    std::size_t m_whole = 0;            ///< branches in order whose prefix is whole
+    int m_mostSince; ///< steps to be made again, where they take no longer than to keep more
+    /// Of the grid, by stages, those before and the last of these.
+    std::map<std::array<std::size_t, 3>, std::vector<std::size_t>> m_followers;
+    std::vector<std::size_t> m_settings, m_hopeless; ///< of the branch that is opened
+    std::vector<Branch> m_branches;                  ///< a heap
+    bool m_isFirstTaken = false;                     ///< the first of the heap is to be replaced
+    std::vector<Branch> m_newest;                    ///< beyond the most branches in order
+    std::size_t m_mostWhole, m_most;                 ///< in order
+    std::size_t m_whole = 0;                         ///< branches in order whose prefix is whole
     long long m_order = 0, m_taken = 0;
     bool m_seeded = false;
     double m_least_s = 0; ///< no cycle that is left is quicker

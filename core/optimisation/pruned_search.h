@@ -20,12 +20,13 @@
 /// 3. Bounds. A branch is dropped when TimeBound proves that its cycles take longer than the best
 ///    one so far; equal times are not dropped. Branches are taken in the order of their bounds, so
 ///    the bound of the next one holds for all that is left; those beyond the memory given newest
-///    first, their bounds not below the last one taken in order.
+///    first, their bounds not below the last one taken in order. What goes on from a state is found
+///    when its turn comes.
 /// 4. Cuts. A branch is dropped when PassCuts finds that its passes break a requirement, and a
 ///    cycle before its last stage is run when three radii of the part, or of a scenario, show that
 ///    it takes too long or cuts too deep (LastStageOutlook), or that it cuts too deep for some
-///    stock of a case (PhaseOutlook). On scenarios too, what cycles have in common is run once
-///    (ScenarioRunner), as in point 1.
+///    stock of a case (PhaseOutlook); of most of them the case shows it without following a radius.
+///    On scenarios too, what cycles have in common is run once (ScenarioRunner), as in point 1.
 /// 5. Equal neighbours. Under gauge control two stages in a row with one setting make the passes of
 ///    one stage with the stock of both, on every part: the first's end changes nothing but the name
 ///    of the stage. The cycle with one stage less takes the same time, its margins are the same but

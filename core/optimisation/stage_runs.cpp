@@ -17,10 +17,16 @@ std::size_t prefixBytes(const Project& project) {
 }
 
 void CyclePrefix::keep(std::shared_ptr<const CycleSteps> done) {
+    note(*done);
     steps = std::move(done);
-    time_s = steps->run().time_s();
-    if (isBeforeLast() && steps->follower()) {
-        telling = tellingRadii(*steps);
+    since = 0;
+}
+
+void CyclePrefix::note(const CycleSteps& done) {
+    time_s = done.run().time_s();
+    fed_mm = done.run().fed_mm;
+    if (isBeforeLast() && done.follower()) {
+        telling = tellingRadii(done);
     }
 }
 
@@ -42,6 +48,9 @@ StageRuns::StageRuns(const Project& project, const Grid& grid, const CycleRunner
     }
     if (bounds == Bounds::yes) {
         m_bound.emplace(project, grid, m_total);
+        if (canTell()) {
+            m_lags.emplace(*m_part->follower(), m_feeds);
+        }
     }
 }
 
@@ -55,15 +64,26 @@ int StageRuns::mostTaken(const CyclePrefix& prefix) const {
     return m_grid.mostTaken(prefix.stages, prefix.cycle.size(), prefix.taken);
 }
 
-double StageRuns::bound_s(const CyclePrefix& prefix, const Run& run, std::size_t setting,
-                          int taken) const {
+double StageRuns::bound_s(const CyclePrefix& prefix, double time_s, double fed_mm,
+                          std::size_t setting, int taken) const {
+    const double cut_mm = fed_mm - leastLag_mm(prefix, setting); // at most
     double rest_s =
-        m_bound->rest_s(setting, run.fed_mm, m_grid.remainder(taken), prefix.isBeforeLast());
+        m_bound->rest_s(setting, cut_mm, m_grid.remainder(taken), prefix.isBeforeLast());
     if (const double sparkOut_s = m_bound->sparkOut_s(setting); sparkOut_s > 0) {
-        const double since_s = prefix.steps ? run.time_s() - prefix.time_s : 0;
-        rest_s = std::max(sparkOut_s - since_s, 0.0) * (1 - 1e-9);
+        rest_s = std::max(sparkOut_s - (time_s - prefix.time_s), 0.0) * (1 - 1e-9);
     }
-    return run.time_s() * (1 - 1e-12) + rest_s;
+    return time_s * (1 - 1e-12) + rest_s;
+}
+
+/// How far the gauge's deepest radius stays behind in a last stage, whatever its steps.
+double StageRuns::leastLag_mm(const CyclePrefix& prefix, std::size_t setting) const {
+    if (!m_lags || !prefix.isBeforeLast()) {
+        return 0;
+    }
+    const FollowedRadius& gauged = prefix.telling.radii[0];
+    return std::max(
+        std::min(prefix.telling.fed_mm - gauged.depth_mm, m_lags->least_mm(gauged.zone)[setting]),
+        0.0);
 }
 
 void StageRuns::run(const CyclePrefix& from, std::size_t setting, const Useless& useless,
@@ -98,6 +118,12 @@ LastStageOutlook StageRuns::outlook(const CyclePrefix& from, std::size_t setting
         *m_part, from.telling,
         {m_feeds[setting], m_grid.settings()[setting].sparkOut, from.hasSteps(), mostSteps},
         m_cuts);
+}
+
+bool StageRuns::isTooDeep(const CyclePrefix& beforeLast) const {
+    const auto& [gauged, one, other] = beforeLast.telling.radii;
+    return canTell()
+           && m_cuts.isTooDeep(m_part->run().diameterDeviation(one.depth_mm, other.depth_mm));
 }
 
 void StageRuns::runTo(Ends ends, const CyclePrefix& from, CycleSteps& steps, std::size_t setting,
@@ -148,12 +174,14 @@ CyclePrefix StageRuns::after(const CyclePrefix& from, std::size_t setting, const
     return prefix;
 }
 
-bool StageRuns::again(const CyclePrefix& prefix, CycleSteps& steps) const {
-    int taken = 0;
+bool StageRuns::again(const CyclePrefix& prefix, CycleSteps& steps, int count) const {
+    int taken = 0, before = prefix.stepCount() - count;
     for (std::size_t stage = 0; stage < prefix.counts.size(); ++stage) {
         const auto& [setting, stock] = prefix.cycle[stage];
         taken += stock;
-        for (int count = 0; count < prefix.counts[stage]; ++count) {
+        const int done = std::min(before, prefix.counts[stage]);
+        before -= done;
+        for (int made = done; made < prefix.counts[stage]; ++made) {
             if (steps.run().mustEnd()
                 || !steps.step({nextInfeed(later(false, taken), setting, steps.run().fed_mm), stage,
                                 m_grid.settings()[setting].axialFeed_mm_min})) {

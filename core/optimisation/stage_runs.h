@@ -3,13 +3,14 @@
 
 #include "core/optimisation/cycle_runner.h"
 #include "core/optimisation/last_stage_outlook.h"
+#include "core/optimisation/steady_lag.h"
 #include "core/optimisation/time_bound.h"
 #include "core/simulation/gauge_signal.h"
 
-#include <algorithm>
 #include <functional>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -17,9 +18,10 @@ namespace sparkout {
 
 /// A cycle up to the end of a stage.
 struct CyclePrefix {
-    std::shared_ptr<const CycleSteps> steps;
-    double time_s = 0;                 ///< of the steps
-    FollowedRadii telling;             ///< of a last stage
+    std::shared_ptr<const CycleSteps> steps; ///< to go on from
+    int since = 0;                     ///< of its last steps that are to be made from there on
+    double time_s = 0, fed_mm = 0;     ///< behind all of them
+    FollowedRadii telling;             ///< likewise, of a last stage
     std::size_t stages = 0;            ///< of the whole cycle
     GridCycle cycle;                   ///< so far
     std::vector<int> counts;           ///< steps of each stage
@@ -28,10 +30,11 @@ struct CyclePrefix {
     std::optional<GaugeSignal> signal; ///< of these steps; none made: not given
     /// Its steps, to go on from.
     void keep(std::shared_ptr<const CycleSteps> done);
+    /// What is to be known behind its steps to judge by what follows.
+    void note(const CycleSteps& done);
     [[nodiscard]] bool isBeforeLast() const { return cycle.size() + 1 == stages; }
-    [[nodiscard]] bool hasSteps() const {
-        return std::any_of(counts.begin(), counts.end(), [](int each) { return each > 0; });
-    }
+    [[nodiscard]] int stepCount() const { return std::accumulate(counts.begin(), counts.end(), 0); }
+    [[nodiscard]] bool hasSteps() const { return stepCount() > 0; }
 };
 
 /// What the steps in a prefix of the project take in memory, about.
@@ -69,6 +72,8 @@ public:
     /// What they show of one with this setting, or of its first steps.
     [[nodiscard]] LastStageOutlook outlook(const CyclePrefix& from, std::size_t setting,
                                            int mostSteps = std::numeric_limits<int>::max()) const;
+    /// Whether a diameter is beyond the field before the last stage begins.
+    [[nodiscard]] bool isTooDeep(const CyclePrefix& beforeLast) const;
     /// The prefix behind the stage, without steps.
     [[nodiscard]] CyclePrefix after(const CyclePrefix& from, std::size_t setting, const End& end,
                                     int taken) const;
@@ -76,12 +81,20 @@ public:
     /// Steps of stock that are taken at least and at most behind the next stage of a prefix.
     [[nodiscard]] int leastTaken(const CyclePrefix& prefix) const;
     [[nodiscard]] int mostTaken(const CyclePrefix& prefix) const;
-    /// Makes the steps of a prefix once more, from those before the first; false: it was stopped.
-    [[nodiscard]] bool again(const CyclePrefix& prefix, CycleSteps& steps) const;
+    /// Makes the last so many steps of a prefix once more, behind those before; false: it was
+    /// stopped.
+    [[nodiscard]] bool again(const CyclePrefix& prefix, CycleSteps& steps, int count) const;
 
-    /// Least time [s] of all cycles that go on with this setting.
+    /// Least time [s] of all cycles that go on with this setting, or with so much done of it.
+    /// Behind the last stage the wheel is fed beyond the size by the lag of the gauge's deepest
+    /// radius.
+    [[nodiscard]] double bound_s(const CyclePrefix& prefix, std::size_t setting, int taken) const {
+        return bound_s(prefix, prefix.time_s, prefix.fed_mm, setting, taken);
+    }
     [[nodiscard]] double bound_s(const CyclePrefix& prefix, const Run& run, std::size_t setting,
-                                 int taken) const;
+                                 int taken) const {
+        return bound_s(prefix, run.time_s(), run.fed_mm, setting, taken);
+    }
     [[nodiscard]] const TimeBound& bound() const { return *m_bound; }
     [[nodiscard]] bool isGauged() const { return m_gauge; }
     [[nodiscard]] double totalInfeed_mm() const { return m_total; }
@@ -92,6 +105,9 @@ private:
     };
     void runTo(Ends ends, const CyclePrefix& from, CycleSteps& steps, std::size_t setting,
                const Useless& useless, const AtEnd& atEnd, SearchCounts& counts) const;
+    [[nodiscard]] double bound_s(const CyclePrefix& prefix, double time_s, double fed_mm,
+                                 std::size_t setting, int taken) const;
+    [[nodiscard]] double leastLag_mm(const CyclePrefix& prefix, std::size_t setting) const;
     [[nodiscard]] double later(bool last, int taken) const;
     [[nodiscard]] double nextInfeed(double later_mm, std::size_t setting, double fed_mm) const;
     [[nodiscard]] bool ended(const Run& run, const GaugeSignal& signal, double later_mm,
@@ -104,6 +120,7 @@ private:
     std::vector<double> m_infeeds_mm;         ///< of a step, by setting
     std::vector<FollowedFeed> m_feeds;        ///< by setting; empty: no radius can be followed
     std::optional<TimeBound> m_bound;
+    mutable std::optional<SteadyLags> m_lags; ///< of the settings; found when they are asked for
     bool m_gauge;
     GaugeSignal m_signal; ///< before the first reading
 };

@@ -3,6 +3,7 @@
 
 #include "core/phases/cycle_trial.h"
 #include "core/project/part.h"
+#include "core/quality/drawing_constraints.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -17,12 +18,23 @@ namespace sparkout {
 namespace {
 
 constexpr double mostFormChange_mm = 1e-6, nearest_um = 0.01, nearestShare = 0.01;
+constexpr double clear_um = 2 * nearest_um; ///< of what an upper bound is enough
 
 /// Stocks that fail, or may.
 struct Suspect {
     StockRange stocks;
-    double leastMargin = 0; ///< relative
+    double leastMargin = 0;   ///< relative
+    bool isOfLargest = false; ///< at the largest of them, else at the least
 };
+
+/// The least relative margin; of a cycle that does not end ∞.
+double leastMargin(const PieceEnd& end) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const ConstraintResult& each : end.constraints) {
+        least = std::min(least, each.relativeMargin);
+    }
+    return least;
+}
 
 /// What the shared run says of the requirements of a piece.
 class SharedRun {
@@ -38,7 +50,8 @@ public:
             leastMargin = -std::numeric_limits<double>::infinity();
             return;
         }
-        for (const ConstraintResult& each : evaluateConstraints(result)) {
+        const PartAccuracy accuracy = requiredAccuracy(result, clear_um);
+        for (const ConstraintResult& each : evaluateConstraints(result, accuracy)) {
             take(each);
         }
     }
@@ -50,6 +63,7 @@ public:
     [[nodiscard]] bool holdsIfNotBurned() const { return !m_fails && !m_isNear; }
     double leastMargin = std::numeric_limits<double>::infinity(); ///< relative, at the worse end
     StockRange failing; ///< stocks of the piece that the diameter that fails by most fails for
+    bool failsAtLargest = false; ///< by most
 
 private:
     void take(const ConstraintResult& each) {
@@ -94,6 +108,7 @@ private:
         if (margin_um < m_worst_um) {
             m_worst_um = margin_um;
             failing = belowZero(low_um, high_um);
+            failsAtLargest = high_um < low_um;
         }
     }
 
@@ -132,27 +147,21 @@ public:
         }
     }
 
-    /// A stock of the worst for which the project fails by itself: next to the end of a piece the
-    /// control may make the steps of its neighbour.
+    /// A stock of the worst for which the project fails by itself, near where it does so by most:
+    /// next to the end of a piece the control may make the steps of its neighbour.
     [[nodiscard]] std::optional<double> stock_mm(const Project& project,
                                                  const std::stop_token& stop) {
         std::ranges::sort(m_worst, {}, &Suspect::leastMargin);
         for (const Suspect& each : m_worst) {
-            std::optional<double> found_mm;
-            double least = std::numeric_limits<double>::infinity();
-            for (const double share : {0.01, 0.99, 0.5}) {
-                const double stock_mm =
-                    each.stocks.from_mm + share * (each.stocks.to_mm - each.stocks.from_mm);
+            for (const double further : {0.01, 0.5, 0.99}) {
+                const double share = each.isOfLargest ? 1 - further : further;
                 Project made = project;
-                made.part->stock_mm = stock_mm;
+                made.part->stock_mm =
+                    each.stocks.from_mm + share * (each.stocks.to_mm - each.stocks.from_mm);
                 const std::optional<CycleTrial> trial = tried(made, stop);
-                if (trial && !trial->holds && (!found_mm || trial->leastMargin < least)) {
-                    least = trial->leastMargin;
-                    found_mm = stock_mm;
+                if (trial && !trial->holds) {
+                    return made.part->stock_mm;
                 }
-            }
-            if (found_mm) {
-                return found_mm;
             }
         }
         return std::nullopt;
@@ -189,7 +198,7 @@ std::optional<double> failingStock_mm(const Project& project, StockRange range,
             return true;
         }
         if (isShared && shared.fails()) {
-            suspects.add({shared.failing, shared.leastMargin});
+            suspects.add({shared.failing, shared.leastMargin, shared.failsAtLargest});
             return true;
         }
         if (isShared && shared.holdsIfNotBurned()) {
@@ -203,7 +212,8 @@ std::optional<double> failingStock_mm(const Project& project, StockRange range,
         }
         const DecidedPiece decided = decidePiece(part, piece, stop);
         for (const StockRange& stocks : decided.failing()) {
-            suspects.add({stocks, decided.leastMargin});
+            suspects.add({stocks, decided.leastMargin,
+                          leastMargin(decided.high) < leastMargin(decided.low)});
         }
         return !stop.stop_requested();
     };

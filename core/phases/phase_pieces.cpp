@@ -99,25 +99,25 @@ private:
     /// later.
     void judge(Branch& branch) {
         const std::vector<bool> known = std::exchange(branch.answers, {});
-        const CycleLoop before = branch.loop;
-        std::vector<bool> given;
+        m_before = branch.loop;
+        m_given.clear();
         branch.loop.stepDone(branch.last, [&](double larger_mm) {
-            if (given.size() < known.size()) {
-                given.push_back(known[given.size()]);
-                return static_cast<bool>(given.back());
+            if (m_given.size() < known.size()) {
+                m_given.push_back(known[m_given.size()]);
+                return static_cast<bool>(m_given.back());
             }
             const bool some = branch.low_mm <= larger_mm + m_overlap_mm;
             const bool others = branch.high_mm > larger_mm - m_overlap_mm;
             if (some && others) {
-                std::vector<bool> answers = given;
+                std::vector<bool> answers = m_given;
                 answers.push_back(false);
-                m_branches.push_back({branch.steps->copy(), before,
+                m_branches.push_back({branch.steps->copy(), *m_before,
                                       std::max(branch.low_mm, larger_mm - m_overlap_mm),
                                       branch.high_mm, branch.last, std::move(answers),
                                       branch.left_mm});
                 branch.high_mm = std::min(branch.high_mm, larger_mm + m_overlap_mm);
             }
-            given.push_back(some);
+            m_given.push_back(some);
             return some;
         });
     }
@@ -127,6 +127,8 @@ private:
     std::stop_token m_stop;
     double m_overlap_mm = 0;
     std::vector<Branch> m_branches;
+    std::optional<CycleLoop> m_before; ///< the loop before the step that is judged
+    std::vector<bool> m_given;         ///< answers of that step
 };
 
 } // namespace

@@ -27,6 +27,7 @@ std::vector<ConstraintResult> evaluateConstraints(const SimulationResult& result
 std::vector<ConstraintResult> evaluateConstraints(const SimulationResult& result,
                                                   const PartAccuracy& accuracy) {
     std::vector<ConstraintResult> found;
+    found.reserve(static_cast<std::size_t>(constraintKinds) + 2 * result.sections.size());
     const auto evaluate = [&](bool ofSections, int section) {
         for (const Requirement& row : requirementRows) {
             if ((row.scope == ConstraintScope::section) == ofSections) {

@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
 #include <utility>
 
 namespace sparkout {
@@ -179,6 +182,21 @@ void foldZones(PartAccuracy& accuracy, const SimulationResult& result) {
     accuracy.sections = std::move(folded);
 }
 
+RoundnessZone circlesAboutAxis(std::span<const double> radii_mm) {
+    RoundnessZone zone{.inner_mm = std::numeric_limits<double>::infinity()};
+    for (const double radius_mm : radii_mm) { // no number in a gap
+        zone.inner_mm = std::min(zone.inner_mm, radius_mm);
+        zone.outer_mm = std::max(zone.outer_mm, radius_mm);
+    }
+    return zone;
+}
+
+/// Of the minimum zone of radii between these circles, as minimumZoneCircles() finds it.
+double mostRoundness_mm(const RoundnessZone& between) {
+    const double width_mm = between.deviation();
+    return width_mm + width_mm * width_mm / between.inner_mm;
+}
+
 } // namespace
 
 PartAccuracy accuracyOf(const SimulationResult& result) {
@@ -194,24 +212,29 @@ PartAccuracy accuracyOf(const SimulationResult& result) {
     return accuracy;
 }
 
-PartAccuracy requiredAccuracy(const SimulationResult& result) {
+PartAccuracy requiredAccuracy(const SimulationResult& result, double clear_um) {
     PartAccuracy accuracy;
     const Tolerance& tolerance = result.project.part->tolerance;
     const std::vector<SectionShape> shapes = shapesOf(result);
     if (shapes.empty()) {
         return accuracy;
     }
-    if (tolerance.roundness_um || tolerance.cylindricity_um) {
-        const Directions directions(shapes[0].radii_mm.size());
-        for (std::size_t i = 0; tolerance.roundness_um && i < shapes.size(); ++i) {
-            SectionAccuracy section;
-            section.minimumZone = minimumZoneCircles(shapes[i].radii_mm, directions);
-            accuracy.sections.push_back(section);
+    std::optional<Directions> made;
+    const auto directions = [&]() -> const Directions& {
+        return made ? *made : made.emplace(shapes[0].radii_mm.size());
+    };
+    for (std::size_t i = 0; tolerance.roundness_um && i < shapes.size(); ++i) {
+        SectionAccuracy section;
+        section.minimumZone = circlesAboutAxis(shapes[i].radii_mm);
+        const double most_mm = (*tolerance.roundness_um - clear_um) / umPerMm;
+        if (!(mostRoundness_mm(section.minimumZone) < most_mm)) {
+            section.minimumZone = minimumZoneCircles(shapes[i].radii_mm, directions());
         }
-        foldZones(accuracy, result);
-        if (tolerance.cylindricity_um) {
-            accuracy.minimumZone = minimumZoneCylinder(shapes, directions);
-        }
+        accuracy.sections.push_back(section);
+    }
+    foldZones(accuracy, result);
+    if (tolerance.cylindricity_um) {
+        accuracy.minimumZone = minimumZoneCylinder(shapes, directions());
     }
     if (tolerance.total_runout_um) {
         accuracy.totalRunout_mm = runout(shapes, geometricRunout(result));

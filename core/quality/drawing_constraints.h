@@ -3,11 +3,17 @@
 
 #include "core/quality/constraints.h"
 
+#include <limits>
+
 /// Diameters, runouts, form and roughness against the drawing: what their rows evaluate [MODEL-8].
 namespace sparkout {
 
-/// As much of accuracyOf() as the drawing's tolerances need.
-[[nodiscard]] PartAccuracy requiredAccuracy(const SimulationResult& result);
+/// As much of accuracyOf() as the drawing's tolerances need. A section whose radii lie between
+/// circles about the axis that are nearer to each other than its roundness tolerance by `clear_um`
+/// or more may have these in place of its minimum zone, which is no wider.
+[[nodiscard]] PartAccuracy
+requiredAccuracy(const SimulationResult& result,
+                 double clear_um = std::numeric_limits<double>::infinity());
 
 /// Places and radii of the sections, as the accuracy of the part takes them.
 [[nodiscard]] std::vector<SectionShape> shapesOf(const SimulationResult& result);

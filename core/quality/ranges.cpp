@@ -33,8 +33,9 @@ double nearestSetting(double value, double low, double high, double step) {
 
 class Checks {
 public:
+    explicit Checks(std::optional<ConstraintKind> only) : m_only(only) {}
     void add(ConstraintKind kind, const Limits& limits, int stage, std::optional<double> value) {
-        if (!limits || limits->size() != 3 || !value) {
+        if (!limits || limits->size() != 3 || !value || (m_only && kind != *m_only)) {
             return;
         }
         MachineRange check{kind};
@@ -51,6 +52,7 @@ public:
     std::vector<MachineRange> take() { return std::move(m_found); }
 
 private:
+    std::optional<ConstraintKind> m_only;
     std::vector<MachineRange> m_found;
 };
 
@@ -74,13 +76,15 @@ std::optional<double> magnitude(const Project& project, const StageFeed& feed, c
 
 } // namespace
 
-std::vector<MachineRange> checkMachineRanges(const Project& project) {
+std::vector<MachineRange> checkMachineRanges(const Project& project,
+                                             std::optional<ConstraintKind> only) {
     const MachineLimits& limits = project.machine->limits;
-    Checks checks;
+    Checks checks(only);
     for (const StageFeed& feed : project.operation->feeds) {
+        const ConstraintKind kind = kindOf(feed);
         int number = 0;
         for (const Stage& stage : project.cycle->stages) {
-            checks.add(kindOf(feed), limits.*feed.range, ++number, magnitude(project, feed, stage));
+            checks.add(kind, limits.*feed.range, ++number, magnitude(project, feed, stage));
         }
     }
     if (project.operation->travels) {

@@ -9,16 +9,13 @@
 namespace sparkout {
 
 void evaluateRange(ConstraintKind kind, const Judged& of, ConstraintResults& found) {
-    for (const MachineRange& range : checkMachineRanges(of.result.project)) {
-        if (range.kind == kind) {
-            const bool low = range.value - range.low < range.high - range.value;
-            const double width = range.high - range.low;
-            found.push_back(held(kind, low ? Side::atLeast : Side::atMost,
-                                 low ? range.low : range.high, range.value,
-                                 width > 0 ? width : std::max(std::abs(range.high), 1.0)));
-            found.back().stage = range.stage;
-            found.back().otherEnd = low ? range.high : range.low;
-        }
+    for (const MachineRange& range : checkMachineRanges(of.result.project, kind)) {
+        const bool low = range.value - range.low < range.high - range.value;
+        const double width = range.high - range.low;
+        found.push_back(held(kind, low ? Side::atLeast : Side::atMost, low ? range.low : range.high,
+                             range.value, width > 0 ? width : std::max(std::abs(range.high), 1.0)));
+        found.back().stage = range.stage;
+        found.back().otherEnd = low ? range.high : range.low;
     }
 }
 

@@ -114,10 +114,14 @@ void Run::cut(std::size_t first, std::size_t count, const CutWidth& width, const
               const Place* places, const PassInfo& info) {
     const auto K = static_cast<std::size_t>(m_radii);
     const PassRange range{first * K, count * K, width.bks, width.bkr};
+    if (m_keepsRadiiAlone) {
+        places = nullptr;
+    } else {
+        m_peakForces.passBegins(m_lanes, range, first, count);
+    }
     if (places) {
         openStage(static_cast<std::size_t>(places->stage - 1));
     }
-    m_peakForces.passBegins(m_lanes, range, first, count);
     const double root = m_contact ? m_contact->cut(m_lanes, width.coefficients, feed, range)
                                   : m_cutPass(m_lanes, width.coefficients, feed, range);
     m_result.visits += static_cast<long long>(range.count);
@@ -254,6 +258,7 @@ SectionResult Run::sectionResult(std::size_t point, Zone zone) const {
     section.zone = zone;
     section.position_mm = m_points[point].position_mm;
     section.compliance_mm_per_n = m_points[point].gamma_mm_n;
+    section.radii_mm.reserve(K);
     for (std::size_t k = 0; k < K; ++k) {
         const double radius_mm = finalRadius(m_lanes.depth_mm[point * K + k]);
         const bool isThere = radius_mm > leastRadius_mm || m_blank.isGap(k);

@@ -68,6 +68,9 @@ public:
     }
     void setStatus(RunStatus status) { m_result.status = status; }
 
+    /// From now on passes count for nothing but radii and time: there are no forces, peaks, sums
+    /// and limits of them.
+    void keepRadiiAlone() { m_keepsRadiiAlone = true; }
     /// From now on burning is judged as on a blank larger by so much more [mm] per side.
     void leaveMore(double more_mm) { m_watch.leaveMore(more_mm); }
 
@@ -160,6 +163,7 @@ private:
     std::stop_token m_stop;
     SimulationResult m_result;
     std::size_t m_firstCounted = 0;
+    bool m_keepsRadiiAlone = false;
     std::size_t m_openStage = 0;        ///< whose sums are being gathered
     std::vector<double> m_openDepth_mm; ///< of each lane when that stage began
     std::vector<double> m_lengthBefore; ///< Σℓ of the points before each, and of all

@@ -131,14 +131,13 @@ void stopped(const char* name, const Project& project) {
 }
 
 /// Both searches once, as a user has them: against the nominal one. The answer holds for every
-/// stock at each corner of the other factors. The aim is 10 nominal searches; today's are 20, of
-/// which the answer's own cases take 3.
+/// stock at each corner of the other factors.
 void robust(const Project& asked, double nominal_s) {
     const Project project = withCorners(asked);
     RobustSummary summary;
     const double cpu_s =
         processorTime_s([&] { summary = optimiseRobustly(project, undecidedScenarios(project)); });
-    report("optimise_robust_every_stock_at_64_corners", cpu_s * ns, 20, cpu_s / nominal_s);
+    report("optimise_robust_every_stock_at_64_corners", cpu_s * ns, 10, cpu_s / nominal_s);
     beyond |= !summary.holdsInSample || !summary.decided || summary.decided->corners != 32;
     if (summary.search.best) {
         const Project best = withBest(project, summary.search);

@@ -5,6 +5,8 @@
 #include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "core/quality/constraints.h"
+#include "core/quality/drawing_constraints.h"
+#include "core/simulation/simulate.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
@@ -64,6 +66,34 @@ class TestConstraints : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Circles about the axis, or about any other centre, hold the minimum zone.
+    void anUpperBoundOfRoundnessIsTakenWhereItIsClearOfTheLimit() {
+        int bounded = 0, exactly = 0;
+        constexpr double clear_um = 0.02;
+        for (int i = 0; i < 40; ++i) {
+            Project p = fixtures::plunge();
+            p.part->initial_runout_mm = 0.02 + 0.004 * i;
+            p.part->profile = static_cast<ProfileForm>(i % 3);
+            SimulationResult run = simulateUnchecked(p);
+            const std::vector<SectionAccuracy> exact = accuracyOf(run).sections;
+            for (const double share : {0.5, 0.99, 1.2, 2.0, 10.0}) {
+                const double form_um = 1000 * exact[0].minimumZone.deviation();
+                const double limit_um = share * form_um + clear_um;
+                run.project.part->tolerance.roundness_um = limit_um;
+                const double all_um =
+                    1000 * requiredAccuracy(run).sections[0].minimumZone.deviation();
+                const double told_um =
+                    1000 * requiredAccuracy(run, clear_um).sections[0].minimumZone.deviation();
+                QCOMPARE(all_um, form_um);
+                QVERIFY(told_um == form_um
+                        || (told_um > form_um - 1e-9 && told_um < limit_um - clear_um));
+                (told_um == form_um ? exactly : bounded) += 1;
+            }
+        }
+        QVERIFY2(bounded > 30 && exactly > 50,
+                 QByteArray::number(bounded) + ' ' + QByteArray::number(exactly));
+    }
+
     void everySectionIsHeldAgainstEveryLimit() {
         const auto all = evaluateConstraints(result());
         QCOMPARE(all.size(), std::size_t(6));

@@ -9,6 +9,8 @@
 #include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
+#include "core/simulation/plunge.h"
+#include "core/simulation/traverse.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
@@ -16,6 +18,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace test_run_options {
@@ -62,6 +65,30 @@ class TestRunOptions : public QObject {
     Q_OBJECT
 
 private slots:
+    /// A search that looks at radii alone has those of the whole run.
+    void whereRadiiAloneAreKeptTheyAndTheTimeAreThoseOfTheWholeRun() {
+        for (const Project& p : {fixtures::traverse(), fixtures::plunge()}) {
+            const std::unique_ptr<CycleSteps> whole = p.operation == Operation::traverse
+                                                          ? traverseSteps(p, Zone::nz, nullptr, {})
+                                                          : plungeSteps(p, nullptr, {});
+            const std::unique_ptr<CycleSteps> alone = whole->copy();
+            alone->run().keepRadiiAlone();
+            for (int i = 0; i < 12; ++i) {
+                const StepFeed feed{.infeed_mm = 0.004, .axialFeed_mm_min = 900.0 + 100 * (i / 4)};
+                QVERIFY(whole->step(feed) && alone->step(feed));
+                const auto lanes = static_cast<std::size_t>(p.part->radii_per_section);
+                for (std::size_t lane = 0; lane < lanes; ++lane) {
+                    QCOMPARE(alone->run().depth_mm(lane), whole->run().depth_mm(lane));
+                }
+                QCOMPARE(alone->remaining(), whole->remaining());
+                QCOMPARE(alone->run().time_s(), whole->run().time_s());
+                QCOMPARE(alone->run().fed_mm, whole->run().fed_mm);
+            }
+            QVERIFY(whole->run().sumsOf(0).depth_mm.value > 0);
+            QCOMPARE(alone->run().sumsOf(0).depth_mm.value, 0.0);
+        }
+    }
+
     // a + γ·P_y(a) + δ_c(P_y(a)) = t_П − depth at every visit that cuts, and no cut without a lag.
     void contactYieldsInEveryPass_data() {
         QTest::addColumn<bool>("traverse");

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/optimisation/steady_lag.h"
+
+#include <limits>
+
+namespace sparkout {
+
+namespace {
+
+constexpr double rounding_mm = 1e-9; ///< of lags, generously
+constexpr double nearEnough_mm = 1e-6;
+constexpr double slopeWidth_mm = 1e-4; ///< over which it is taken
+constexpr int mostTries = 50;
+constexpr double mostLag_mm = 1e3;
+
+/// A lag, and what a step makes of it.
+struct LagStep {
+    double lag_mm = 0, after_mm = 0;
+};
+
+/// From the steady lag on, next to it, of the steps that W makes; ∞: none is found.
+template <class Next>
+LagStep above(double infeed_mm, const Next& next) {
+    constexpr double further = 4;
+    LagStep at{infeed_mm, next(infeed_mm)};
+    while (at.after_mm > at.lag_mm && at.lag_mm < mostLag_mm) {
+        at.lag_mm *= further;
+        at.after_mm = next(at.lag_mm);
+    }
+    // Beyond two lags a line through both is above W(w) − w, as that is concave.
+    for (int i = 0; i < mostTries && at.lag_mm - at.after_mm > nearEnough_mm; ++i) {
+        const LagStep then{at.after_mm, next(at.after_mm)};
+        const double fall_mm = at.lag_mm - at.after_mm;
+        const double nextFall_mm = then.lag_mm - then.after_mm;
+        at = then;
+        if (nextFall_mm > 0 && nextFall_mm < fall_mm) {
+            at.lag_mm -= nextFall_mm * fall_mm / (fall_mm - nextFall_mm);
+            at.after_mm = next(at.lag_mm);
+        }
+    }
+    at.lag_mm += rounding_mm;
+    at.after_mm = next(at.lag_mm);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return at.after_mm <= at.lag_mm ? at : LagStep{infinity, infinity};
+}
+
+/// A lag up to the steady one, next to it.
+template <class Next>
+double below(double above_mm, const Next& next) {
+    for (double less_mm = nearEnough_mm; less_mm < above_mm; less_mm *= 2) {
+        const double lag_mm = above_mm - less_mm;
+        if (next(lag_mm) >= lag_mm + rounding_mm) {
+            return lag_mm;
+        }
+    }
+    return 0; // a radius just reached lags behind the next step
+}
+
+} // namespace
+
+const std::vector<double>& SteadyLags::least_mm(std::size_t zone) {
+    const auto [place, isNew] = m_least_mm.try_emplace(zone);
+    for (std::size_t s = 0; isNew && s < m_feeds.size(); ++s) {
+        const auto next = [&](double lag_mm) {
+            FollowedRadii all;
+            all.radii.fill({-lag_mm, 1, zone});
+            m_follower.strokesAlone(all, m_feeds[s]);
+            return all.fed_mm - all.radii[0].depth_mm;
+        };
+        place->second.push_back(below(above(m_feeds[s].infeed_mm, next).lag_mm, next));
+    }
+    return place->second;
+}
+
+const std::vector<SteadyLags::Most>& SteadyLags::most(std::size_t zone) {
+    const auto [place, isNew] = m_most.try_emplace(zone);
+    for (std::size_t s = 0; isNew && s < m_feeds.size(); ++s) {
+        const auto next = [&](double lag_mm) {
+            FollowedRadii all;
+            all.radii.fill({-lag_mm, 0, zone});
+            m_follower.stepAlone(all, m_feeds[s]);
+            return all.fed_mm - all.radii[0].depth_mm;
+        };
+        const LagStep steady = above(m_feeds[s].infeed_mm, next);
+        const double before_mm = next(steady.lag_mm - slopeWidth_mm);
+        place->second.push_back({steady.lag_mm, (steady.after_mm - before_mm) / slopeWidth_mm});
+    }
+    return place->second;
+}
+
+} // namespace sparkout
