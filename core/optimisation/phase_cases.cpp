@@ -3,11 +3,10 @@
 
 #include "core/batch/factor_law.h"
 #include "core/batch/scenario_source.h"
+#include "core/phases/cycle_trial.h"
 #include "core/phases/failing_stock.h"
 #include "core/project/optimisation.h"
 #include "core/project/part.h"
-#include "core/quality/drawing_constraints.h"
-#include "core/simulation/simulate.h"
 #include "core/simulation/stage_control.h"
 
 #include <algorithm>
@@ -77,18 +76,6 @@ std::optional<Project> failingOf(Project project, const StockRange& stocks,
     return project;
 }
 
-/// Least relative margin of the cycle, roughly where it is clear.
-double marginOf(const Project& project, const std::stop_token& stop) {
-    constexpr double ofNoEnd = -1e3, clear_um = 0.1;
-    const SimulationResult result = simulateUnchecked(project, nullptr, stop);
-    double least = result.status == RunStatus::completed ? 1e3 : ofNoEnd;
-    for (const ConstraintResult& each :
-         evaluateConstraints(result, requiredAccuracy(result, clear_um))) {
-        least = std::min(least, each.relativeMargin);
-    }
-    return least;
-}
-
 /// The part as it stands, as −1, and corners of its batch, each with all stocks of the range.
 class Cases {
 public:
@@ -106,7 +93,8 @@ public:
         std::vector<std::pair<double, std::int64_t>> cases{{0, -1}};
         for (const std::int64_t corner :
              m_source ? cornersOf(m_source->factors()) : std::vector<std::int64_t>{}) {
-            cases.emplace_back(marginOf(m_source->project(corner), stop), corner);
+            const auto trial = tried(m_source->project(corner), stop);
+            cases.emplace_back(trial ? trial->leastMargin : 0, corner);
         }
         std::ranges::sort(cases);
         std::vector<std::int64_t> order;

@@ -182,16 +182,21 @@ private:
     }
 
     /// A challenge is expensive, so cycles wait for theirs until no branch can be quicker, or some
-    /// work was done since: often a better one is found meanwhile. Where there is no more room for
+    /// work was done since: often a better one is found meanwhile. The first waits are short, as
+    /// what a challenge adds shows most that follows to fail. Where there is no more room for
     /// branches a best cycle is needed, to drop some.
     void settleBefore(double bound_s) {
-        constexpr long long patience = 1 << 12; // branches: some challenges' worth of work
+        constexpr long long mostPatience = 1 << 12; // branches: some challenges' worth of work
         const bool isFull = !m_newest.empty();
         if (isFull && m_options.challenge && !std::exchange(m_seeded, true)) {
             seed();
         }
-        const bool now = isFull || ++m_taken % patience == 0;
-        m_judge.settle(now ? std::numeric_limits<double>::infinity() : bound_s);
+        const bool isDue = ++m_waited >= m_patience;
+        if (isDue) {
+            m_waited = 0;
+            m_patience = std::min(2 * m_patience, mostPatience);
+        }
+        m_judge.settle(isFull || isDue ? std::numeric_limits<double>::infinity() : bound_s);
     }
 
     void begin() {
@@ -535,7 +540,8 @@ private:
     std::vector<Branch> m_newest;                    ///< beyond the most branches in order
     std::size_t m_mostWhole, m_most;                 ///< in order
     std::size_t m_whole = 0;                         ///< branches in order whose prefix is whole
-    long long m_order = 0, m_taken = 0;
+    long long m_order = 0;
+    long long m_patience = 1 << 8, m_waited = 0; ///< branches
     bool m_seeded = false;
     double m_least_s = 0; ///< no cycle that is left is quicker
 };

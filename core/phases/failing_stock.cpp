@@ -153,15 +153,24 @@ public:
                                                  const std::stop_token& stop) {
         std::ranges::sort(m_worst, {}, &Suspect::leastMargin);
         for (const Suspect& each : m_worst) {
-            for (const double further : {0.01, 0.5, 0.99}) {
+            std::optional<double> found_mm;
+            double least = std::numeric_limits<double>::infinity();
+            for (const double further : {0.01, 0.99, 0.5}) {
                 const double share = each.isOfLargest ? 1 - further : further;
                 Project made = project;
                 made.part->stock_mm =
                     each.stocks.from_mm + share * (each.stocks.to_mm - each.stocks.from_mm);
                 const std::optional<CycleTrial> trial = tried(made, stop);
-                if (trial && !trial->holds) {
-                    return made.part->stock_mm;
+                if (trial && !trial->holds && (!found_mm || trial->leastMargin < least)) {
+                    least = trial->leastMargin;
+                    found_mm = made.part->stock_mm;
                 }
+                if (least < nearlyAsMuch * each.leastMargin) {
+                    break;
+                }
+            }
+            if (found_mm) {
+                return found_mm;
             }
         }
         return std::nullopt;
@@ -169,7 +178,8 @@ public:
 
 private:
     static constexpr std::size_t most = 64;
-    std::vector<Suspect> m_worst; ///< a heap, the least of them first
+    static constexpr double nearlyAsMuch = 0.9; ///< of a margin below 0
+    std::vector<Suspect> m_worst;               ///< a heap, the least of them first
 };
 
 /// Whether the piece's steps burn a blank of this stock, or it is stopped.
