@@ -95,19 +95,18 @@ private:
                                        std::size_t setting);
     [[nodiscard]] Stage* follower(Stage& stage, std::size_t count,
                                   std::span<const GridStage> before, std::size_t place);
-    [[nodiscard]] End endOf(const FollowedRadii& telling, StockRange stocks);
-    [[nodiscard]] bool isFedTooFar(const End& end, std::size_t setting) const;
-    [[nodiscard]] double larger_mm(double more_mm) const;
+    [[nodiscard]] StockRange stocksOf(const GridCycle& cycle) const;
+    [[nodiscard]] Stage& first(std::size_t stages, std::size_t setting);
     /// Takes a state that begins the last stage, and the stocks that begin it so, next to each
     /// other. True: no more.
     using AtLast = std::function<bool(const State&, StockRange)>;
-
-    [[nodiscard]] StockRange stocksOf(const GridCycle& cycle) const;
-    [[nodiscard]] Stage& first(std::size_t stages, std::size_t setting);
     bool visitLast(Stage& stage, std::span<const GridStage> before, std::size_t place, int taken,
                    StockRange range, const AtLast& atLast);
     [[nodiscard]] bool endsTooDeep(const State& state, const GridCycle& cycle, StockRange range);
+    [[nodiscard]] End endOf(const FollowedRadii& telling, StockRange stocks);
+    [[nodiscard]] bool isFedTooFar(const End& end, std::size_t setting) const;
     [[nodiscard]] bool isTooDeep(const FollowedRadii& radii, double more_mm) const;
+    [[nodiscard]] double larger_mm(double more_mm) const;
 
     const Grid& m_grid;
     std::int64_t m_corner;
@@ -119,7 +118,7 @@ private:
     std::vector<double> m_infeeds_mm;          ///< by setting
     std::vector<FollowedFeed> m_feeds;         ///< by setting; empty: nothing is known
     std::optional<SteadyLags> m_lags;          ///< of these feeds
-    std::vector<End> m_ends;
+    std::vector<End> m_ends;                   ///< of the stages last asked of
     double m_sure_mm = 0;   ///< less than any radius gauged is cut to at the end, for no more stock
     double m_excess_mm = 0; ///< more of two opposite radii beyond the size is too deep for sure
     std::map<std::pair<std::size_t, std::size_t>, Stage> m_first; ///< by stages and setting

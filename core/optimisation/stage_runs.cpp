@@ -5,6 +5,9 @@
 #include "core/project/part.h"
 #include "core/simulation/stage_control.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace sparkout {
 
 std::size_t prefixBytes(const Project& project) {
