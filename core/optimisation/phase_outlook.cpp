@@ -261,6 +261,8 @@ PhaseOutlook::End PhaseOutlook::endOf(const FollowedRadii& telling, StockRange s
             .stocks_mm = stocks.to_mm - stocks.from_mm,
             .gauged_mm = lag_mm(gauged),
             .deep_mm = {lag_mm(one), lag_mm(other)},
+            .share = m_blank->follower()->hasStrokesAlone() ? std::array{one.share, other.share}
+                                                            : std::array{0.0, 0.0},
             .least_mm = m_lags->least_mm(gauged.zone).data(),
             .most = {m_lags->most(one.zone).data(), m_lags->most(other.zone).data()},
             .isTooDeep = isTooDeep(telling, stocks.from_mm + m_doubt_mm)};
@@ -273,8 +275,9 @@ bool PhaseOutlook::isFedTooFar(const End& end, std::size_t setting) const {
     double steady_mm = 0, more_mm = 0, slope = 0; // of both
     for (std::size_t i = 0; i < end.most.size(); ++i) {
         const SteadyLags::Most& most = end.most[i][setting];
-        steady_mm += most.lag_mm;
-        more_mm += std::max(end.deep_mm[i] - most.lag_mm, 0.0);
+        const double lag_mm = most.lag_mm - infeed_mm * end.share[i];
+        steady_mm += lag_mm;
+        more_mm += std::max(end.deep_mm[i] - lag_mm, 0.0);
         slope = std::max(slope, most.slope);
     }
     if (steady_mm + more_mm < 2 * beyond_mm || steady_mm >= 2 * beyond_mm) {

@@ -77,6 +77,7 @@ private:
         double stocks_mm = 0;             ///< length of the range
         double gauged_mm = 0;             ///< least lag gauged
         std::array<double, 2> deep_mm{};  ///< lags of the deepest two
+        std::array<double, 2> share{};    ///< of the infeed that they lag behind less in each step
         const double* least_mm = nullptr; ///< SteadyLags where it is gauged, by setting
         std::array<const SteadyLags::Most*, 2> most{}; ///< and of those two
         bool isTooDeep = false;                        ///< a diameter of the least of them, already
