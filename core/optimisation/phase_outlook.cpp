@@ -62,7 +62,7 @@ PhaseOutlook::PhaseOutlook(const PhaseCase& of, const Grid& grid, std::size_t me
         m_feeds.push_back(follower->feed(m_infeeds_mm.back(), setting.axialFeed_mm_min));
     }
     m_unbegun = stateOf(*m_blank);
-    m_lags.emplace(*follower, m_feeds);
+    m_lags.emplace(*follower, m_feeds, m_blank->gaugePoint());
     const Run& run = m_blank->run();
     m_sure_mm = run.blank().totalInfeed_mm - stageSlack_mm - 8 * m_doubt_mm;
     m_excess_mm =
@@ -254,17 +254,17 @@ bool PhaseOutlook::endsTooDeep(const State& state, const GridCycle& cycle, Stock
 
 PhaseOutlook::End PhaseOutlook::endOf(const FollowedRadii& telling, StockRange stocks) {
     const auto& [gauged, one, other] = telling.radii;
-    const auto lag_mm = [&](const FollowedRadius& radius) {
-        return telling.fed_mm - radius.depth_mm;
+    const bool isLater = m_blank->follower()->hasStrokesAlone();
+    const auto deep = [&](const FollowedRadius& radius) {
+        return Deep{.lag_mm = telling.fed_mm - radius.depth_mm,
+                    .share = isLater ? radius.share : 0,
+                    .most = m_lags->most(radius.zone).data()};
     };
     return {.infeed_mm = m_sure_mm + stocks.from_mm - telling.fed_mm,
             .stocks_mm = stocks.to_mm - stocks.from_mm,
-            .gauged_mm = lag_mm(gauged),
-            .deep_mm = {lag_mm(one), lag_mm(other)},
-            .share = m_blank->follower()->hasStrokesAlone() ? std::array{one.share, other.share}
-                                                            : std::array{0.0, 0.0},
-            .least_mm = m_lags->least_mm(gauged.zone).data(),
-            .most = {m_lags->most(one.zone).data(), m_lags->most(other.zone).data()},
+            .gauged_mm = telling.fed_mm - gauged.depth_mm,
+            .least_mm = m_lags->least_mm().data(),
+            .deep = {deep(one), deep(other)},
             .isTooDeep = isTooDeep(telling, stocks.from_mm + m_doubt_mm)};
 }
 
@@ -273,11 +273,11 @@ bool PhaseOutlook::isFedTooFar(const End& end, std::size_t setting) const {
     const double least_mm = std::min(end.gauged_mm, end.least_mm[setting]);
     const double beyond_mm = std::min(infeed_mm, end.stocks_mm) + least_mm - m_excess_mm;
     double steady_mm = 0, more_mm = 0, slope = 0; // of both
-    for (std::size_t i = 0; i < end.most.size(); ++i) {
-        const SteadyLags::Most& most = end.most[i][setting];
-        const double lag_mm = most.lag_mm - infeed_mm * end.share[i];
+    for (const Deep& each : end.deep) {
+        const SteadyLags::Most& most = each.most[setting];
+        const double lag_mm = most.lag_mm - infeed_mm * each.share;
         steady_mm += lag_mm;
-        more_mm += std::max(end.deep_mm[i] - lag_mm, 0.0);
+        more_mm += std::max(each.lag_mm - lag_mm, 0.0);
         slope = std::max(slope, most.slope);
     }
     if (steady_mm + more_mm < 2 * beyond_mm || steady_mm >= 2 * beyond_mm) {

@@ -71,16 +71,20 @@ private:
         FollowedRadii telling; ///< of a last stage
         double remaining_mm = 0;
     };
+    /// One of the deepest two.
+    struct Deep {
+        double lag_mm = 0;
+        double share = 0; ///< of the infeed that it lags behind less in each step
+        const SteadyLags::Most* most = nullptr; ///< by setting
+    };
     /// Of the stages before the last, for stocks in a range.
     struct End {
         double infeed_mm = 0;             ///< to come before the least of them may be at its size
         double stocks_mm = 0;             ///< length of the range
         double gauged_mm = 0;             ///< least lag gauged
-        std::array<double, 2> deep_mm{};  ///< lags of the deepest two
-        std::array<double, 2> share{};    ///< of the infeed that they lag behind less in each step
-        const double* least_mm = nullptr; ///< SteadyLags where it is gauged, by setting
-        std::array<const SteadyLags::Most*, 2> most{}; ///< and of those two
-        bool isTooDeep = false;                        ///< a diameter of the least of them, already
+        const double* least_mm = nullptr; ///< SteadyLags there, by setting
+        std::array<Deep, 2> deep{};
+        bool isTooDeep = false; ///< a diameter of the least of them, already
     };
     /// A stage from a state on, as far as it was run.
     struct Stage {

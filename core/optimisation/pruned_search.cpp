@@ -87,7 +87,7 @@ public:
         , m_mayMerge(options.scenarios.empty() && !options.challenge && !options.wholeMargin
                      && !(project.optimisation && project.optimisation->stage_stock_mm))
         , m_leastSteps(project.least_steps.value_or(0))
-        , m_mostSince(m_runs.canTell() ? 4 : 0)
+        , m_mostSince(m_runs.canTell() ? 8 : 0)
         , m_mostWhole(options.memory_bytes / 3 * 2 / wholeBytes(project, grid))
         , m_most(std::min(m_mostWhole + options.memory_bytes / 3 / leftOutBytes,
                           mostPerWhole * m_mostWhole)) {

@@ -52,7 +52,7 @@ StageRuns::StageRuns(const Project& project, const Grid& grid, const CycleRunner
     if (bounds == Bounds::yes) {
         m_bound.emplace(project, grid, m_total);
         if (canTell()) {
-            m_lags.emplace(*m_part->follower(), m_feeds);
+            m_lags.emplace(*m_part->follower(), m_feeds, m_part->gaugePoint());
         }
     }
 }
@@ -84,9 +84,8 @@ double StageRuns::leastLag_mm(const CyclePrefix& prefix, std::size_t setting) co
         return 0;
     }
     const FollowedRadius& gauged = prefix.telling.radii[0];
-    return std::max(
-        std::min(prefix.telling.fed_mm - gauged.depth_mm, m_lags->least_mm(gauged.zone)[setting]),
-        0.0);
+    return std::max(std::min(prefix.telling.fed_mm - gauged.depth_mm, m_lags->least_mm()[setting]),
+                    0.0);
 }
 
 void StageRuns::run(const CyclePrefix& from, std::size_t setting, const Useless& useless,

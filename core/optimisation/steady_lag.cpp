@@ -58,18 +58,17 @@ double below(double above_mm, const Next& next) {
 
 } // namespace
 
-const std::vector<double>& SteadyLags::least_mm(std::size_t zone) {
-    const auto [place, isNew] = m_least_mm.try_emplace(zone);
-    for (std::size_t s = 0; isNew && s < m_feeds.size(); ++s) {
+const std::vector<double>& SteadyLags::least_mm() {
+    for (std::size_t s = m_least_mm.size(); s < m_feeds.size(); ++s) {
         const auto next = [&](double lag_mm) {
             FollowedRadii all;
-            all.radii.fill({-lag_mm, 1, zone});
+            all.radii.fill({-lag_mm, 1, m_gauged});
             m_follower.strokesAlone(all, m_feeds[s]);
             return all.fed_mm - all.radii[0].depth_mm;
         };
-        place->second.push_back(below(above(m_feeds[s].infeed_mm, next).lag_mm, next));
+        m_least_mm.push_back(below(above(m_feeds[s].infeed_mm, next).lag_mm, next));
     }
-    return place->second;
+    return m_least_mm;
 }
 
 const std::vector<SteadyLags::Most>& SteadyLags::most(std::size_t zone) {

@@ -25,21 +25,23 @@ public:
         double slope = 0;  ///< ρ: of W, no less than at ŵ and beyond
     };
 
-    /// Of a follower, with its feeds by setting: infeeds above 0.
-    SteadyLags(const RadiusFollower& follower, const std::vector<FollowedFeed>& feeds)
-        : m_follower(follower), m_feeds(feeds) {}
+    /// Of a follower, with its feeds by setting, and the zone or section that is gauged.
+    SteadyLags(const RadiusFollower& follower, const std::vector<FollowedFeed>& feeds,
+               std::size_t gauged)
+        : m_follower(follower), m_feeds(feeds), m_gauged(gauged) {}
 
-    /// By setting ŵ with W(ŵ) ≥ ŵ [mm], of a radius at the end of the revolution in the zone or
-    /// section that is gauged, where the strokes alone cut.
-    [[nodiscard]] const std::vector<double>& least_mm(std::size_t zone);
+    /// By setting ŵ with W(ŵ) ≥ ŵ [mm], of a radius at the end of the revolution where it is
+    /// gauged: the strokes alone cut there.
+    [[nodiscard]] const std::vector<double>& least_mm();
     /// By setting, of all radii of a zone or section.
     [[nodiscard]] const std::vector<Most>& most(std::size_t zone);
 
 private:
     const RadiusFollower& m_follower;
     const std::vector<FollowedFeed>& m_feeds;
-    std::map<std::size_t, std::vector<double>> m_least_mm; ///< by zone
-    std::map<std::size_t, std::vector<Most>> m_most;       ///< likewise
+    std::size_t m_gauged;
+    std::vector<double> m_least_mm;                  ///< none: not asked for yet
+    std::map<std::size_t, std::vector<Most>> m_most; ///< by zone
 };
 
 } // namespace sparkout

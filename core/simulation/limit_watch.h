@@ -42,6 +42,13 @@ public:
             judge(lanes, range, root, feed, places);
         }
     }
+    /// Watches no further pass, and forgets those before.
+    void stop() {
+        m_burn.reset();
+        m_keepsLast = false;
+        m_laneLast = {};
+        m_sectionLast = {};
+    }
     /// Forgets the worst so far, for lanes from the start; their last cuts are the lanes'.
     void restart() {
         m_usage = m_quietRoot = 0;

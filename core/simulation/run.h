@@ -70,7 +70,10 @@ public:
 
     /// From now on passes count for nothing but radii and time: there are no forces, peaks, sums
     /// and limits of them.
-    void keepRadiiAlone() { m_keepsRadiiAlone = true; }
+    void keepRadiiAlone() {
+        m_keepsRadiiAlone = true;
+        m_watch.stop();
+    }
     /// From now on burning is judged as on a blank larger by so much more [mm] per side.
     void leaveMore(double more_mm) { m_watch.leaveMore(more_mm); }
 

@@ -72,14 +72,14 @@ private slots:
             p.wheel->dullness = 0;
             Dice dice(seed);
             const Followed followed(p, dice);
-            SteadyLags lags(followed.follower, followed.feeds);
             const std::vector<CompliantPoint> sections = compliantPoints(p, {});
             for (std::size_t zone = 0; zone < sections.size(); ++zone) {
+                SteadyLags lags(followed.follower, followed.feeds, zone);
                 const double gbks = sections[zone].gamma_mm_n * p.part->length_mm * forceLaw(p).ks;
                 for (std::size_t s = 0; s < followed.feeds.size(); ++s) {
                     const double infeed_mm = followed.feeds[s].infeed_mm;
                     const double steady_mm = gbks * infeed_mm;
-                    const double least_mm = lags.least_mm(zone)[s];
+                    const double least_mm = lags.least_mm()[s];
                     const double most_mm = lags.most(zone)[s].lag_mm;
                     QVERIFY(least_mm <= steady_mm && steady_mm + infeed_mm <= most_mm);
                     QVERIFY(least_mm > 0.99 * steady_mm - 1e-5);
@@ -106,11 +106,11 @@ private slots:
             Dice dice(seed);
             const Followed followed(
                 travels ? search_cases::traversed(seed) : search_cases::plunged(seed), dice);
-            SteadyLags lags(followed.follower, followed.feeds);
             const std::size_t gauged = travels ? 1 : 0;
+            SteadyLags lags(followed.follower, followed.feeds, gauged);
             const std::size_t zone = travels ? static_cast<std::size_t>(dice.integer(0, 2)) : 0;
             for (std::size_t s = 0; s < followed.feeds.size(); ++s) {
-                const double least_mm = lags.least_mm(gauged)[s];
+                const double least_mm = lags.least_mm()[s];
                 const SteadyLags::Most most = lags.most(zone)[s];
                 const double first_mm = dice.uniform(-0.02, 0.2);
                 const double share = dice.uniform(0, 1);
@@ -136,15 +136,15 @@ private slots:
             Dice dice(seed);
             const Followed followed(
                 seed % 2 ? search_cases::traversed(seed) : search_cases::plunged(seed), dice);
-            SteadyLags lags(followed.follower, followed.feeds);
             const std::size_t gauged = seed % 2;
+            SteadyLags lags(followed.follower, followed.feeds, gauged);
             for (std::size_t s = 0; s < followed.feeds.size(); ++s) {
                 double low_mm = 0.05, high_mm = 0.05;
                 for (int step = 0; step < 4000; ++step) {
                     low_mm = followed.after(low_mm, 1, gauged, s, true);
                     high_mm = followed.after(high_mm, 0, gauged, s, false);
                 }
-                const double least_mm = lags.least_mm(gauged)[s];
+                const double least_mm = lags.least_mm()[s];
                 const double most_mm = lags.most(gauged)[s].lag_mm;
                 QVERIFY(least_mm <= low_mm && low_mm < least_mm + 1e-4 + 0.01 * low_mm);
                 QVERIFY(high_mm <= most_mm && most_mm < high_mm + 1e-4 + 0.01 * high_mm);
