@@ -45,7 +45,6 @@ public:
 private:
     /// Corners of ScenarioSource; −1: the part as it stands. The one that failed last first.
     std::vector<std::int64_t> m_failed;
-    std::vector<std::int64_t> m_order; ///< all, those in which a cycle did worst first
 };
 
 /// The requirement with the least relative margin over all of these cases; nothing: the project's
