@@ -25,7 +25,7 @@ struct PhaseCases {
 /// Of a project whose batch, if it counts, checkBatch() passes.
 [[nodiscard]] PhaseCases phaseCases(const Project& project);
 
-/// One of these cases for which the project's cycle fails, with the stock where it fails by most;
+/// One of these cases for which the project's cycle fails, with a stock near where it does by most;
 /// nothing: it holds for all of them. Of a project whose phases can be decided. A stop ends it with
 /// nothing.
 [[nodiscard]] std::optional<Project> failingCase(const Project& best,

@@ -27,7 +27,7 @@ struct Suspect {
     bool isOfLargest = false; ///< at the largest of them, else at the least
 };
 
-/// The least relative margin; of a cycle that does not end ∞.
+/// The least relative margin of a cycle at an end of a piece; ∞: it does not end.
 double leastMargin(const PieceEnd& end) {
     double least = std::numeric_limits<double>::infinity();
     for (const ConstraintResult& each : end.constraints) {

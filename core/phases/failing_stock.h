@@ -8,9 +8,9 @@
 
 namespace sparkout {
 
-/// A stock of the range [mm] for which the project's cycle fails, where it fails by most; nothing:
-/// it holds for each of them. Of a valid project whose phases can be decided. A stop ends it with
-/// nothing.
+/// A stock of the range [mm] for which the project's cycle fails, near where it does by most;
+/// nothing: it holds for each of them. Of a valid project whose phases can be decided. A stop ends
+/// it with nothing.
 ///
 /// The answer is that of decidePhases(), at a fraction of its cost. The pieces share the runs of
 /// visitPhasePieces(), on the blank of the least stock of the range. What these leave differs from
