@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window_io.h"
 
+#include "app/io/console.h"
 #include "core/files/safe_file.h"
 #include "core/format/project_file.h"
+#include "core/printable.h"
 #include "core/setup/setup_file.h"
 #include "core/setup/worn_project.h"
 #include "ui/dialogs/faults_dialog.h"
@@ -27,7 +29,7 @@ QtMessageHandler printed = nullptr; ///< Qt's own
 void printUnlessOfPlatform(QtMsgType type, const QMessageLogContext& context, const QString& text) {
     if (!text.contains(QLatin1StringView("propagateSizeHints"))
         && !text.contains(QLatin1StringView("XDG_RUNTIME_DIR not set"))) {
-        printed(type, context, text);
+        printed(type, context, QString::fromStdString(printableLines(text.toStdString())));
     }
 }
 
@@ -49,12 +51,12 @@ void passOverPlatformNotices() {
 }
 
 void say(std::FILE* stream, const QString& text) {
-    std::fputs(systemText(text + u'\n').c_str(), stream);
+    cli::printText(stream, systemText(text + u'\n'));
 }
 
 int refuse(const Issues& issues) {
     for (const QString& line : FaultsDialog::lines(issues)) {
-        say(stderr, QStringLiteral("sparkout: %1").arg(line));
+        say(stderr, QStringLiteral("sparkout: %1").arg(printableText(line)));
     }
     return exitRefused;
 }

@@ -22,7 +22,8 @@ inline constexpr int exitRefused = 1, exitUsage = 2, exitCannotReachSize = 3,
 void say(std::FILE* stream, const QString& text); ///< a line
 
 /// From now on two notices of Qt about where it runs are not printed: that the platform without a
-/// display takes no size hints, and that XDG_RUNTIME_DIR is not set. The rest goes where it went.
+/// display takes no size hints, and that XDG_RUNTIME_DIR is not set. The rest goes where it went,
+/// without characters that steer a terminal.
 void passOverPlatformNotices();
 
 /// Says what is wrong with a project; returns the exit status of it.

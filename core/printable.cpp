@@ -32,10 +32,9 @@ std::string escape(const char* format, unsigned value) {
     return text;
 }
 
-} // namespace
-
-std::string printable(std::string_view text) {
+std::string shown(std::string_view text, bool keepsLines) {
     std::string out;
+    out.reserve(text.size());
     while (!text.empty()) {
         const std::size_t length = characterBytes(text);
         if (length == 0) {
@@ -44,7 +43,8 @@ std::string printable(std::string_view text) {
             continue;
         }
         const std::string_view character = text.substr(0, length);
-        if (const unsigned code = codeOf(character); steersTheDisplay(code)) {
+        const unsigned code = codeOf(character);
+        if (steersTheDisplay(code) && !(keepsLines && code == '\n')) {
             out += escape("\\u%04X", code);
         } else {
             out += character;
@@ -52,6 +52,16 @@ std::string printable(std::string_view text) {
         text.remove_prefix(length);
     }
     return out;
+}
+
+} // namespace
+
+std::string printable(std::string_view text) {
+    return shown(text, false);
+}
+
+std::string printableLines(std::string_view text) {
+    return shown(text, true);
 }
 
 std::size_t characterBytes(std::string_view text) {

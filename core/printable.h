@@ -12,6 +12,10 @@ namespace sparkout {
 /// they stand in a message of one line.
 [[nodiscard]] std::string printable(std::string_view text);
 
+/// The same of a text of several lines, whose ends stay. JSON keeps its meaning: \uXXXX is the
+/// character in it.
+[[nodiscard]] std::string printableLines(std::string_view text);
+
 /// How many bytes the UTF-8 character at the beginning of a text has; 0: there is none. Not empty.
 [[nodiscard]] std::size_t characterBytes(std::string_view text);
 

@@ -16,6 +16,8 @@ LIMITS = {
     "files that know spark-out": (7, 10),
     "sources without a header of their name": (0, 0),
     "headers with their sources in the largest folder": (25, 25),
+    "files of the programs that print past the console": (0, 0),
+    "files that take axes in the order of a hash": (0, 0),
 }
 
 
@@ -42,12 +44,19 @@ def main():
         str(pathlib.PurePath(stem).parent)
         for stem in {re.sub(r"(_posix|_windows)?\.(h|cpp)$", "", f) for f in files})
     full, most = folders.most_common(1)[0]
+    prints = r"\b(fputs|fwrite|printf|fprintf|puts|fputc|putchar|cout|cerr|clog)\b *[(<;]"
     found = {
+        # Texts reach the terminal by printText() alone, which takes out what steers it.
+        "files of the programs that print past the console": [
+            f for f in knowing(files, prints) if f.startswith("app/")
+            and not f.startswith(("app/io/console", "app/reference/"))],
         "files that know a kind of operation": knowing(files, KIND),
         "files that know spark-out": knowing(files, r"\bSparkOut\b|\bspark_out\b"),
         # For those who compare: the same widely, by any name.
         "files that ask for anything of a spark-out": knowing(
             files, r"[sS]parkOut|\bspark_out\b|unfed_steps|waitsForSize|untilSize"),
+        # Drawings are the same, byte by byte, at each start of the program: style::axesOf().
+        "files that take axes in the order of a hash": knowing(files, r"\baxes\(\)"),
         "files that ask for traits of an operation": knowing(files, r"\boperation *->"),
         "sources without a header of their name": alone,
         "headers with their sources in the largest folder": [full] * most,

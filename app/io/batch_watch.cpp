@@ -12,14 +12,6 @@
 
 namespace sparkout::cli {
 
-namespace {
-
-void tellStderr(const std::string& text) {
-    std::fwrite(text.data(), 1, text.size(), stderr);
-}
-
-} // namespace
-
 BatchWatch::BatchWatch(std::int64_t parts, bool tells, const char* what)
     : m_parts(parts), m_terminal(isTerminal(stderr)), m_tells(tells || m_terminal), m_what(what) {
     catchStopSignals();
@@ -30,7 +22,7 @@ BatchWatch::~BatchWatch() {
     m_thread.request_stop();
     m_thread.join();
     if (m_terminal) {
-        tellStderr("\r\x1b[K");
+        printOverLine(stderr, {});
     }
 }
 
@@ -60,7 +52,11 @@ void BatchWatch::tell() {
             took.count() * static_cast<double>(m_parts - done) / static_cast<double>(done);
         text += ", " + std::to_string(std::llround(left)) + " s left";
     }
-    tellStderr(m_terminal ? "\r\x1b[K" + text : text + '\n');
+    if (m_terminal) {
+        printOverLine(stderr, text);
+    } else {
+        printText(stderr, text + '\n');
+    }
 }
 
 } // namespace sparkout::cli

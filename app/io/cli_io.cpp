@@ -2,6 +2,7 @@
 #include "app/io/cli_io.h"
 
 #include "app/io/cli_report.h"
+#include "app/io/console.h"
 #include "core/files/file_step_text.h"
 #include "core/files/file_system.h"
 #include "core/format/project_file.h"
@@ -36,7 +37,7 @@ void print(std::FILE* stream, const std::string& text) {
         captured->m_text += text;
         return;
     }
-    std::fwrite(text.data(), 1, text.size(), stream);
+    printText(stream, text);
 }
 
 bool outputTaken() {

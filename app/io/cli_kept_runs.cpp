@@ -11,8 +11,9 @@ namespace sparkout::cli {
 int printUntrueRuns(const std::string& file, const Project& project) {
     int count = 0;
     for (const KeptRunCheck& check : untrueRuns(project)) {
-        print(stderr, printable(file) + ": kept run \"" + printable(check.name)
-                          + "\": " + keptRunSentence(check) + '\n');
+        print(stderr,
+              printable(file + ": kept run \"" + check.name + "\": " + keptRunSentence(check))
+                  + '\n');
         ++count;
     }
     return count;

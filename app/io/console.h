@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The console a program was started from: console_posix.cpp and console_windows.cpp.
+// The console a program was started from: what differs between systems is in console_posix.cpp and
+// console_windows.cpp.
 
 #include <cstdio>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sparkout::cli {
@@ -22,5 +24,12 @@ void useConsoleOfCaller();
 [[nodiscard]] std::vector<std::string> argumentsOf(int argc, char** argv);
 
 [[nodiscard]] bool isTerminal(std::FILE* stream);
+
+/// The one way of texts to the standard output and the standard error: characters that steer a
+/// terminal are shown as \uXXXX, whichever name or answer they came with. Line ends alone stay.
+void printText(std::FILE* stream, std::string_view text);
+
+/// The same, in place of the line that a terminal has at its end.
+void printOverLine(std::FILE* terminal, std::string_view text);
 
 } // namespace sparkout::cli
