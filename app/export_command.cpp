@@ -6,7 +6,6 @@
 #include "core/study/evaluate.h"
 #include "ui/export/export_file.h"
 
-#include <QDateTime>
 #include <QFileInfo>
 #include <QLocale>
 
@@ -60,7 +59,7 @@ int writeExport(const ExportRequest& request) {
         say(stderr, QStringLiteral("sparkout: %1").arg(obstacle));
         return exitRefused;
     }
-    const QByteArray bytes = exportWork(outcome, choice, QDateTime::currentDateTime())({});
+    const QByteArray bytes = exportWork(outcome, choice)({});
     if (bytes.isEmpty()) {
         say(stderr, QStringLiteral("sparkout: the output could not be made"));
         return exitRefused;

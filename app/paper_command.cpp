@@ -15,9 +15,9 @@
 #include "ui/report/format/report_text.h"
 #include "ui/session/project_io.h"
 #include "ui/text/file_error_text.h"
+#include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
-#include <QDate>
 #include <QStringList>
 
 #include <optional>
@@ -63,7 +63,7 @@ report::PaperWish wishOf(const ReportRequest& request) {
     report::PaperWish wish;
     wish.institution = request.institution;
     wish.file = request.file;
-    wish.date = QDate::currentDate();
+    wish.date = documentDay();
     if (request.viewsAsked) {
         wish.figures = request.handout.views;
     }

@@ -12,6 +12,7 @@
 #include "core/study/evaluate.h"
 #include "ui/report/documents/passport_measured.h"
 #include "ui/report/format/report_text.h"
+#include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
 #include <QDir>
@@ -83,7 +84,7 @@ std::optional<Setup> setupOrSay(const ReportRequest& request) {
 std::variant<report::Subject, int> subjectOf(const ReportRequest& request) {
     report::Subject subject;
     subject.file = request.file;
-    subject.date = QDate::currentDate();
+    subject.date = documentDay();
     subject.handout = request.handout;
     subject.company = request.company;
     if (report::rowOf(request.kind).takesSetup) {

@@ -10,7 +10,6 @@
 #include "ui/session/document.h"
 #include "ui/views/optimise/optimise_text.h"
 
-#include <QDateTime>
 #include <QElapsedTimer>
 #include <QFileInfo>
 #include <QLocale>
@@ -145,7 +144,7 @@ int writeStudy(const ExportRequest& request) {
     const ExportFormat format = xlsx      ? ExportFormat::xlsx
                                 : russian ? ExportFormat::csvRussian
                                           : ExportFormat::csvEnglish;
-    const QByteArray bytes = studyWork(study, format, QDateTime::currentDateTime())({});
+    const QByteArray bytes = studyWork(study, format)({});
     if (bytes.isEmpty()) {
         return refuseFor(QStringLiteral("the output could not be made"));
     }

@@ -6,9 +6,7 @@
 #include "core/version.h"
 #include "words/lesson_words.h"
 
-#include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <utility>
 
@@ -84,27 +82,12 @@ GradeTable stepTable(const Lesson& lesson, const std::vector<GradedWork>& works)
     return table;
 }
 
-/// "2026-11-22T12:00:00Z"
-std::string now() {
-    namespace chrono = std::chrono;
-    const auto time = chrono::floor<chrono::seconds>(chrono::system_clock::now());
-    const auto day = chrono::floor<chrono::days>(time);
-    const chrono::year_month_day date(day);
-    const chrono::hh_mm_ss clock(time - day);
-    char text[32];
-    std::snprintf(text, sizeof text, "%04d-%02u-%02uT%02d:%02d:%02dZ", int(date.year()),
-                  unsigned(date.month()), unsigned(date.day()), int(clock.hours().count()),
-                  int(clock.minutes().count()), int(clock.seconds().count()));
-    return text;
-}
-
 } // namespace
 
 xlsx::Book gradeBook(const Lesson& lesson, const std::vector<GradedWork>& works) {
     return {lesson.title.in(false),
             {},
             std::string("Sparkout ") + version,
-            now(),
             {sheetOf(gradeTable(lesson, works, {flagText, "; "}), "Grades"),
              sheetOf(stepTable(lesson, works), "Steps")}};
 }

@@ -43,7 +43,6 @@ struct Book {
     std::string title;
     std::string author;
     std::string program;       ///< "Sparkout 0.1.0"
-    std::string made;          ///< "2026-11-22T12:00:00Z"
     std::vector<Sheet> sheets; ///< at least one
 };
 

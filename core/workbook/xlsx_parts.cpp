@@ -267,13 +267,10 @@ std::string styles() {
 
 std::string coreProperties(const Book& book) {
     return start + "<cp:coreProperties xmlns:cp=\"" + package
-           + "metadata/core-properties\" xmlns:dc=\"http://purl.org/dc/elements/1.1/\" "
-             "xmlns:dcterms=\"http://purl.org/dc/terms/\" "
-             "xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\"><dc:title>"
+           + "metadata/core-properties\" xmlns:dc=\"http://purl.org/dc/elements/1.1/\"><dc:title>"
            + escaped(book.title) + "</dc:title><dc:creator>" + escaped(book.author)
            + "</dc:creator><dc:description>" + escaped(book.program)
-           + "</dc:description><dcterms:created xsi:type=\"dcterms:W3CDTF\">" + escaped(book.made)
-           + "</dcterms:created></cp:coreProperties>";
+           + "</dc:description></cp:coreProperties>";
 }
 
 std::string programProperties(const Book& book) {

@@ -4,6 +4,7 @@
 #include "ui/plot/feed_text.h"
 #include "ui/plot/hair_line.h"
 #include "ui/plot/plot_cursors.h"
+#include "ui/plot/plot_style.h"
 #include "ui/plot/quantity_colour.h"
 #include "ui/plot/run_dash.h"
 
@@ -37,7 +38,7 @@ void ComparePlot::build() {
         QCPAxisRect* const rect = addRect(static_cast<int>(row));
         rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
         rect->setMinimumSize(legiblePlot);
-        for (QCPAxis* axis : rect->axes()) {
+        for (QCPAxis* axis : style::axesOf(*rect)) {
             axis->ticker()->setTickCount(4);
             axis->setVisible(true);
         }

@@ -103,9 +103,7 @@ bool saveTable(QWidget* window, Settings* settings, NamedTable named, TableForma
         }
         request.longWork = [table, name, title = named.heading.join(QStringLiteral(" — "))](
                                const KeepGoing& keepGoing) {
-            return xlsxBytes(
-                {title, {}, programText(), QDateTime::currentDateTime(), sheetsOf(*table, name)},
-                keepGoing);
+            return xlsxBytes({title, {}, programText(), sheetsOf(*table, name)}, keepGoing);
         };
     } else {
         request.prepare = [table, format]() -> std::function<QByteArray()> {

@@ -53,15 +53,14 @@ QString exportObstacle(const OutcomePtr& outcome, const ExportChoice& choice) {
     if (choice.format != ExportFormat::xlsx) {
         return {};
     }
-    const Book book = bookOf(outcome, choice.parts, {});
+    const Book book = bookOf(outcome, choice.parts);
     const Sheet* sheet = sheetTooLong(book.sheets);
     return sheet ? tooLongText(sheet->name, sheet->rows) : QString();
 }
 
-std::function<QByteArray(const KeepGoing&)> studyWork(const Study& study, ExportFormat format,
-                                                      const QDateTime& made) {
+std::function<QByteArray(const KeepGoing&)> studyWork(const Study& study, ExportFormat format) {
     if (format == ExportFormat::xlsx) {
-        return [book = studyBook(study, made)](const KeepGoing& keepGoing) {
+        return [book = studyBook(study)](const KeepGoing& keepGoing) {
             return xlsxBytes(book, keepGoing);
         };
     }
@@ -69,11 +68,11 @@ std::function<QByteArray(const KeepGoing&)> studyWork(const Study& study, Export
                const KeepGoing& keepGoing) { return csvBytes(sheet, dialect, keepGoing); };
 }
 
-std::function<QByteArray(const KeepGoing&)>
-exportWork(const OutcomePtr& outcome, const ExportChoice& choice, const QDateTime& made) {
+std::function<QByteArray(const KeepGoing&)> exportWork(const OutcomePtr& outcome,
+                                                       const ExportChoice& choice) {
     switch (choice.format) {
     case ExportFormat::xlsx:
-        return [book = bookOf(outcome, choice.parts, made)](const KeepGoing& keepGoing) {
+        return [book = bookOf(outcome, choice.parts)](const KeepGoing& keepGoing) {
             return xlsxBytes(book, keepGoing);
         };
     case ExportFormat::csvRussian:

@@ -28,11 +28,11 @@ struct ExportChoice {
 [[nodiscard]] QString exportObstacle(const OutcomePtr& outcome, const ExportChoice& choice);
 
 /// Makes the bytes, in any thread; the words are those of the language of now.
-[[nodiscard]] std::function<QByteArray(const KeepGoing&)>
-exportWork(const OutcomePtr& outcome, const ExportChoice& choice, const QDateTime& made);
+[[nodiscard]] std::function<QByteArray(const KeepGoing&)> exportWork(const OutcomePtr& outcome,
+                                                                     const ExportChoice& choice);
 
 /// The same of a batch, sweep or search; JSON has none.
-[[nodiscard]] std::function<QByteArray(const KeepGoing&)>
-studyWork(const Study& study, ExportFormat format, const QDateTime& made);
+[[nodiscard]] std::function<QByteArray(const KeepGoing&)> studyWork(const Study& study,
+                                                                    ExportFormat format);
 
 } // namespace sparkout

@@ -105,14 +105,10 @@ Sheet partSheet(const OutcomePtr& outcome, ResultPart part) {
                                      : sheetOf(tableOfPart(*outcome, part), name);
 }
 
-Book bookOf(const OutcomePtr& outcome, const std::vector<ResultPart>& parts,
-            const QDateTime& made) {
+Book bookOf(const OutcomePtr& outcome, const std::vector<ResultPart>& parts) {
     const Project& project = outcome->result.project;
-    Book book{exampleTitle(project.title),
-              QString::fromStdString(project.author),
-              programText(),
-              made,
-              {}};
+    Book book{
+        exampleTitle(project.title), QString::fromStdString(project.author), programText(), {}};
     for (const ResultPart part : parts) {
         if (part == ResultPart::trace) {
             for (Sheet& sheet : traceSheets(outcome)) {

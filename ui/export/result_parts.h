@@ -21,8 +21,7 @@ inline constexpr std::array allResultParts{
 [[nodiscard]] Sheet partSheet(const OutcomePtr& outcome, ResultPart part);
 
 /// The parts as sheets of a workbook; of the trace one a zone or section.
-[[nodiscard]] Book bookOf(const OutcomePtr& outcome, const std::vector<ResultPart>& parts,
-                          const QDateTime& made);
+[[nodiscard]] Book bookOf(const OutcomePtr& outcome, const std::vector<ResultPart>& parts);
 
 /// Rows of the trace; 0 where the run was too long to be recorded.
 [[nodiscard]] std::size_t traceRows(const Outcome& outcome);

@@ -374,13 +374,10 @@ QString studyNote(StudyKind kind) {
     return {};
 }
 
-Book studyBook(const Study& study, const QDateTime& made) {
+Book studyBook(const Study& study) {
     const Project& project = study.project();
-    Book book{exampleTitle(project.title),
-              QString::fromStdString(project.author),
-              programText(),
-              made,
-              {}};
+    Book book{
+        exampleTitle(project.title), QString::fromStdString(project.author), programText(), {}};
     for (const NamedSheet& each : sheetsOfStudy(study)) {
         book.sheets.push_back(sheetOf(each.table, each.name));
     }

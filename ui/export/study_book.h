@@ -38,7 +38,7 @@ struct Study {
 [[nodiscard]] QString studyNote(StudyKind kind);    ///< what its sheets hold
 
 /// Every table on a sheet of its own.
-[[nodiscard]] Book studyBook(const Study& study, const QDateTime& made);
+[[nodiscard]] Book studyBook(const Study& study);
 
 /// The one that a CSV file holds: a row a characteristic, a point or a cycle.
 [[nodiscard]] Sheet studyMainSheet(const Study& study);

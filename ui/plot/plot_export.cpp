@@ -4,7 +4,9 @@
 #include "core/units.h"
 #include "core/version.h"
 #include "ui/pdf/pdf_details.h"
+#include "ui/plot/plot_style.h"
 #include "ui/plot/svg_device.h"
+#include "ui/text/number_text.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
@@ -77,7 +79,7 @@ public:
     static QString of(const PlotPicture& picture, const LegendEntries& entries) {
         QStringList axes, curves, all = picture.heading.mid(0, 1);
         for (const QCPAxisRect* rect : picture.plot->axisRects()) {
-            for (const QCPAxis* axis : rect->axes()) {
+            for (const QCPAxis* axis : style::axesOf(*rect)) {
                 if (axis->visible() && !axis->label().isEmpty()) {
                     axes << axis->label();
                 }
@@ -214,7 +216,7 @@ QByteArray pdf(const Recording& recording) {
                        {},
                        QStringLiteral("Sparkout %1").arg(QString::fromUtf8(version)),
                        recording.language,
-                       QDate::currentDate(),
+                       documentDay(),
                        {},
                        recording.structure};
     constexpr double pointsPerInch = 72;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/plot_navigation.h"
 
+#include "ui/plot/plot_style.h"
+
 #include <qcustomplot.h>
 
 #include <algorithm>
@@ -107,7 +109,7 @@ void PlotNavigation::setState(const PlotHistory::State& state) {
 PlotHistory::State PlotNavigation::rangesOf(const QCustomPlot& plot) {
     PlotHistory::State ranges;
     for (const QCPAxisRect* rect : plot.axisRects()) {
-        for (const QCPAxis* axis : rect->axes()) {
+        for (const QCPAxis* axis : style::axesOf(*rect)) {
             ranges.insert(ranges.end(), {axis->range().lower, axis->range().upper});
         }
     }
@@ -117,7 +119,7 @@ PlotHistory::State PlotNavigation::rangesOf(const QCustomPlot& plot) {
 void PlotNavigation::setRanges(const QCustomPlot& plot, const PlotHistory::State& ranges) {
     std::size_t i = 0;
     for (const QCPAxisRect* rect : plot.axisRects()) {
-        for (QCPAxis* axis : rect->axes()) {
+        for (QCPAxis* axis : style::axesOf(*rect)) {
             if (i + 1 < ranges.size()) {
                 axis->setRange(ranges[i], ranges[i + 1]);
             }

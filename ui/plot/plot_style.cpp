@@ -63,10 +63,14 @@ void applyPalette(QCPAxis& axis, const QPalette& palette) {
     axis.grid()->setZeroLinePen(QPen(line, 0));
 }
 
+QList<QCPAxis*> axesOf(const QCPAxisRect& rect) {
+    return rect.axes(QCPAxis::atLeft | QCPAxis::atRight | QCPAxis::atTop | QCPAxis::atBottom);
+}
+
 void applyPalette(QCustomPlot& plot, const QPalette& palette) {
     plot.setBackground(palette.brush(QPalette::Base));
     for (QCPAxisRect* rect : plot.axisRects()) {
-        for (QCPAxis* axis : rect->axes()) {
+        for (QCPAxis* axis : axesOf(*rect)) {
             applyPalette(*axis, palette);
         }
     }

@@ -3,6 +3,7 @@
 
 #include <QColor>
 #include <QFont>
+#include <QList>
 #include <QPalette>
 
 class QCPAxis;
@@ -19,6 +20,10 @@ namespace sparkout::style {
 [[nodiscard]] QColor thinned(QColor colour, int alpha); ///< of this opacity, to 255
 /// Of an area behind the curves; stronger in the contrast theme, which has no other colour there.
 [[nodiscard]] QColor filling(QColor colour, int alpha, const QPalette& palette);
+
+/// All axes, side by side. QCustomPlot's own order of them is another at each start of the program,
+/// and what is drawn in it with it.
+[[nodiscard]] QList<QCPAxis*> axesOf(const QCPAxisRect& rect);
 
 void applyPalette(QCustomPlot& plot, const QPalette& palette);
 void applyPalette(QCPAxis& axis, const QPalette& palette);

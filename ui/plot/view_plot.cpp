@@ -2,6 +2,7 @@
 #include "ui/plot/view_plot.h"
 
 #include "ui/plot/plot_cursors.h"
+#include "ui/plot/plot_style.h"
 #include "ui/plot/plot_tools.h"
 
 #include <QApplication>
@@ -59,7 +60,7 @@ void ViewPlot::retranslate() {
 void ViewPlot::restyle() {
     style::applyPalette(*this, palette());
     for (const QCPAxisRect* rect : axisRects()) {
-        for (QCPAxis* axis : rect->axes()) {
+        for (QCPAxis* axis : style::axesOf(*rect)) {
             axis->setTickLabelFont(font());
             axis->setLabelFont(font());
         }
@@ -83,7 +84,7 @@ QColor ViewPlot::ink() const {
 QCPAxisRect* ViewPlot::addRect(int row, int column) {
     auto* const rect = new QCPAxisRect(this, true);
     plotLayout()->addElement(row, column, rect);
-    for (QCPAxis* axis : rect->axes()) {
+    for (QCPAxis* axis : style::axesOf(*rect)) {
         style::setUpAxis(*axis);
     }
     return rect;

@@ -87,11 +87,8 @@ QByteArray xlsxBytes(const Book& book, const KeepGoing& keepGoing) {
         names << sheet.name;
     }
     names = sheetNames(names);
-    xlsx::Book made{book.title.toStdString(),
-                    book.author.toStdString(),
-                    book.program.toStdString(),
-                    book.made.toUTC().toString(Qt::ISODate).toStdString(),
-                    {}};
+    xlsx::Book made{
+        book.title.toStdString(), book.author.toStdString(), book.program.toStdString(), {}};
     for (const Sheet& sheet : book.sheets) {
         made.sheets.push_back(sheetFor(sheet, names[static_cast<qsizetype>(made.sheets.size())]));
     }

@@ -3,8 +3,6 @@
 
 #include "ui/tables/sheet.h"
 
-#include <QDateTime>
-
 /// The tables of the window as workbooks, which core/workbook writes.
 namespace sparkout {
 
@@ -15,8 +13,7 @@ inline constexpr auto xlsxTextLength = static_cast<qsizetype>(xlsx::mostTextLeng
 struct Book {
     QString title;
     QString author;
-    QString program; ///< "Sparkout 0.1.0"
-    QDateTime made;
+    QString program;           ///< "Sparkout 0.1.0"
     std::vector<Sheet> sheets; ///< at least one
 };
 

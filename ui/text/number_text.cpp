@@ -166,6 +166,13 @@ QString momentText(const QDateTime& moment) {
     return dateText(moment.date()) + moment.time().toString(QStringLiteral(", HH:mm"));
 }
 
+QDate documentDay() {
+    bool given = false;
+    const qlonglong epoch_s = qEnvironmentVariable("SOURCE_DATE_EPOCH").toLongLong(&given);
+    const QDate day = given ? QDateTime::fromSecsSinceEpoch(epoch_s, Qt::UTC).date() : QDate();
+    return day.isValid() ? day : QDate::currentDate();
+}
+
 QString keptTogether(QString line) {
     static const QRegularExpression gap(QStringLiteral("(?<=[0-9]) (?=\\p{L})|(?<=[≤≥=]) "));
     static const QRegularExpression fraction(QStringLiteral("(?<=\\p{L})/(?=\\p{L})"));

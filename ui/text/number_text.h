@@ -38,6 +38,10 @@ namespace sparkout {
 /// The same with hours and minutes.
 [[nodiscard]] QString momentText(const QDateTime& moment);
 
+/// The day that a document bears: today, or that of SOURCE_DATE_EPOCH where the environment gives
+/// one, so that documents can be made anew byte by byte.
+[[nodiscard]] QDate documentDay();
+
 /// Of a file or the room for one, in the units of the present language: "10 kB", "2.5 GB".
 [[nodiscard]] QString sizeText(qint64 bytes);
 

@@ -16,6 +16,7 @@
 #include "ui/session/cycle_cursor.h"
 #include "ui/session/document.h"
 #include "ui/session/settings.h"
+#include "ui/text/number_text.h"
 #include "ui/window/actions.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/remedy_offers.h"
@@ -24,7 +25,6 @@
 #include "ui/window/window_layout.h"
 
 #include <QCoreApplication>
-#include <QDate>
 #include <QEventLoop>
 #include <QLabel>
 #include <QStackedWidget>
@@ -42,7 +42,7 @@ report::PaperWish wishOf(const Settings& settings, const QString& file) {
     report::PaperWish wish;
     wish.institution = report::Institution::fromKept(settings.titlePage());
     wish.file = file;
-    wish.date = QDate::currentDate();
+    wish.date = documentDay();
     wish.breathe = [] { QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents); };
     return wish;
 }

@@ -7,7 +7,6 @@
 #include "ui/export/export_file.h"
 #include "ui/text/language.h"
 
-#include <QDateTime>
 #include <QJsonDocument>
 #include <QObject>
 #include <QTemporaryDir>
@@ -35,7 +34,7 @@ inline Project smallProject(Operation operation) {
 }
 
 inline QByteArray bytesOf(const OutcomePtr& outcome, const ExportChoice& choice) {
-    return exportWork(outcome, choice, QDateTime(QDate(2026, 11, 22), QTime(12, 0)))({});
+    return exportWork(outcome, choice)({});
 }
 
 inline std::vector<ResultPart> everyPart() {

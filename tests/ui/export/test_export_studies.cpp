@@ -270,7 +270,7 @@ private slots:
 
     void theMainTableAsCsv() {
         const Study study{.batch = runWholeBatch(fixtures::shaftBatch(30), {})};
-        const QByteArray csv = studyWork(study, ExportFormat::csvEnglish, {})({});
+        const QByteArray csv = studyWork(study, ExportFormat::csvEnglish)({});
         const auto& all = study.batch->summary.characteristics;
         QCOMPARE(csv.count('\n'), static_cast<qsizetype>(all.size()) + 1);
         QVERIFY(csv.contains(
@@ -442,7 +442,7 @@ private:
         if (!file.open(QIODevice::WriteOnly)) {
             return {};
         }
-        file.write(studyWork(study, ExportFormat::xlsx, QDateTime::currentDateTime())({}));
+        file.write(studyWork(study, ExportFormat::xlsx)({}));
         return path;
     }
     QString saved(const Project& project, const char* name) {

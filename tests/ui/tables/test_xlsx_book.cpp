@@ -24,8 +24,7 @@ namespace {
 
 Book bookOf(std::vector<Sheet> sheets) {
     return {QStringLiteral("Вал 30h6 <&>"), QStringLiteral("А. Иванов"),
-            QStringLiteral("Sparkout 0.1.0"), QDateTime(QDate(2026, 11, 22), QTime(12, 0), Qt::UTC),
-            std::move(sheets)};
+            QStringLiteral("Sparkout 0.1.0"), std::move(sheets)};
 }
 
 /// Writes a workbook and reads it with openpyxl.

@@ -21,8 +21,13 @@ struct Run {
     QString said;
 };
 
-Run sparkout(const QStringList& arguments) {
+Run sparkout(const QStringList& arguments, const char* epoch = nullptr) {
     QProcess process;
+    if (epoch) {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("SOURCE_DATE_EPOCH"), QString::fromLatin1(epoch));
+        process.setProcessEnvironment(environment);
+    }
     process.setProcessChannelMode(QProcess::MergedChannels);
     process.start(QStringLiteral(SPARKOUT_PROGRAM), arguments);
     if (!process.waitForFinished(60'000)) {
@@ -64,6 +69,81 @@ class TestPicture : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Neither the hashes of a process nor the second of writing is in a file.
+    void equalInputsGiveEqualBytes() {
+        using Made = std::pair<const char*, const char*>; // what, and the ending of its file
+        QList<Made> reports{{"card", "html"}, {"card", "pdf"}, {"handout", "md"}};
+        QList<Made> exports{{"all", "xlsx"}, {"cycle", "csv"}, {"all", "json"}};
+        if (qEnvironmentVariableIsSet("SPARKOUT_LONG")) {
+            for (const char* kind : {"card", "passport", "handout", "operation-card",
+                                     "sketch-sheet", "worksheet", "worksheet-key"}) {
+                for (const char* format : {"html", "pdf", "md", "odt"}) {
+                    reports << Made(kind, format);
+                }
+            }
+            exports << Made("batch", "xlsx") << Made("trace", "csv");
+        }
+        const QTemporaryDir folder;
+        const auto bytes = [&](const char* option, const Made& made) {
+            const QString path =
+                folder.filePath(QStringLiteral("made.%1").arg(QString::fromLatin1(made.second)));
+            const Run run = sparkout({QString::fromLatin1(option), QString::fromLatin1(made.first),
+                                      batch, QStringLiteral("-o"), path, QStringLiteral("--lang"),
+                                      QStringLiteral("en")});
+            if (run.status != 0) {
+                qWarning("%s", qPrintable(run.said));
+            }
+            return bytesOf(path);
+        };
+        for (const auto& [option, all] :
+             {std::pair("--report", reports), std::pair("--export", exports)}) {
+            for (const Made& made : all) {
+                const QByteArray first = bytes(option, made);
+                QVERIFY2(!first.isEmpty(), made.first);
+                for (int again = 0; again < 2; ++again) {
+                    QTest::qWait(qstrcmp(made.second, "xlsx") == 0 ? 1000 : 0); // another second
+                    QVERIFY2(bytes(option, made) == first, qPrintable(QStringLiteral("%1.%2").arg(
+                                                               QString::fromLatin1(made.first),
+                                                               QString::fromLatin1(made.second))));
+                }
+            }
+        }
+    }
+
+    /// Faults quote what stands in a file, letter by letter, a line each.
+    void whatIsSaidOfAFileSteersNoTerminal() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("faults.sparkout"));
+        QByteArray project = bytesOf(example);
+        project.replace("\"wheel\": {",
+                        "\"wheel\": {\"a\\u001b]0;title\\u0007\\u009b2J\\u202e\\nforged: b\": 1,");
+        QVERIFY(putBytes(path, project));
+        const Run run = report(folder.filePath(QStringLiteral("card.html")), path);
+        QCOMPARE(run.status, 1);
+        QVERIFY2(run.said.contains(QStringLiteral("\\u001B]0;title")), qPrintable(run.said));
+        QVERIFY(!run.said.contains(QStringLiteral("\nforged")));
+        for (const QChar c : {QChar(0x1b), QChar(0x07), QChar(0x9b), QChar(0x202e)}) {
+            QVERIFY(!run.said.contains(c));
+        }
+    }
+
+    /// So a document can be made anew on another day.
+    void theDayOfADocumentIsThatOfTheEnvironment() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("card.md"));
+        const auto written = [&](const char* epoch) {
+            (void)sparkout({QStringLiteral("--report"), QStringLiteral("card"), example,
+                            QStringLiteral("-o"), path, QStringLiteral("--lang"),
+                            QStringLiteral("en")},
+                           epoch);
+            return bytesOf(path);
+        };
+        QVERIFY(written("1000000000").contains("9 September 2001"));
+        const QByteArray today = written(nullptr);
+        QVERIFY(!today.isEmpty() && !today.contains("2001"));
+        QCOMPARE(written("no number"), today);
+    }
+
     void papersOfTheCourseAreWritten() {
         const QTemporaryDir folder;
         const QString lesson =

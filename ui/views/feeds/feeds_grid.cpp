@@ -119,7 +119,7 @@ void FeedsGrid::buildCell(std::size_t column, std::size_t row) {
 
 void FeedsGrid::setUpAxes(QCPAxisRect& rect, std::size_t column, std::size_t row) const {
     const bool last = column + 1 == m_columns.size();
-    for (QCPAxis* axis : rect.axes()) {
+    for (QCPAxis* axis : style::axesOf(rect)) {
         style::setUpAxis(*axis);
         axis->setTickLabelPadding(tickPad);
         axis->setPadding(bottomPad);

@@ -2,6 +2,7 @@
 #include "ui/views/layers/layers_surface.h"
 
 #include "core/units.h"
+#include "ui/plot/plot_style.h"
 #include "ui/text/names.h"
 #include "ui/views/layers/layers_look.h"
 #include "ui/views/layers/surface_scene.h"
@@ -31,7 +32,7 @@ LayersSurface::LayersSurface(QWidget* parent) : ViewPlot(parent) {
     m_rect = new QCPAxisRect(this, true);
     plotLayout()->addElement(0, 0, m_rect);
     m_rect->setAutoMargins(QCP::msNone);
-    for (QCPAxis* axis : m_rect->axes()) {
+    for (QCPAxis* axis : style::axesOf(*m_rect)) {
         axis->setVisible(false);
         axis->grid()->setVisible(false);
     }

@@ -17,7 +17,7 @@ void FramedPlot::setVisibleRange(const PlotHistory::State& range) {
 }
 
 void FramedPlot::followMoves(QCPAxisRect& rect) {
-    for (QCPAxis* axis : rect.axes()) {
+    for (QCPAxis* axis : style::axesOf(rect)) {
         connect(axis, QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this, [this, &rect] {
             if (!m_setting) {
                 const QCPRange x = rect.axis(QCPAxis::atBottom)->range();

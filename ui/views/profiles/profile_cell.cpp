@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/profiles/profile_cell.h"
 
+#include "ui/plot/plot_style.h"
 #include "ui/plot/view_plot.h"
 #include "ui/views/profiles/profiles_layers.h"
 #include "ui/views/profiles/shown_zone.h"
@@ -32,7 +33,7 @@ ProfileCell::ProfileCell(QCustomPlot& plot, QCPLayoutGrid& into, bool numbersBes
     , m_numbers(new QCPTextElement(&plot))
     , m_rect(new QCPAxisRect(&plot, true)) {
     arrange(into, numbersBeside);
-    for (QCPAxis* axis : m_rect->axes()) {
+    for (QCPAxis* axis : style::axesOf(*m_rect)) {
         axis->setVisible(false);
         axis->grid()->setVisible(false);
     }

@@ -115,7 +115,7 @@ void SpectrumPlot::buildCell(Cell& cell, QCPLayoutGrid& into, int column) {
     into.addElement(1, column, cell.rect);
     cell.header->setMargins(QMargins(2, 2, 2, 0));
     cell.rect->setMinimumMargins(QMargins(0, 2, 6, 0));
-    for (QCPAxis* axis : cell.rect->axes()) {
+    for (QCPAxis* axis : style::axesOf(*cell.rect)) {
         style::setUpAxis(*axis);
     }
     QSharedPointer<QCPAxisTickerFixed> whole(new QCPAxisTickerFixed);

@@ -43,14 +43,13 @@ void ExportCommands::exportResults() {
                             : choice.parts.size() == 1
                                 ? partName(choice.parts.front(), project.operation)
                                 : tr("Results");
-    const QDateTime made = QDateTime::currentDateTime();
     const SaveRequest request{tr("Export results"),
                               fileNameOf({exampleTitle(project.title), content}),
                               exportSuffix(choice.format),
                               exportFilter(choice.format),
                               {},
-                              study ? studyWork(*study, choice.format, made)
-                                    : exportWork(outcome, choice, made)};
+                              study ? studyWork(*study, choice.format)
+                                    : exportWork(outcome, choice)};
     (void)saveWithDialog(m_window, &m_settings, request);
 }
 

@@ -11,6 +11,7 @@
 #include "ui/session/background.h"
 #include "ui/session/settings.h"
 #include "ui/text/names.h"
+#include "ui/text/number_text.h"
 #include "ui/window/dialogs/handout_dialog.h"
 
 #include <QCoreApplication>
@@ -49,7 +50,7 @@ std::optional<report::Report> ReportCommands::reportOfNow(report::Kind kind) {
     report::Subject subject;
     subject.outcome = now.outcome;
     subject.file = now.file;
-    subject.date = QDate::currentDate();
+    subject.date = documentDay();
     subject.company = m_settings.company();
     subject.breathe = [] { QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents); };
     std::optional<report::Paper> paper;
