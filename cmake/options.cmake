@@ -46,7 +46,23 @@ elseif(WIN32)
     target_link_options(sparkout_options INTERFACE -fstack-protector-strong)
 else()
     target_compile_options(sparkout_options INTERFACE -fstack-protector-strong -fcf-protection)
+    # The linker notes what all objects of a program are compiled for, and the start files of Debian's C
+    # library say nothing. Compiled code keeps to a shadow stack in any case: it returns where it was called.
+    target_link_options(sparkout_options INTERFACE -Wl,-z,shstk)
 endif()
+
+# Notes as well that all places of a program that may be jumped to are marked, which is true of all
+# objects but the start files (landing_pads.cpp) and libqpdf.a, which Debian compiles without marks.
+function(sparkout_marked_entries TARGET)
+    if(WIN32 OR SPARKOUT_SANITIZE)
+        return()
+    endif()
+    target_sources(${TARGET} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/landing_pads.cpp)
+    set_source_files_properties(${PROJECT_SOURCE_DIR}/cmake/landing_pads.cpp TARGET_DIRECTORY ${TARGET}
+        PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
+    target_link_options(${TARGET} PRIVATE -Wl,-z,ibt -Wl,-e,sparkout_start -Wl,-init,sparkout_init
+        -Wl,-fini,sparkout_fini)
+endfunction()
 # To clang a local name shadows what another of the sources joined has in its own namespace.
 if(SPARKOUT_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     target_compile_options(sparkout_options INTERFACE -Wno-shadow)

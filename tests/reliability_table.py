@@ -79,13 +79,14 @@ CHECKS = {
     "25": ("Undo", "100 sequences of 100 commands undone and redone, equal both ways", None),
     "26": ("Injection", "40 hostile texts in every field and output",
            "no line of its own: single texts in reports, tables and labels "
-           "(test_passport_pages, test_csv_table, test_xlsx_book, test_plot_export)"),
+           "(test_passport_pages, test_csv_table, test_xlsx_book, test_plot_export), what is printed "
+           "(test_cli_terminal), what is opened (traced_opening)"),
     "27": ("Locale and surroundings", "engine and files under foreign locales, no HOME, no display",
            "one foreign locale (ru_RU, as a stage of its own), no sandbox; environments of the "
            "command line in test_cli_surroundings"),
     "28": ("Command line, binary", "1,000 random command lines end in a documented status; hardened "
            "binaries, equal builds",
-           "neither the hardening nor the equality of two builds is checked"),
+           "the hardening is checked by programs_hardening, the equality of two builds is not"),
 }
 LEAST_IS_WORST = {"22"}
 
