@@ -13,6 +13,7 @@
 #include "ui/kit/font_size.h"
 #include "ui/kit/theme.h"
 #include "ui/lesson/lesson_desk.h"
+#include "ui/report/card/logo.h"
 #include "ui/report/format/report_text.h"
 #include "ui/session/program_log.h"
 #include "ui/session/remedy_finder.h"
@@ -449,6 +450,11 @@ int main(int argc, char** argv) {
         request.output = options.output;
         const Settings own = settingsFor(options); // else nothing of the user's is read
         request.company = own.company();
+        const QString logoFault = report::Logo::fault(request.company.logo);
+        if (!request.paper && !logoFault.isEmpty()) {
+            say(stderr, QStringLiteral("sparkout: the logo of the settings is left out. %1")
+                            .arg(logoFault));
+        }
         request.institution = report::Institution::fromKept(own.titlePage());
         return options.many.folder.isEmpty() ? writeReport(request)
                                              : writeReports(request, options.many);

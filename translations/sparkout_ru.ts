@@ -11568,12 +11568,12 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Выбор логотипа</translation>
         </message>
         <message>
-            <source>Pictures (*.png *.svg)</source>
-            <translation>Рисунки (*.png *.svg)</translation>
+            <source>Pictures (*.png *.jpg *.jpeg);;All files (*)</source>
+            <translation>Рисунки (*.png *.jpg *.jpeg);;Все файлы (*)</translation>
         </message>
         <message>
-            <source>This is no picture in PNG or SVG; the logo stays as it was.</source>
-            <translation>Это не рисунок PNG или SVG; логотип остался прежним.</translation>
+            <source>The logo stays as it was.</source>
+            <translation>Логотип остался прежним.</translation>
         </message>
         <message>
             <source>none</source>
@@ -13466,6 +13466,14 @@ target, µm</source>
     </context>
     <context>
         <name>sparkout::MainWindow</name>
+        <message>
+            <source>The logo in the heads of documents is left out. %1</source>
+            <translation>Логотип в заголовках документов не печатается. %1</translation>
+        </message>
+        <message>
+            <source>Company and signatures…</source>
+            <translation>Организация и подписи…</translation>
+        </message>
         <message>
             <source>%1: ended.</source>
             <translation>%1: расчёт окончен.</translation>
@@ -20062,6 +20070,29 @@ s</source>
         </message>
     </context>
     <context>
+        <name>Logo</name>
+        <message>
+            <source>This picture is damaged and cannot be shown.</source>
+            <translation>Рисунок повреждён, показать его нельзя.</translation>
+        </message>
+        <message>
+            <source>An SVG drawing cannot be a logo: a logo is a PNG or JPEG picture of at most %1 pixels a side. Open the drawing in a drawing program or a browser and export it as PNG: in Inkscape by File › Export, on the command line by “rsvg-convert -w 1200 -o logo.png logo.svg”.</source>
+            <translation>Рисунок SVG не может быть логотипом: логотип — рисунок PNG или JPEG, не более %1 пикселей по каждой стороне. Откройте его в графическом редакторе или браузере и сохраните как PNG: в Inkscape командой «Файл › Экспортировать», в командной строке «rsvg-convert -w 1200 -o logo.png logo.svg».</translation>
+        </message>
+        <message>
+            <source>This is no picture in PNG or JPEG. A logo is one of at most %1 pixels a side: open the picture in an image program and save it as PNG.</source>
+            <translation>Это не рисунок PNG или JPEG. Логотип — такой рисунок, не более %1 пикселей по каждой стороне: откройте его в графическом редакторе и сохраните как PNG.</translation>
+        </message>
+        <message>
+            <source>The picture has %1 bytes; a logo has at most %2.</source>
+            <translation>В рисунке %1 байт; в логотипе допускается не более %2.</translation>
+        </message>
+        <message>
+            <source>The picture has %1 × %2 pixels; a logo has at most %3 a side.</source>
+            <translation>В рисунке %1 × %2 пикселей; в логотипе допускается не более %3 по каждой стороне.</translation>
+        </message>
+    </context>
+    <context>
         <name>PackParts</name>
         <message>
             <source>Machine</source>
@@ -20160,6 +20191,10 @@ s</source>
         <message>
             <source>&amp;Cancel</source>
             <translation>&amp;Отмена</translation>
+        </message>
+        <message>
+            <source>The logo of the pack is left out. %1</source>
+            <translation>Логотип из набора не берётся. %1</translation>
         </message>
         <message>
             <source>Nothing of yours is replaced unless you choose it here. A pack holds data alone: nothing in it is run.</source>
@@ -20267,6 +20302,10 @@ s</source>
         <message>
             <source>Heads of documents</source>
             <translation>Данные для документов</translation>
+        </message>
+        <message>
+            <source>%1, without the logo</source>
+            <translation>%1, без логотипа</translation>
         </message>
         <message>
             <source>“%1” is no laboratory work: %2</source>

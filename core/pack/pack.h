@@ -26,7 +26,7 @@ struct Pack {
     std::vector<WheelEntry> wheels;
     std::vector<MaterialEntry> materials;
     std::map<std::string, std::string> company; ///< texts of the heads of documents by their keys
-    std::string logo;                           ///< a PNG or SVG file in base64
+    std::string logo;                           ///< a PNG or JPEG file in base64
     std::vector<PackedLesson> lessons;
 
     /// Entries, lessons, and the company's data as one.

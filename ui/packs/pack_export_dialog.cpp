@@ -9,6 +9,7 @@
 #include "ui/kit/file_dialog.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
+#include "ui/report/card/logo.h"
 #include "ui/session/background.h"
 #include "ui/session/project_io.h"
 #include "ui/session/settings.h"
@@ -107,8 +108,11 @@ void PackExportDialog::buildTree() {
         }
     }
     if (const Company company = m_settings.company(); company != Company()) {
-        addItem(PackPart::company, company.name.isEmpty() ? tr("Heads of documents") : company.name,
+        const QString name = company.name.isEmpty() ? tr("Heads of documents") : company.name;
+        const QString fault = report::Logo::fault(company.logo);
+        addItem(PackPart::company, fault.isEmpty() ? name : tr("%1, without the logo").arg(name),
                 [company](Pack& pack) { PackParts::setCompany(company, pack); });
+        m_items.back().row->setToolTip(0, fault);
     }
     addLessons(ownLessons(m_settings.folder()));
 }

@@ -98,6 +98,11 @@ QWidget* PackImportDialog::buildHead() {
         }
         column->addWidget(label);
     }
+    if (const QString fault = m_plan.logoFault(); !fault.isEmpty()) {
+        auto* label = plainLabel(tr("The logo of the pack is left out. %1").arg(fault), head);
+        label->setObjectName(QStringLiteral("packLogoFault"));
+        column->addWidget(label);
+    }
     column->addWidget(
         plainLabel(tr("Nothing of yours is replaced unless you choose it here. A pack "
                       "holds data alone: nothing in it is run."),

@@ -6,7 +6,17 @@
 #include <QLocale>
 #include <QVariantMap>
 
+#include <utility>
+
 namespace sparkout {
+
+namespace {
+
+QByteArray logoOf(const Pack& pack) {
+    return QByteArray::fromBase64(QByteArray::fromStdString(pack.logo));
+}
+
+} // namespace
 
 QString PackParts::name(PackPart part) {
     switch (part) {
@@ -46,11 +56,14 @@ Company PackParts::company(const Pack& pack) {
         kept.insert(QString::fromStdString(key), QString::fromStdString(text));
     }
     Company company = Company::fromKept(kept);
-    company.logo = QByteArray::fromBase64(QByteArray::fromStdString(pack.logo));
-    if (report::logoImage(company.logo).isNull()) {
-        company.logo.clear();
+    if (QByteArray logo = logoOf(pack); report::Logo::fault(logo).isEmpty()) {
+        company.logo = std::move(logo);
     }
     return company;
+}
+
+QString PackParts::logoFault(const Pack& pack) {
+    return report::Logo::fault(logoOf(pack));
 }
 
 void PackParts::setCompany(const Company& company, Pack& pack) {
@@ -59,7 +72,9 @@ void PackParts::setCompany(const Company& company, Pack& pack) {
             pack.company[field.key] = text.toStdString();
         }
     }
-    pack.logo = company.logo.toBase64().toStdString();
+    if (report::Logo::fault(company.logo).isEmpty()) {
+        pack.logo = company.logo.toBase64().toStdString();
+    }
 }
 
 QString PackParts::title(const Lesson& lesson) {

@@ -24,10 +24,11 @@ public:
     [[nodiscard]] static std::vector<CatalogueEntry> entries(const Pack& pack, PackPart part);
     static void add(const CatalogueEntry& entry, Pack& pack);
 
-    /// The heads of documents that a pack holds; what its keys or its picture are not known for is
-    /// left out.
+    /// The heads of documents that a pack holds, without keys that are not known and without a logo
+    /// that is refused. Its picture is not decoded.
     [[nodiscard]] static Company company(const Pack& pack);
-    static void setCompany(const Company& company, Pack& pack);
+    [[nodiscard]] static QString logoFault(const Pack& pack);   ///< empty: its logo is not refused
+    static void setCompany(const Company& company, Pack& pack); ///< without a refused logo
 
     /// The title of a lesson in the window's language.
     [[nodiscard]] static QString title(const Lesson& lesson);

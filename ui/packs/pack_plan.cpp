@@ -8,6 +8,7 @@
 #include "core/study/new_project.h"
 #include "ui/files/catalogue_changes.h"
 #include "ui/files/own_lessons.h"
+#include "ui/report/card/logo.h"
 #include "ui/session/background.h"
 #include "ui/session/project_io.h"
 #include "ui/session/settings.h"
@@ -103,11 +104,20 @@ void PackPlan::addEntries(PackPart part) {
     }
 }
 
+/// As it would stand in the settings: a logo that is refused takes nobody's place.
+Company PackPlan::packsCompany() const {
+    Company packs = PackParts::company(m_pack);
+    if (!logoFault().isEmpty()) {
+        packs.logo = m_company.logo;
+    }
+    return packs;
+}
+
 void PackPlan::addCompany() {
-    const Company packs = PackParts::company(m_pack);
-    if (packs == Company()) {
+    if (PackParts::company(m_pack) == Company()) {
         return;
     }
+    const Company packs = packsCompany();
     const State state = m_company == Company() ? State::fresh
                         : m_company == packs   ? State::same
                                                : State::different;
@@ -152,7 +162,7 @@ std::vector<PackPlan::Difference> PackPlan::differences(std::size_t line) const 
     const Line& at = m_lines[line];
     std::vector<Difference> found;
     if (at.part == PackPart::company) {
-        const Company packs = PackParts::company(m_pack);
+        const Company packs = packsCompany();
         for (const CompanyField& field : companyFields()) {
             if (m_company.*field.value != packs.*field.value) {
                 found.push_back({QCoreApplication::translate("Company", field.label),
@@ -236,6 +246,18 @@ QString PackPlan::keepLesson(const Line& line) const {
     return error ? saveErrorText(*error) : QString();
 }
 
+/// The first time that the picture of the pack is decoded: it was chosen.
+QString PackPlan::keepCompany(Settings& settings) const {
+    Company packs = packsCompany();
+    const bool damaged = packs.logo != m_company.logo && !packs.logo.isEmpty()
+                         && report::Logo::image(packs.logo).isNull();
+    if (damaged) {
+        packs.logo = m_company.logo;
+    }
+    settings.setCompany(packs);
+    return damaged ? report::Logo::damagedText() : QString();
+}
+
 QStringList PackPlan::carryOut(Settings& settings) {
     QStringList faults;
     const auto note = [&faults](const QString& fault) {
@@ -251,7 +273,7 @@ QStringList PackPlan::carryOut(Settings& settings) {
             continue;
         }
         if (line.part == PackPart::company) {
-            settings.setCompany(PackParts::company(m_pack));
+            note(keepCompany(settings));
         } else if (line.part == PackPart::lesson) {
             note(m_lessons.isEmpty() ? tr("There is no folder for lessons of your own.")
                                      : keepLesson(line));

@@ -47,6 +47,8 @@ public:
     PackPlan(Pack pack, const Settings& settings);
 
     [[nodiscard]] const Pack& pack() const { return m_pack; }
+    /// Why the logo of the pack is left out, and the user's stays; empty: it is not.
+    [[nodiscard]] QString logoFault() const { return PackParts::logoFault(m_pack); }
     [[nodiscard]] const std::vector<Line>& lines() const { return m_lines; }
     [[nodiscard]] std::vector<Choice> choices(std::size_t line) const; ///< that there are
     void choose(std::size_t line, Choice choice) { m_lines[line].choice = choice; }
@@ -59,6 +61,8 @@ public:
 private:
     void addEntries(PackPart part);
     void addCompany();
+    [[nodiscard]] Company packsCompany() const;
+    [[nodiscard]] QString keepCompany(Settings& settings) const;
     void addLessons();
     [[nodiscard]] CatalogueStore& store(PackPart part) const;
     [[nodiscard]] QString lessonPath(const std::string& file) const;

@@ -23,7 +23,7 @@ struct Company {
     QString designation;                  ///< of the document
     QString part;                         ///< designation of the part
     QString shop, area, place, operation; ///< their numbers
-    QByteArray logo;                      ///< the bytes of a PNG or SVG file
+    QByteArray logo; ///< the bytes of a file; refused unless it is as Logo says
 
     friend bool operator==(const Company&, const Company&) = default;
 

@@ -17,6 +17,7 @@
 #include "ui/packs/pack_commands.h"
 #include "ui/part/part_strip.h"
 #include "ui/part/part_window.h"
+#include "ui/report/card/logo.h"
 #include "ui/session/background.h"
 #include "ui/session/kept_runs.h"
 #include "ui/session/part_runs.h"
@@ -63,8 +64,10 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QStatusBar>
+#include <QTextDocument>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <QVariant>
 
 #include <algorithm>
 #include <utility>
@@ -95,6 +98,9 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
     , m_lesson(new LessonDesk(m_document, settings, m_files->notices(), this))
     , m_runs(nullptr, std::move(runner)) {
     ToolTips::install();
+    // No text with markup loads anything, whichever picture or style of a file it names: a value
+    // that is given ends the search for one. Nothing of the program needs any.
+    QTextDocument::setDefaultResourceProvider([](const QUrl&) { return QVariant(QString()); });
     setWindowIcon(QIcon(QStringLiteral(":/icons/sparkout.svg")));
     setAcceptDrops(true);
     buildViews();
@@ -391,7 +397,8 @@ void MainWindow::connectReports() {
             command();
         });
     };
-    on(m_actions->company, [this] { CompanyDialog(m_settings, this).exec(); });
+    on(m_actions->company, [this] { editCompany(); });
+    showLogoFault();
     auto* packs = new PackCommands(m_settings, this);
     on(m_actions->importPack, [packs] { packs->importPack(); });
     on(m_actions->exportPack, [packs] { packs->exportPack(); });
@@ -405,6 +412,27 @@ void MainWindow::connectReports() {
             return commands->reportOfNow(kind);
         });
     }
+}
+
+void MainWindow::editCompany() {
+    CompanyDialog(m_settings, this).exec();
+    showLogoFault();
+}
+
+void MainWindow::showLogoFault() {
+    static const QString key = QStringLiteral("logoFault");
+    if (report::Logo::fault(m_settings.company().logo).isEmpty()) {
+        m_files->notices().remove(key);
+        return;
+    }
+    m_files->notices().add(
+        {key,
+         Mark::warning,
+         [this] {
+             return tr("The logo in the heads of documents is left out. %1")
+                 .arg(report::Logo::fault(m_settings.company().logo));
+         },
+         {{[] { return tr("Company and signatures…"); }, [this] { editCompany(); }}}});
 }
 
 void MainWindow::setLanguage(const QString& code) {

@@ -84,6 +84,8 @@ private:
     void connectMeasured();
     void connectActions();
     void connectReports();
+    void editCompany();
+    void showLogoFault(); ///< a notice while the settings hold a logo that is refused
     void connectDocument();
     void connectPart();
     void showWholePart();

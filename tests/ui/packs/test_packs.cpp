@@ -6,6 +6,7 @@
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/logo_samples.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/dialogs/notice_bar.h"
@@ -84,8 +85,7 @@ struct Seat {
         Company company;
         company.name = QStringLiteral("Кафедра");
         company.developed = QStringLiteral("Иванов");
-        company.logo = bytesOf(QStringLiteral(":/icons/sparkout.svg"));
-        QVERIFY(!company.logo.isEmpty());
+        company.logo = samples::picture({160, 40}, "PNG");
         settings.setCompany(company);
         write(ownLessonsFolder(settings.folder()) + u'/' + lessonName, bytesOf(shippedLesson()));
     }
@@ -206,6 +206,50 @@ private slots:
         replacing.choose(lineOf(replacing, QStringLiteral("Круг 1")), PackPlan::Choice::take);
         QCOMPARE(replacing.carryOut(student.settings), QStringList());
         QCOMPARE(student.wheelDiameter(QStringLiteral("Круг 1")), 500.0);
+    }
+
+    /// A drawing is neither shown nor kept, and takes nobody's logo away.
+    void aDrawingIsRefusedAsALogoAndTheRestIsTaken() {
+        for (const QByteArray& drawing :
+             {bytesOf(QStringLiteral(":/icons/sparkout.svg")),
+              QByteArray("<svg><image href=\"/etc/hostname\"/></svg>"), QByteArray("GIF89a")}) {
+            Seat student;
+            Company own;
+            own.name = QStringLiteral("Завод");
+            own.logo = samples::picture({80, 20}, "JPG");
+            student.settings.setCompany(own);
+            Pack pack;
+            pack.company["name"] = "Кафедра";
+            pack.logo = drawing.toBase64().toStdString();
+            PackImportDialog dialog(pack, student.settings, nullptr);
+            const auto* fault = dialog.findChild<QLabel*>(QStringLiteral("packLogoFault"));
+            QVERIFY(fault && fault->text().contains(QStringLiteral("PNG")));
+            PackPlan plan(pack, student.settings);
+            QCOMPARE(plan.differences(0).size(), std::size_t{1}); // the name
+            plan.choose(0, PackPlan::Choice::take);
+            QCOMPARE(plan.carryOut(student.settings), QStringList());
+            own.name = QStringLiteral("Кафедра");
+            QVERIFY(student.settings.company() == own);
+            // Nor does it go on from settings that hold one.
+            own.logo = drawing;
+            student.settings.setCompany(own);
+            QCOMPARE(packOf(student).logo, std::string());
+        }
+    }
+
+    /// A picture whose head alone is in order: found out when it is taken, not before.
+    void aPictureIsDecodedOnceItIsTaken() {
+        Seat student;
+        Pack pack;
+        pack.company["name"] = "Кафедра";
+        pack.logo =
+            samples::withoutPixels(samples::picture({80, 20}, "PNG")).toBase64().toStdString();
+        PackPlan plan(pack, student.settings);
+        QCOMPARE(plan.logoFault(), QString());
+        QCOMPARE(plan.differences(0).size(), std::size_t{2}); // the name, the logo
+        QCOMPARE(plan.carryOut(student.settings).size(), 1);
+        QCOMPARE(student.settings.company().name, QStringLiteral("Кафедра"));
+        QVERIFY(student.settings.company().logo.isEmpty());
     }
 
     void anEntryOfAShippedNameIsNamedSo() {

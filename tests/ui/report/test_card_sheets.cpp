@@ -10,6 +10,7 @@
 #include "core/units.h"
 #include "tests/registry.h"
 #include "tests/ui/report/handout_bench.h"
+#include "tests/ui/support/logo_samples.h"
 #include "tests/ui/support/report_reading.h"
 #include "ui/report/card/card_sheets.h"
 #include "ui/report/card/drawn_dimension.h"
@@ -82,8 +83,7 @@ Company filledCompany() {
     company.approved = QStringLiteral("Громов");
     company.designation = QStringLiteral("60141.00012");
     company.part = QStringLiteral("of another project");
-    QFile icon(QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/icons/sparkout.svg"));
-    company.logo = icon.open(QIODevice::ReadOnly) ? icon.readAll() : QByteArray();
+    company.logo = samples::picture({160, 40}, "PNG");
     return company;
 }
 
@@ -577,8 +577,12 @@ private slots:
         QVERIFY(cardOf(setupOf("sleeve"), company).sheets.front().pictures.empty());
         QFile icon(QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/icons/sparkout.svg"));
         QVERIFY(icon.open(QIODevice::ReadOnly));
-        company.logo = icon.readAll();
-        QCOMPARE(cardOf(setupOf("sleeve"), company).sheets.front().pictures.size(), 1U);
+        company.logo = icon.readAll(); // of settings that an earlier version wrote
+        QVERIFY(cardOf(setupOf("sleeve"), company).sheets.front().pictures.empty());
+        for (const char* format : {"PNG", "JPG"}) {
+            company.logo = samples::picture({160, 40}, format);
+            QCOMPARE(cardOf(setupOf("sleeve"), company).sheets.front().pictures.size(), 1U);
+        }
     }
 
     void theDateIsThatOfTheLanguage() {

@@ -5,13 +5,16 @@
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/logo_samples.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
+#include "ui/dialogs/notice_bar.h"
 #include "ui/report/course/institution.h"
 #include "ui/report/documents/batch_wait.h"
 #include "ui/views/batch/batch_text.h"
 #include "ui/views/batch/batch_view.h"
 #include "ui/window/dialogs/company_dialog.h"
+#include "ui/window/file_commands.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -22,6 +25,7 @@
 #include <QPrintPreviewDialog>
 #include <QPrintPreviewWidget>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
@@ -56,10 +60,15 @@ private slots:
         Bench bench(QStringLiteral("ru"));
         QVERIFY(bench.open(examplePaths().front()));
         const QTemporaryDir folder;
-        const QString logo = folder.filePath(QStringLiteral("logo.svg"));
-        QFile icon(QStringLiteral(":/icons/sparkout.svg"));
-        QVERIFY(icon.copy(logo));
-        QString english, fault;
+        const QString drawing = folder.filePath(QStringLiteral("logo.svg"));
+        QVERIFY(QFile(QStringLiteral(":/icons/sparkout.svg")).copy(drawing));
+        const QString picture = folder.filePath(QStringLiteral("logo.png"));
+        const QByteArray bytes = samples::picture({160, 40}, "PNG");
+        QFile file(picture);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+        file.close();
+        QString english;
+        QStringList faults;
         DialogAnswers answers({QStringLiteral("keepCompany")});
         answers.seen = [&](QDialog& dialog) {
             auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("company-name"));
@@ -67,15 +76,50 @@ private slots:
             QTest::keyClicks(name, QStringLiteral("Stankomash"));
             english = englishIn(dialog.windowTitle());
             auto& company = dynamic_cast<CompanyDialog&>(dialog);
-            company.takeLogo(examplePaths().front());
-            fault = dialog.findChild<QLabel*>(QStringLiteral("logoFault"))->text();
-            company.takeLogo(logo);
+            const auto* fault = dialog.findChild<QLabel*>(QStringLiteral("logoFault"));
+            for (const QString& path : {examplePaths().front(), picture, drawing}) {
+                company.takeLogo(path);
+                faults << fault->text();
+            }
         };
         bench.action("company")->trigger();
         QCOMPARE(english, QString());
-        QVERIFY(!fault.isEmpty());
+        QVERIFY(!faults.at(0).isEmpty());
+        QCOMPARE(faults.at(1), QString());
+        QVERIFY2(faults.at(2).contains(QStringLiteral("rsvg-convert")), qPrintable(faults.at(2)));
+        for (const QString& fault : faults) {
+            QCOMPARE(englishIn(QString(fault)
+                                   .remove(QStringLiteral("rsvg-convert -w 1200 -o "
+                                                          "logo.png logo.svg"))
+                                   .remove(QStringLiteral("Inkscape"))),
+                     QString());
+        }
         QCOMPARE(bench.settings.company().name, QStringLiteral("Stankomash"));
-        QVERIFY(!bench.settings.company().logo.isEmpty());
+        QCOMPARE(bench.settings.company().logo, bytes); // the refused ones left it as it was
+    }
+
+    /// A drawing that an earlier version put into the settings: said until another takes its place.
+    void aRefusedLogoOfTheSettingsIsSaidUntilItIsReplaced() {
+        Settings settings = Settings::transient();
+        Company company;
+        company.logo = "<svg xmlns=\"http://www.w3.org/2000/svg\"/>";
+        settings.setCompany(company);
+        Language language;
+        MainWindow window(settings, language);
+        const QString key = QStringLiteral("logoFault");
+        const NoticeBar& notices = window.files().notices();
+        QVERIFY(notices.textOf(key).contains(QStringLiteral("rsvg-convert")));
+        DialogAnswers answers({QStringLiteral("keepCompany")});
+        QString said;
+        answers.seen = [&said](QDialog& dialog) {
+            said = dialog.findChild<QLabel*>(QStringLiteral("logoFault"))->text();
+            QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("removeLogo")),
+                              Qt::LeftButton);
+        };
+        window.findChild<QAction*>(QStringLiteral("company"))->trigger();
+        QVERIFY(said.contains(QStringLiteral("rsvg-convert")));
+        QVERIFY(settings.company().logo.isEmpty());
+        QVERIFY(!notices.holds(key));
     }
 
     void theTitlePageIsFilledInOnce() {

@@ -257,7 +257,7 @@ void CardSheets::addDesignations(FormSheet& sheet) const {
 
 void CardSheets::addCompany(FormSheet& sheet, const QRectF& cell) const {
     QRectF rest = cell;
-    const QImage logo = logoImage(m_head.company.logo);
+    const QImage logo = Logo::image(m_head.company.logo);
     if (!logo.isNull()) {
         constexpr double most_mm = 24;
         const double wide = std::min(most_mm, (cell.height() - 0.8) * logo.width() / logo.height());

@@ -93,7 +93,7 @@ FormGrid HeadGrids::signers(const CardHead& head) {
                              designationColumns.at(i), static_cast<int>(namesFrom)});
         }
         if (row == 0) {
-            cells.at(form::signerWidths.size()).picture = logoImage(of.logo);
+            cells.at(form::signerWidths.size()).picture = Logo::image(of.logo);
         }
         for (std::size_t i = 0; row == namesFrom && i < form::names.size(); ++i) {
             cells.push_back({form::text(form::names.at(i).caption),

@@ -74,7 +74,7 @@ CompanyDialog::CompanyDialog(Settings& settings, QWidget* parent)
     connect(buttons, &QDialogButtonBox::accepted, this, &CompanyDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     layout->addWidget(buttons);
-    showLogo({});
+    showLogo(report::Logo::fault(m_company.logo));
     resize(companyWidth, sizeHint().height());
 }
 
@@ -94,21 +94,25 @@ void CompanyDialog::addFields() {
 
 void CompanyDialog::chooseLogo() {
     const QString path = FileDialog::openPath(this, tr("Choose a logo"), m_settings.lastFolder(),
-                                              tr("Pictures (*.png *.svg)"));
+                                              tr("Pictures (*.png *.jpg *.jpeg);;All files (*)"));
     if (!path.isEmpty()) {
         takeLogo(path);
     }
 }
 
 void CompanyDialog::takeLogo(const QString& path) {
-    const auto read = readFile(systemPath(path), static_cast<std::size_t>(report::mostLogoBytes));
+    const auto read = readFile(systemPath(path), static_cast<std::size_t>(report::Logo::mostBytes));
     if (const auto* error = std::get_if<FileError>(&read)) {
         showLogo(readErrorText(*error));
         return;
     }
     const auto bytes = QByteArray::fromStdString(std::get<std::string>(read));
-    if (report::logoImage(bytes).isNull()) {
-        showLogo(tr("This is no picture in PNG or SVG; the logo stays as it was."));
+    QString fault = report::Logo::fault(bytes);
+    if (fault.isEmpty() && report::Logo::image(bytes).isNull()) {
+        fault = report::Logo::damagedText();
+    }
+    if (!fault.isEmpty()) {
+        showLogo(fault + u' ' + tr("The logo stays as it was."));
         return;
     }
     m_company.logo = bytes;
@@ -116,13 +120,13 @@ void CompanyDialog::takeLogo(const QString& path) {
 }
 
 void CompanyDialog::showLogo(const QString& fault) {
-    const QImage image = report::logoImage(m_company.logo);
+    const QImage image = report::Logo::image(m_company.logo);
     m_logo->setText(image.isNull() ? tr("none") : QString());
     if (!image.isNull()) {
         m_logo->setPixmap(QPixmap::fromImage(
             image.scaled(logoShown, Qt::KeepAspectRatio, Qt::SmoothTransformation)));
     }
-    m_remove->setEnabled(!image.isNull());
+    m_remove->setEnabled(!m_company.logo.isEmpty());
     m_fault->setText(fault);
     m_fault->setVisible(!fault.isEmpty());
 }
