@@ -12,7 +12,6 @@
 #include "ui/files/recovery_store.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/theme.h"
-#include "ui/lesson/lesson_desk.h"
 #include "ui/report/card/logo.h"
 #include "ui/report/format/report_text.h"
 #include "ui/session/program_log.h"
@@ -345,8 +344,7 @@ int runWindow(QApplication& app, MainWindow& window, const Options& options) {
         firstPaint.emplace(window);
     }
     const QString state = options.portable ? PortableFolder::stateFolder() : userStateFolder();
-    window.files().protect(state);
-    window.lesson().protect(state);
+    window.protect(state);
     window.show();
     if (options.file.isEmpty()) {
         openFirstExample(window.document());

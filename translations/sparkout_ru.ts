@@ -398,10 +398,6 @@
     <context>
         <name>Catalogue</name>
         <message>
-            <source>There are too many damaged files already.</source>
-            <translation>Повреждённых файлов уже слишком много.</translation>
-        </message>
-        <message>
             <source>not given</source>
             <translation>не задано</translation>
         </message>
@@ -2964,6 +2960,14 @@
             <translation>файл слишком велик</translation>
         </message>
         <message>
+            <source>another program has changed it meanwhile</source>
+            <translation>за это время его изменила другая программа</translation>
+        </message>
+        <message>
+            <source>this program could not read the content again</source>
+            <translation>такое содержимое эта программа не смогла бы прочитать снова</translation>
+        </message>
+        <message>
             <source>%1 (%2)</source>
             <translation>%1 (%2)</translation>
         </message>
@@ -3105,6 +3109,20 @@ Reloading takes that version; your changes stay in Undo.</source>
 
 Сохранение заменит ту версию; она останется как предыдущая.
 Перезагрузка возьмёт ту версию; ваши изменения останутся в «Отменить».</translation>
+        </message>
+        <message>
+            <source>The file is not locked against other users: “%1” stands where its lock belongs and is not a lock file. It was left as it is.</source>
+            <translation>Файл не заблокирован для других пользователей: на месте его файла блокировки стоит «%1», а это не файл блокировки. Он оставлен как есть.</translation>
+        </message>
+        <message>
+            <source>“%1” was changed by another program since it was opened or saved.
+
+Saving replaces that version; it is kept as the previous one.
+With another name both versions stay as they are.</source>
+            <translation>«%1» изменён другой программой после открытия или сохранения.
+
+Сохранение заменит ту версию; она останется как предыдущая.
+Под другим именем обе версии останутся как есть.</translation>
         </message>
         <message>
             <source>Save an&amp;yway</source>
@@ -12672,10 +12690,6 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Сохранить как…</translation>
         </message>
         <message>
-            <source>The file is not locked against other users: “%1” stands where its lock belongs and is not a lock file. It was left as it is.</source>
-            <translation>Файл не заблокирован для других пользователей: на месте его файла блокировки стоит «%1», а это не файл блокировки. Он оставлен как есть.</translation>
-        </message>
-        <message>
             <source>Reload</source>
             <translation>Перезагрузить</translation>
         </message>
@@ -12710,6 +12724,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>The settings file was damaged and is kept as %1. The settings are the default ones.</source>
             <translation>Файл настроек был повреждён и сохранён как %1. Действуют настройки по умолчанию.</translation>
+        </message>
+        <message>
+            <source>The settings were not kept. %1</source>
+            <translation>Настройки не сохранены. %1</translation>
         </message>
         <message>
             <source>The settings file is damaged and could not be put aside (%1): %2. It is left as it is; the settings are the default ones, and changes of them are not kept.</source>
@@ -21157,6 +21175,22 @@ s</source>
             <translation>Работа не сохранена. %1</translation>
         </message>
         <message>
+            <source>%1 copy</source>
+            <translation>%1 (копия)</translation>
+        </message>
+        <message>
+            <source>The work is not saved: what was handed in is in this window only.</source>
+            <translation>Работа не сохранена: сданное есть только в этом окне.</translation>
+        </message>
+        <message>
+            <source>“%1” is open read-only. What is handed in asks for another file.</source>
+            <translation>«%1» открыт только для чтения. При сдаче ответа будет спрошен другой файл.</translation>
+        </message>
+        <message>
+            <source>“%1” was changed or removed by another program while it is open here. Saving will ask which version counts.</source>
+            <translation>«%1» изменён или удалён другой программой, пока он открыт здесь. При сохранении будет спрошено, какая версия верна.</translation>
+        </message>
+        <message>
             <source>Try again</source>
             <translation>Повторить</translation>
         </message>
@@ -21207,10 +21241,6 @@ s</source>
         <message>
             <source>The work is not saved</source>
             <translation>Работа не сохранена</translation>
-        </message>
-        <message>
-            <source>“%1” is open in another window or on another computer.</source>
-            <translation>«%1» открыт в другом окне или на другом компьютере.</translation>
         </message>
         <message>
             <source>trial</source>
@@ -22066,6 +22096,10 @@ s</source>
         <message>
             <source>Laboratory work: %1[*]</source>
             <translation>Лабораторная работа: %1[*]</translation>
+        </message>
+        <message>
+            <source>Laboratory work: %1[*] (read-only)</source>
+            <translation>Лабораторная работа: %1[*] (только для чтения)</translation>
         </message>
         <message>
             <source>No faults: the laboratory work can be saved and tried.</source>

@@ -163,13 +163,15 @@ std::string writeCatalogue(const std::vector<Entry>& entries) {
 
 template <class Entry>
 std::optional<CatalogueFault> saveCatalogue(const std::filesystem::path& path,
-                                            const std::vector<Entry>& entries) {
+                                            const std::vector<Entry>& entries,
+                                            const std::optional<std::string>& expected) {
     const std::string text = writeCatalogue(entries);
     CatalogueRead<Entry> again = readCatalogue<Entry>(text);
     if (!again.entries || writeCatalogue(*again.entries) != text) {
         return CatalogueFault{std::move(again.issues), std::nullopt};
     }
-    if (const auto error = writeFileSafely(path, text, {.keepBackup = true})) {
+    if (const auto error =
+            writeFileSafely(path, text, {.keepBackup = true, .expected = expected})) {
         return CatalogueFault{{}, error};
     }
     return std::nullopt;
@@ -234,8 +236,9 @@ std::optional<ThermalPoint> thermalAt(const ThermalData& data, double celsius) {
 #define SPARKOUT_CATALOGUE(Entry)                                                                  \
     template CatalogueRead<Entry> readCatalogue<Entry>(std::string_view);                          \
     template std::string writeCatalogue<Entry>(const std::vector<Entry>&);                         \
-    template std::optional<CatalogueFault> saveCatalogue<Entry>(const std::filesystem::path&,      \
-                                                                const std::vector<Entry>&);        \
+    template std::optional<CatalogueFault> saveCatalogue<Entry>(                                   \
+        const std::filesystem::path&, const std::vector<Entry>&,                                   \
+        const std::optional<std::string>&);                                                        \
     template std::vector<Entry> mergedEntries<Entry>(const std::vector<Entry>&,                    \
                                                      const std::vector<Entry>&);                   \
     template void applyEntry<Entry>(const Entry&, Project&);                                       \

@@ -44,10 +44,12 @@ struct CatalogueFault {
 };
 
 /// Saves a catalogue with the one safe writer, the last version beside it; nothing when it went
-/// well. What could not be read again is not written at all.
+/// well. What could not be read again is not written at all, and nothing but the expected version
+/// is replaced (WriteOptions::expected).
 template <class Entry>
-[[nodiscard]] std::optional<CatalogueFault> saveCatalogue(const std::filesystem::path& path,
-                                                          const std::vector<Entry>& entries);
+[[nodiscard]] std::optional<CatalogueFault>
+saveCatalogue(const std::filesystem::path& path, const std::vector<Entry>& entries,
+              const std::optional<std::string>& expected = std::nullopt);
 
 /// The shipped entries and the user's: one of his takes the place of the shipped one of that name.
 /// By name, numbers in it by their value.

@@ -23,6 +23,10 @@ const char* fileStepText(FileStep step) {
         return SPARKOUT_NOOP("FileError", "the disk gave back other data than written");
     case FileStep::read: return SPARKOUT_NOOP("FileError", "it cannot be read");
     case FileStep::tooLarge: return SPARKOUT_NOOP("FileError", "the file is too large");
+    case FileStep::changed:
+        return SPARKOUT_NOOP("FileError", "another program has changed it meanwhile");
+    case FileStep::content:
+        return SPARKOUT_NOOP("FileError", "this program could not read the content again");
     }
     return "";
 }

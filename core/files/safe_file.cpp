@@ -3,16 +3,22 @@
 
 #include "core/files/save_steps.h"
 #include "core/files/temporary_file.h"
+#include "core/sha256.h"
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <new>
+#include <thread>
 #include <utility>
 
 namespace sparkout {
 
 namespace {
+
+constexpr std::chrono::seconds longestWait{2};
+constexpr int mostAside = 1000; ///< damaged versions of one file
 
 /// Whether the file holds exactly these bytes: 0, EILSEQ if not, or why it cannot be read.
 int compareWith(const Descriptor& file, std::string_view bytes) {
@@ -42,6 +48,47 @@ StepOutcome fill(const Descriptor& file, std::string_view bytes, const FileFacts
     return outcomeOf(FileStep::verify, compareWith(file, bytes));
 }
 
+/// The whole content of an open file.
+int readWhole(const Descriptor& file, std::string& bytes) {
+    std::array<char, 65536> block;
+    for (;;) {
+        std::size_t n = 0;
+        if (const int error = readAt(file, bytes.size(), block.data(), block.size(), n))
+            return error;
+        if (n == 0)
+            return 0;
+        bytes.append(block.data(), n);
+    }
+}
+
+/// Whether a name in the folder holds what the caller expects to replace.
+StepOutcome compareWithExpected(const Folder& folder, const std::string& name,
+                                const std::optional<std::string>& expected) {
+    if (!expected)
+        return {};
+    Descriptor file;
+    const int missing = openIn(folder, name, Opening::read, file);
+    if (missing == ENOENT)
+        return expected->empty() ? StepOutcome{} : StepFailure{FileStep::changed, 0};
+    std::string bytes;
+    if (const int error = missing != 0 ? missing : readWhole(file, bytes))
+        return StepFailure{FileStep::inspect, error};
+    return sha256(bytes) == *expected ? StepOutcome{} : StepFailure{FileStep::changed, 0};
+}
+
+/// Waits until no other save of an expected version is comparing and replacing in the folder. Where
+/// that cannot be known, or takes too long, it goes on: the exchange is looked at once more.
+void waitForTurn(std::filesystem::path path, Descriptor& turn) {
+    Standing standing = Standing::nothing;
+    if (followLinks(path, standing) != 0)
+        return;
+    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    const auto end = std::chrono::steady_clock::now() + longestWait;
+    while (lockFolder(folder, turn) == Locking::heldElsewhere
+           && std::chrono::steady_clock::now() < end)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
 /// Copies the old file to NAME.bak by way of a temporary file.
 StepOutcome copyToBackup(SaveTarget& target, const std::string& backup) {
     if (!target.old) {
@@ -51,14 +98,9 @@ StepOutcome copyToBackup(SaveTarget& target, const std::string& backup) {
         if (error != 0)
             return StepFailure{FileStep::backup, error};
     }
-    std::string bytes(static_cast<std::size_t>(target.oldFacts.size), '\0');
-    for (std::size_t at = 0; at < bytes.size();) {
-        std::size_t n = 0;
-        const int error = readAt(target.old, at, bytes.data() + at, bytes.size() - at, n);
-        if (error != 0 || n == 0)
-            return StepFailure{FileStep::backup, error != 0 ? error : EIO};
-        at += n;
-    }
+    std::string bytes;
+    if (const int error = readWhole(target.old, bytes))
+        return StepFailure{FileStep::backup, error};
     Descriptor copy;
     std::string name;
     if (const int error =
@@ -85,30 +127,58 @@ StepOutcome confirm(const SaveTarget& target, const Descriptor& written, std::st
     return {};
 }
 
-/// Puts the temporary file in place and keeps the old one as NAME.bak: the two are exchanged and
-/// the old one renamed, or exchanged back if that fails. Where files cannot be exchanged the old
-/// one is copied first.
-StepOutcome moveIntoPlaceKeepingOld(SaveTarget& target, const std::string& temporary) {
+/// Puts the temporary file in the place of the old one, which must be the expected one: the two are
+/// exchanged, the old one is looked at and removed or renamed to NAME.bak, or they are exchanged
+/// back. Where files cannot be exchanged a backup is copied first.
+StepOutcome replaceOld(SaveTarget& target, const std::string& temporary,
+                       const WriteOptions& options) {
     const Folder& folder = target.folder;
     const std::string backup = target.name + ".bak";
+    const auto exchange = [&] { return exchangeIn(folder, temporary, target.name); };
+    const auto putBack = [&](StepFailure failed) {
+        failed.replaced = exchange() != 0;
+        return failed;
+    };
     FileFacts found;
-    const int missing = factsIn(folder, backup, found);
+    const int missing = options.keepBackup ? factsIn(folder, backup, found) : ENOENT;
     if (missing == 0 && found.kind != FileKind::regular)
         return StepFailure{FileStep::backup, EEXIST};
     if (missing != 0 && missing != ENOENT)
         return StepFailure{FileStep::backup, missing};
-    const auto exchange = [&] { return exchangeIn(folder, temporary, target.name); };
+    if (StepOutcome changed = compareWithExpected(folder, target.name, options.expected))
+        return changed;
     if (exchange() == 0) {
-        const int error = renameIn(folder, temporary, backup);
-        return error == 0 ? StepOutcome{} : StepFailure{FileStep::backup, error, exchange() != 0};
+        if (StepOutcome changed = compareWithExpected(folder, temporary, options.expected))
+            return putBack(*changed);
+        const int error =
+            options.keepBackup ? renameIn(folder, temporary, backup) : removeIn(folder, temporary);
+        const FileStep step = options.keepBackup ? FileStep::backup : FileStep::rename;
+        return error == 0 ? StepOutcome{} : putBack({step, error});
     }
-    if (StepOutcome failed = copyToBackup(target, backup))
-        return failed;
+    if (options.keepBackup)
+        if (StepOutcome failed = copyToBackup(target, backup))
+            return failed;
     return moveIntoPlace(target, temporary);
 }
 
-StepOutcome save(SaveTarget& target, std::string_view bytes, WriteOptions options) {
+/// Puts the temporary file in its place, whatever the caller expects there.
+StepOutcome place(SaveTarget& target, const std::string& temporary, const WriteOptions& options) {
+    if (!target.exists && options.expected) {
+        const int error = renameToFree(target.folder, temporary, target.name);
+        return error == EEXIST ? StepFailure{FileStep::changed, 0}
+                               : outcomeOf(FileStep::rename, error);
+    }
+    return target.exists && (options.keepBackup || options.expected)
+               ? replaceOld(target, temporary, options)
+               : moveIntoPlace(target, temporary);
+}
+
+StepOutcome save(const std::filesystem::path& path, SaveTarget& target, std::string_view bytes,
+                 const WriteOptions& options) {
     const bool exists = target.exists;
+    // First, so that nothing is written for nothing.
+    if (StepOutcome changed = compareWithExpected(target.folder, target.name, options.expected))
+        return changed;
     if (target.old) // another save shall not take the old file for a leftover while it is exchanged
         (void)lockFile(target.old);
 
@@ -121,11 +191,14 @@ StepOutcome save(SaveTarget& target, std::string_view bytes, WriteOptions option
         return failed;
     if (const int error = closeKeepingLock(file))
         return StepFailure{FileStep::close, error};
-    const StepOutcome failed = exists && options.keepBackup ? moveIntoPlaceKeepingOld(target, name)
-                                                            : moveIntoPlace(target, name);
-    if (failed)
-        return failed;
-    temporary.release();
+    {
+        Descriptor turn;
+        if (options.expected)
+            waitForTurn(path, turn);
+        if (StepOutcome failed = place(target, name, options))
+            return failed;
+        temporary.release();
+    }
     return confirm(target, file, bytes);
 }
 
@@ -162,11 +235,11 @@ StepOutcome readAll(const std::filesystem::path& path, std::size_t maxBytes, std
 } // namespace
 
 std::optional<FileError> writeFileSafely(const std::filesystem::path& path, std::string_view bytes,
-                                         WriteOptions options) try {
+                                         const WriteOptions& options) try {
     SaveTarget target;
     StepOutcome failed = openTarget(path, target);
     if (!failed)
-        failed = save(target, bytes, options);
+        failed = save(path, target, bytes, options);
     if (!failed)
         return {};
     return errorOf(*failed, path, target);
@@ -182,6 +255,24 @@ std::variant<std::string, FileError> readFile(const std::filesystem::path& path,
     return bytes;
 } catch (const std::bad_alloc&) {
     return FileError{utf8(path), FileStep::read, ENOMEM, {}, false};
+}
+
+std::variant<std::filesystem::path, FileError> putAside(const std::filesystem::path& path) {
+    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    Folder opened;
+    int error = openFolder(folder, opened);
+    const std::string name = utf8(path.filename());
+    std::string aside = name + ".damaged";
+    for (int number = 2; error == 0; ++number) {
+        error = renameToFree(opened, name, aside);
+        if (error == 0)
+            return path.parent_path() / pathFromUtf8(aside);
+        if (error == EEXIST && number <= mostAside) {
+            aside = name + ".damaged-" + std::to_string(number);
+            error = 0;
+        }
+    }
+    return FileError{utf8(path), FileStep::backup, error, {}, false};
 }
 
 } // namespace sparkout

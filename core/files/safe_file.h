@@ -27,6 +27,8 @@ enum class FileStep {
     verify, ///< reading back: EILSEQ when the bytes are not the bytes written
     read,
     tooLarge, ///< the file holds more than the caller takes
+    changed,  ///< another content stands there than the caller expects to replace
+    content,  ///< the reader of such files would refuse the bytes, which were not written
 };
 
 /// Why a file was not read or not written. The caller words it.
@@ -43,6 +45,11 @@ struct FileError {
 struct WriteOptions {
     /// Keep the previous version as NAME.bak. A backup that cannot be made stops the save.
     bool keepBackup = false;
+    /// sha256() of the content that the caller knows to stand there; empty: no file does. Anything
+    /// else is left in place, and the save fails with FileStep::changed. Saves of this kind take
+    /// turns; it is compared once more after the files have been exchanged, where the system can
+    /// exchange them, so that no version that another program puts there meanwhile is lost.
+    std::optional<std::string> expected = std::nullopt;
 };
 
 /// The one way a file is written: afterwards the path holds exactly the old or exactly the new
@@ -56,10 +63,15 @@ struct WriteOptions {
 /// (".sparkout-*.tmp") is removed by the next one.
 [[nodiscard]] std::optional<FileError> writeFileSafely(const std::filesystem::path& path,
                                                        std::string_view bytes,
-                                                       WriteOptions options = {});
+                                                       const WriteOptions& options = {});
 
 /// The whole content of a regular file of at most maxBytes.
 [[nodiscard]] std::variant<std::string, FileError> readFile(const std::filesystem::path& path,
                                                             std::size_t maxBytes);
+
+/// Renames a damaged file to NAME.damaged, or NAME.damaged-2, -3, … where that is taken: one that
+/// was put aside before is never replaced. Gives the new path, or why the file stays.
+[[nodiscard]] std::variant<std::filesystem::path, FileError>
+putAside(const std::filesystem::path& path);
 
 } // namespace sparkout

@@ -90,17 +90,34 @@ std::optional<QString> save(QWidget* window, const QString& path, const SaveRequ
     return !made ? SaveDialog::failure() : error ? saveErrorText(*error) : QString();
 }
 
+/// The same of a guarded file; its path becomes another one where the user wants that.
+std::optional<QString> saveGuarded(QWidget* window, QString& path, const SaveRequest& request) {
+    while (!path.isEmpty()) {
+        switch (request.guard->save(path, Reloading::notOffered, request.content)) {
+        case GuardQuestions::Outcome::saved: return QString();
+        case GuardQuestions::Outcome::failed: return saveErrorText(*request.guard->error());
+        case GuardQuestions::Outcome::elsewhere:
+            path = SaveDialog::askPath(window, QFileInfo(path).absolutePath(), request);
+            break;
+        default: return std::nullopt;
+        }
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 bool saveWithDialog(QWidget* from, Settings* settings, const SaveRequest& request) {
     const QPointer<QWidget> window(from); // one torn off may be gone when the file is written
     QString folder = settings ? settings->lastFolder() : QDir::homePath();
     for (;;) {
-        const QString path = SaveDialog::askPath(window.data(), folder, request);
+        QString path = SaveDialog::askPath(window.data(), folder, request);
         if (path.isEmpty()) {
             return false;
         }
-        const std::optional<QString> outcome = save(window.data(), path, request);
+        const std::optional<QString> outcome = request.guard
+                                                   ? saveGuarded(window.data(), path, request)
+                                                   : save(window.data(), path, request);
         if (!outcome) {
             return false;
         }

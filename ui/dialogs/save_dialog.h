@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/files/safe_file.h"
+#include "ui/dialogs/guard_questions.h"
 #include "ui/tables/sheet.h"
 
 #include <QByteArray>
@@ -36,6 +37,10 @@ struct SaveRequest {
     std::function<bool(const std::filesystem::path& path, const KeepGoing&, const std::stop_token&,
                        std::optional<FileError>& error)>
         stream = {};
+    /// In place of them all, for a kind of file that the window owns: what it shall hold, and who
+    /// asks and writes.
+    MakeContent content = {};
+    GuardQuestions* guard = nullptr;
 };
 
 /// Asks for a place, from the last folder on, and writes the bytes there safely. A failure is shown

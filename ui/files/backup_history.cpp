@@ -20,7 +20,6 @@ namespace sparkout {
 namespace {
 
 const QString timeFormat = QStringLiteral("yyyyMMdd'T'HHmmss'Z'");
-const QString suffix = QStringLiteral(".sparkout");
 constexpr qsizetype longestName = 60;
 
 bool sameBytes(const EarlierVersion& version, std::string_view bytes) {
@@ -34,17 +33,17 @@ BackupHistory::BackupHistory(const QString& stateFolder, BackupCaps caps)
     : m_folder(stateFolder + QStringLiteral("/backups")), m_caps(caps) {}
 
 /// The name is for people, the hash tells apart files of the same name.
-QString BackupHistory::folderOf(const QString& project) const {
-    const QString real = realPath(project);
+QString BackupHistory::folderOf(const QString& path) const {
+    const QString real = realPath(path);
     const QByteArray hash = contentHash(systemText(real)).toHex().left(16);
     return m_folder + u'/' + QFileInfo(real).completeBaseName().left(longestName) + u'-'
            + QString::fromLatin1(hash);
 }
 
-std::vector<EarlierVersion> BackupHistory::versions(const QString& project) const {
+std::vector<EarlierVersion> BackupHistory::versions(const QString& path) const {
     std::vector<EarlierVersion> list;
-    const QDir folder(folderOf(project));
-    for (const QFileInfo& file : folder.entryInfoList({u'*' + suffix}, QDir::Files)) {
+    const QDir folder(folderOf(path));
+    for (const QFileInfo& file : folder.entryInfoList(QDir::Files)) {
         QDateTime when = QDateTime::fromString(file.completeBaseName(), timeFormat);
         when.setTimeSpec(Qt::UTC);
         if (when.isValid()) {
@@ -56,16 +55,23 @@ std::vector<EarlierVersion> BackupHistory::versions(const QString& project) cons
     return list;
 }
 
-std::optional<FileError> BackupHistory::keep(const QString& project, std::string_view bytes,
-                                             const QDateTime& now) const {
-    std::vector<EarlierVersion> list = versions(project);
-    if (!list.empty()
-        && (std::abs(list.front().when.secsTo(now)) < m_caps.apart.count()
-            || sameBytes(list.front(), bytes))) {
+std::optional<FileError> BackupHistory::keep(const QString& path, std::string_view bytes,
+                                             const QDateTime& now, Whose whose) const {
+    std::vector<EarlierVersion> list = versions(path);
+    const bool isSoon =
+        !list.empty() && std::abs(list.front().when.secsTo(now)) < m_caps.apart.count();
+    if ((isSoon && whose == Whose::own) || (!list.empty() && sameBytes(list.front(), bytes))) {
         return {};
     }
-    const QString folder = folderOf(project);
-    const QString file = folder + u'/' + now.toUTC().toString(timeFormat) + suffix;
+    QDateTime when = now.toUTC();
+    while (std::ranges::any_of(
+        list, [&](const EarlierVersion& version) { return version.when.secsTo(when) == 0; })) {
+        when = when.addSecs(1); // the names tell the second
+    }
+    const QString folder = folderOf(path);
+    const QString suffix = QFileInfo(path).suffix();
+    const QString file =
+        folder + u'/' + when.toString(timeFormat) + (suffix.isEmpty() ? suffix : u'.' + suffix);
     FileError noFolder;
     noFolder.path = systemText(folder);
     noFolder.step = FileStep::create;
@@ -75,7 +81,7 @@ std::optional<FileError> BackupHistory::keep(const QString& project, std::string
     if (auto error = writeFileSafely(systemPath(file), bytes)) {
         return error;
     }
-    list.insert(list.begin(), {file, now.toUTC(), qint64(bytes.size())});
+    list.insert(list.begin(), {file, when, qint64(bytes.size())});
     drop(std::move(list), now);
     return {};
 }
@@ -111,9 +117,9 @@ void BackupHistory::drop(std::vector<EarlierVersion> versions, const QDateTime& 
     }
 }
 
-std::vector<EarlierVersion> earlierVersions(const BackupHistory& history, const QString& project) {
-    std::vector<EarlierVersion> list = history.versions(project);
-    if (const QFileInfo last(realPath(project) + QStringLiteral(".bak")); last.isFile()) {
+std::vector<EarlierVersion> earlierVersions(const BackupHistory& history, const QString& path) {
+    std::vector<EarlierVersion> list = history.versions(path);
+    if (const QFileInfo last(realPath(path) + QStringLiteral(".bak")); last.isFile()) {
         list.push_back({last.filePath(), last.metadataChangeTime().toUTC(), last.size()});
     }
     std::sort(list.begin(), list.end(),

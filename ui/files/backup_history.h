@@ -13,7 +13,7 @@
 
 namespace sparkout {
 
-/// How much of the past is kept of one project.
+/// How much of the past is kept of one file.
 struct BackupCaps {
     int files = 25;
     int filesADay = 5;
@@ -21,27 +21,30 @@ struct BackupCaps {
     std::chrono::seconds apart{300}; ///< a version sooner after the last one is not kept
 };
 
-/// An earlier version of a project.
+/// An earlier version of a file.
 struct EarlierVersion {
     QString file;
     QDateTime when; ///< it was replaced then
     qint64 bytes = 0;
 };
 
-/// The versions a project had before it was saved over, in a folder of our own. (The last one also
-/// stands beside the project as NAME.bak.)
+/// The versions a file had before it was saved over, in a folder of our own. (The last one also
+/// stands beside the file as NAME.bak.)
 class BackupHistory {
 public:
     explicit BackupHistory(const QString& stateFolder, BackupCaps caps = {});
 
+    enum class Whose {
+        own,    ///< nothing is lost when it is too soon after the last one to be kept
+        foreign ///< nobody else may have it: it is kept however soon it comes
+    };
     /// Keeps these bytes, which a save is about to replace, if the caps let it, and drops what
     /// exceeds them. The first version of a day outlives the others of that day.
-    std::optional<FileError> keep(const QString& project, std::string_view bytes,
-                                  const QDateTime& now) const;
-    [[nodiscard]] std::vector<EarlierVersion>
-    versions(const QString& project) const; ///< newest first
+    std::optional<FileError> keep(const QString& path, std::string_view bytes, const QDateTime& now,
+                                  Whose whose = Whose::own) const;
+    [[nodiscard]] std::vector<EarlierVersion> versions(const QString& path) const; ///< newest first
 
-    [[nodiscard]] QString folderOf(const QString& project) const;
+    [[nodiscard]] QString folderOf(const QString& path) const;
 
 private:
     void drop(std::vector<EarlierVersion> versions, const QDateTime& now) const;
@@ -50,8 +53,8 @@ private:
     BackupCaps m_caps;
 };
 
-/// The versions in the history and the NAME.bak beside the project, newest first.
+/// The versions in the history and the NAME.bak beside the file, newest first.
 [[nodiscard]] std::vector<EarlierVersion> earlierVersions(const BackupHistory& history,
-                                                          const QString& project);
+                                                          const QString& path);
 
 } // namespace sparkout

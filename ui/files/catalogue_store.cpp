@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/files/catalogue_store.h"
 
+#include "core/files/file_system.h"
 #include "core/format/project_file.h"
+#include "core/sha256.h"
 #include "ui/session/background.h"
 #include "ui/session/project_io.h"
 #include "ui/text/file_error_text.h"
@@ -22,9 +24,7 @@ namespace sparkout {
 
 namespace {
 
-QString worded(const char* text) {
-    return QCoreApplication::translate("Catalogue", text);
-}
+constexpr int attempts = 100; ///< at a file that other windows write at the same time
 
 QString fileOf(CatalogueKind kind) {
     static constexpr const char* names[] = {"materials.json", "wheels.json", "machines.json"};
@@ -144,6 +144,7 @@ private:
     void readOwn() {
         m_own.clear();
         m_fault.clear();
+        m_sha256.clear();
         std::variant<std::string, FileError> bytes;
         runAside([&] { bytes = readFile(systemPath(m_ownFile), limits::fileBytes); });
         if (const auto* error = std::get_if<FileError>(&bytes)) {
@@ -152,6 +153,7 @@ private:
             }
             return; // absent: nothing of his own yet
         }
+        m_sha256 = sha256(std::get<std::string>(bytes));
         CatalogueRead<Entry> read = readCatalogue<Entry>(std::get<std::string>(bytes));
         if (read.entries) {
             m_own = std::move(*read.entries);
@@ -160,25 +162,22 @@ private:
         }
     }
 
+    /// Another window may write between the reading and the writing: then it is read again.
     template <class Change>
     QString change(Change apply) {
-        refresh();
-        if (!m_fault.isEmpty()) {
-            return m_fault;
-        }
-        std::vector<Entry> own = m_own;
-        apply(own);
+        std::vector<Entry> own;
         std::optional<CatalogueFault> fault;
-        if (m_ownFile.isEmpty()) {
-            auto read = readCatalogue<Entry>(writeCatalogue(own));
-            if (!read.entries) {
-                fault = CatalogueFault{std::move(read.issues), std::nullopt};
+        for (int attempt = 0; attempt < attempts; ++attempt) {
+            refresh();
+            if (!m_fault.isEmpty()) {
+                return m_fault;
             }
-        } else {
-            runAside([&] {
-                QDir().mkpath(QFileInfo(m_ownFile).absolutePath()); // its failure is the writer's
-                fault = saveCatalogue(systemPath(m_ownFile), own);
-            });
+            own = m_own;
+            apply(own);
+            fault = write(own);
+            if (!fault || !fault->file || fault->file->step != FileStep::changed) {
+                break;
+            }
         }
         if (fault) {
             refresh();
@@ -189,7 +188,24 @@ private:
         return {};
     }
 
+    std::optional<CatalogueFault> write(const std::vector<Entry>& own) {
+        std::optional<CatalogueFault> fault;
+        if (m_ownFile.isEmpty()) {
+            auto read = readCatalogue<Entry>(writeCatalogue(own));
+            if (!read.entries) {
+                fault = CatalogueFault{std::move(read.issues), std::nullopt};
+            }
+        } else {
+            runAside([&] {
+                QDir().mkpath(QFileInfo(m_ownFile).absolutePath()); // its failure is the writer's
+                fault = saveCatalogue(systemPath(m_ownFile), own, m_sha256);
+            });
+        }
+        return fault;
+    }
+
     std::vector<Entry> m_shipped, m_own;
+    std::string m_sha256; ///< of the file with the own entries as it was read; empty: there is none
 };
 
 } // namespace
@@ -238,18 +254,13 @@ bool CatalogueStore::hasOwn(const QString& name) const {
 }
 
 QString CatalogueStore::putAside(QString& aside) {
-    for (int number = 1; number < 1000; ++number) {
-        aside = QStringLiteral("%1.damaged-%2").arg(m_ownFile).arg(number);
-        if (!QFileInfo::exists(aside)) {
-            QFile file(m_ownFile);
-            if (!file.rename(aside)) {
-                return file.errorString();
-            }
-            refresh();
-            return {};
-        }
+    const auto moved = sparkout::putAside(systemPath(m_ownFile));
+    if (const auto* error = std::get_if<FileError>(&moved)) {
+        return saveErrorText(*error);
     }
-    return worded(QT_TRANSLATE_NOOP("Catalogue", "There are too many damaged files already."));
+    aside = QString::fromStdString(utf8(std::get<std::filesystem::path>(moved)));
+    refresh();
+    return {};
 }
 
 } // namespace sparkout

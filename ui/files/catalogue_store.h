@@ -28,7 +28,8 @@ struct CatalogueItem {
 };
 
 /// A catalogue: the shipped entries and the user's own. Those stand in a file of their own; what
-/// another window has written there meanwhile is kept. A file that cannot be read is never written.
+/// another window has written there meanwhile, until the moment of writing, is kept. A file that
+/// cannot be read is never written.
 class CatalogueStore {
 public:
     /// Without a folder the own entries live as long as this does.

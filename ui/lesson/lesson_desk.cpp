@@ -9,6 +9,7 @@
 #include "core/setup/setup_file.h"
 #include "core/study/new_project.h"
 #include "ui/dialogs/faults_dialog.h"
+#include "ui/dialogs/file_questions.h"
 #include "ui/dialogs/notice_bar.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/dialogs/watched_work.h"
@@ -24,7 +25,6 @@
 #include "ui/session/settings.h"
 #include "ui/text/file_error_text.h"
 #include "ui/text/texts.h"
-#include "ui/window/dialogs/file_questions.h"
 #include "words/lesson_words.h"
 
 #include <QFile>
@@ -41,8 +41,10 @@ const QString lessonEnding = QStringLiteral(".sparkout-lesson");
 const QString workEnding = QStringLiteral(".sparkout-work");
 const QString saveNotice = QStringLiteral("lesson-not-saved");
 const QString changedNotice = QStringLiteral("lesson-changed-outside");
+const QString readOnlyNotice = QStringLiteral("lesson-read-only");
+const QString diskNotice = QStringLiteral("lesson-disk");
+const QString lockNotice = QStringLiteral("lesson-lock");
 constexpr int draftPause_ms = 1000;
-/// Whoever draws variants by number from a lesson gets the same ones everywhere.
 
 /// What is handed in of a set-up: no kept runs and measurements.
 std::string handedIn(Setup setup) {
@@ -61,7 +63,8 @@ LessonDesk::LessonDesk(Document& document, Settings& settings, NoticeBar& notice
     , m_settings(settings)
     , m_notices(notices)
     , m_window(window)
-    , m_panel(new LessonPanel(m_run, window)) {
+    , m_panel(new LessonPanel(m_run, window))
+    , m_questions(m_file, m_wait, window) {
     m_draft.setSingleShot(true);
     m_draft.setInterval(draftPause_ms);
     connect(&m_draft, &QTimer::timeout, this, &LessonDesk::keepDraft);
@@ -78,15 +81,9 @@ LessonDesk::LessonDesk(Document& document, Settings& settings, NoticeBar& notice
             finish();
         }
     });
-    connect(&m_run, &LessonRun::saved, this, [this] { m_notices.remove(saveNotice); });
-    connect(&m_run, &LessonRun::saveFailed, this, [this](const FileError& error) {
-        m_notices.add(
-            {saveNotice,
-             Mark::error,
-             [error] { return tr("The work is not saved. %1").arg(saveErrorText(error)); },
-             {{[] { return tr("Try again"); }, [this] { save(); }},
-              {[] { return tr("Save elsewhere…"); }, [this] { saveAs(); }}}});
-    });
+    connect(&m_run, &LessonRun::saveWanted, this, &LessonDesk::takeEntry);
+    connect(&m_file, &GuardedFile::changedOnDisk, this, &LessonDesk::showChangedOnDisk);
+    connect(&m_file, &GuardedFile::restoredOnDisk, this, &LessonDesk::showFileState);
 }
 
 LessonDesk::~LessonDesk() {
@@ -99,8 +96,9 @@ LessonDesk::~LessonDesk() {
 }
 
 void LessonDesk::protect(const QString& stateFolder) {
-    m_drafts = stateFolder + QStringLiteral("/lessons");
-    m_run.keepDraftsIn(m_drafts);
+    m_stateFolder = stateFolder;
+    m_file.protect(stateFolder);
+    m_run.keepDraftsIn(draftFolder());
 }
 
 bool LessonDesk::isOfLesson(const QString& path) {
@@ -129,10 +127,15 @@ bool LessonDesk::tryOut(const Lesson& lesson, std::size_t step) {
     if (!work || !trial->folder.isValid()) {
         return false;
     }
+    if (isRunning()) {
+        finish();
+    }
     trial->base = lesson.base;
     m_trial = std::move(trial);
-    m_run.keepDraftsIn({});
-    start(std::move(*work), m_trial->folder.filePath(tr("trial") + workEnding), true);
+    m_file.unprotect();
+    QString path = m_trial->folder.filePath(tr("trial") + workEnding);
+    const bool isSaved = keep(*work, path) == GuardQuestions::Outcome::saved;
+    start(std::move(*work), path, isSaved);
     showStep(step);
     return true;
 }
@@ -190,11 +193,20 @@ void LessonDesk::begin(const Lesson& lesson, const QString& name) {
         return;
     }
     const QString file = fileNameOf({name, dialog.group(), dialog.name()});
-    const QString path = FileDialog::savePath(m_window, tr("Keep the work in"),
-                                              m_settings.lastFolder() + u'/' + file + workEnding,
-                                              tr("Works (*%1)").arg(workEnding), workEnding);
-    if (!path.isEmpty()) {
-        start(std::move(*work), path, true);
+    QString path = askPath(m_settings.lastFolder() + u'/' + file + workEnding);
+    if (path.isEmpty()) {
+        return;
+    }
+    if (m_trial) {
+        finish();
+    }
+    switch (keep(*work, path)) {
+    case GuardQuestions::Outcome::saved: start(std::move(*work), path, true); break;
+    case GuardQuestions::Outcome::failed: // it is begun all the same, and can be kept elsewhere
+        m_file.follow(path, {});
+        start(std::move(*work), path, false);
+        break;
+    default: break;
     }
 }
 
@@ -238,19 +250,38 @@ std::optional<Work> LessonDesk::makeWork(const Lesson& lesson, int variant, cons
                    name.toStdString(), group.toStdString());
 }
 
-void LessonDesk::openWork(const QString& path) {
-    const auto text = textOf(path);
-    if (!text) {
+void LessonDesk::openWork(const QString& given) {
+    if (m_trial) { // it is worth nothing, and its file is not protected
+        finish();
+    }
+    const QString path = QFileInfo(given).absoluteFilePath();
+    const auto opening = m_questions.wayToOpen(path); // first, or somebody could save meanwhile
+    if (!opening) {
         return;
     }
-    ReadWork read = readWork(*text);
+    const auto text = textOf(path);
+    ReadWork read = text ? readWork(*text) : ReadWork();
     if (!read.work) {
-        showFaults(path, read.issues);
+        m_file.dropClaim();
+        if (text) {
+            showFaults(path, read.issues);
+        }
         return;
     }
     const bool isBroken = brokenSeal(*read.work).has_value();
-    start(std::move(*read.work), path, false);
-    if (isBroken && isRunning()) {
+    if (*opening == GuardQuestions::Opening::copy) {
+        QString copy =
+            askPath(QFileInfo(path).path() + u'/'
+                    + tr("%1 copy").arg(QFileInfo(path).completeBaseName()) + workEnding);
+        if (copy.isEmpty() || keep(*read.work, copy) != GuardQuestions::Outcome::saved) {
+            return;
+        }
+        start(std::move(*read.work), copy, true);
+    } else {
+        m_file.follow(path, contentHash(*text), *opening == GuardQuestions::Opening::readOnly);
+        start(std::move(*read.work), path, true);
+    }
+    if (isBroken) {
         m_notices.add({changedNotice,
                        Mark::warning,
                        [] {
@@ -261,34 +292,121 @@ void LessonDesk::openWork(const QString& path) {
     }
 }
 
-void LessonDesk::start(Work work, const QString& path, bool isNew) {
-    const QString absolute = QFileInfo(path).absoluteFilePath();
+void LessonDesk::start(Work work, const QString& path, bool isSaved) {
     if (isRunning()) {
         keepDraft();
-        finish();
-    }
-    if (!claim(absolute)) {
-        return;
+        endRun();
     }
     m_notices.remove(changedNotice);
-    m_run.start(std::move(work), absolute, isNew);
-    ProgramLog::note(tr("Opened: %1").arg(printableText(absolute)));
+    m_run.keepDraftsIn(draftFolder());
+    m_run.start(std::move(work), path, isSaved);
+    ProgramLog::note(tr("Opened: %1").arg(printableText(path)));
     if (!m_trial) {
-        emit opened(absolute);
+        emit opened(path);
     }
+    if (!isSaved) {
+        showNotSaved();
+    }
+    showFileState();
     putStep();
 }
 
-/// Two windows would each write over what the other was handed.
-bool LessonDesk::claim(const QString& path) {
-    if (m_lock.acquire(path) != FileLock::State::conflict) {
-        return true; // or there can be no lock, as on a stick that takes no further file
+/// Neither a trial nor what somebody else works in.
+QString LessonDesk::draftFolder() const {
+    return m_stateFolder.isEmpty() || m_trial || m_file.isReadOnly()
+               ? QString()
+               : m_stateFolder + QStringLiteral("/lessons");
+}
+
+QString LessonDesk::askPath(const QString& suggested) {
+    const QString path = FileDialog::savePath(m_window, tr("Keep the work in"), suggested,
+                                              tr("Works (*%1)").arg(workEnding), workEnding);
+    return path.isEmpty() ? path : QFileInfo(path).absoluteFilePath();
+}
+
+GuardQuestions::Outcome LessonDesk::keep(const Work& work, QString& path) {
+    const auto text = [&work]() -> std::optional<std::string> {
+        std::string written = writeWork(work);
+        return readWork(written).work ? std::optional(std::move(written)) : std::nullopt;
+    };
+    for (;;) {
+        const auto outcome = m_questions.save(path, Reloading::notOffered, text);
+        if (outcome != GuardQuestions::Outcome::elsewhere) {
+            return outcome;
+        }
+        path = askPath(path);
+        if (path.isEmpty()) {
+            return GuardQuestions::Outcome::cancelled;
+        }
     }
-    m_lock.release();
-    showFailure(m_window, tr("The file was not opened"),
-                tr("“%1” is open in another window or on another computer.")
-                    .arg(printableText(QFileInfo(path).fileName())));
-    return false;
+}
+
+bool LessonDesk::write(QString path) {
+    if (m_wait.busy()) {
+        return false;
+    }
+    if (isReadOnly() && path == m_run.file()) {
+        path = askPath(path);
+    }
+    const Work work = m_run.work();
+    if (path.isEmpty() || keep(work, path) != GuardQuestions::Outcome::saved) {
+        showNotSaved();
+        return false;
+    }
+    const bool isAnother = path != m_run.file();
+    m_notices.remove(saveNotice);
+    m_run.keepDraftsIn(draftFolder());
+    m_run.markSaved(path, work.entries.size());
+    showFileState();
+    if (isAnother && !m_trial) {
+        emit opened(path);
+    }
+    return true;
+}
+
+void LessonDesk::showNotSaved() {
+    const auto error = m_questions.error();
+    m_notices.add({saveNotice,
+                   Mark::error,
+                   [error] {
+                       return error ? tr("The work is not saved. %1").arg(saveErrorText(*error))
+                                    : tr("The work is not saved: what was handed in is in this "
+                                         "window only.");
+                   },
+                   {{[] { return tr("Try again"); }, [this] { save(); }},
+                    {[] { return tr("Save elsewhere…"); }, [this] { saveAs(); }}}});
+}
+
+/// What the student should know of the file without being asked.
+void LessonDesk::showFileState() {
+    for (const QString& key : {readOnlyNotice, diskNotice, lockNotice}) {
+        m_notices.remove(key);
+    }
+    if (m_file.isReadOnly()) {
+        m_notices.add({readOnlyNotice,
+                       Mark::none,
+                       [name = printableText(QFileInfo(m_run.file()).fileName())] {
+                           return tr("“%1” is open read-only. What is handed in asks for another "
+                                     "file.")
+                               .arg(name);
+                       },
+                       {{[] { return tr("Save elsewhere…"); }, [this] { saveAs(); }}}});
+    }
+    if (const QString strange = m_file.strangeLock(); !strange.isEmpty()) {
+        m_notices.add(
+            {lockNotice, Mark::warning, [strange] { return strangeLockText(strange); }, {}});
+    }
+}
+
+void LessonDesk::showChangedOnDisk() {
+    m_notices.add({diskNotice,
+                   Mark::warning,
+                   [name = printableText(QFileInfo(m_run.file()).fileName())] {
+                       return tr("“%1” was changed or removed by another program while it is open "
+                                 "here. Saving will ask which version counts.")
+                           .arg(name);
+                   },
+                   {}});
 }
 
 void LessonDesk::showStep(std::size_t step) {
@@ -338,17 +456,23 @@ bool LessonDesk::allows(const SetupState& after) const {
 
 void LessonDesk::handIn(Answer answer) {
     m_endTyping();
-    const bool wasCovered = isCovered();
     if (isMetBySetting(m_run.current().goal.kind())) {
         answer.setup.text = handedIn(m_document.setup());
     }
     m_draft.stop();
+    m_wasCovered = isCovered();
     m_run.handIn(std::move(answer));
-    if (wasCovered && !isCovered()) {
+    m_wasCovered = false;
+}
+
+/// What was handed in is shown before anything is asked.
+void LessonDesk::takeEntry() {
+    if (m_wasCovered && !isCovered()) {
         m_hidden.hide(HiddenThings::of(m_run));
         emit limitsChanged();
         emit uncovered();
     }
+    write(m_run.file());
 }
 
 /// A set-up is kept with it where something was set.
@@ -367,16 +491,14 @@ void LessonDesk::keepDraft() {
 
 void LessonDesk::save() {
     keepDraft();
-    m_run.save();
-    emit reported(tr("Saved."));
+    if (write(m_run.file())) {
+        emit reported(tr("Saved."));
+    }
 }
 
 void LessonDesk::saveAs() {
-    const QString path = FileDialog::savePath(m_window, tr("Keep the work in"), m_run.file(),
-                                              tr("Works (*%1)").arg(workEnding), workEnding);
-    if (!path.isEmpty() && claim(QFileInfo(path).absoluteFilePath())) {
-        m_run.saveAs(QFileInfo(path).absoluteFilePath());
-        emit opened(m_run.file());
+    if (const QString path = askPath(m_run.file()); !path.isEmpty()) {
+        write(path);
     }
 }
 
@@ -384,20 +506,18 @@ bool LessonDesk::mayLeave() {
     if (!isRunning()) {
         return true;
     }
+    if (m_wait.busy()) {
+        return false;
+    }
     m_endTyping();
     keepDraft();
     m_run.flush();
-    if (m_run.isSaved()) {
+    if (m_run.isSaved() || write(m_run.file())) {
         return true;
     }
-    if (!m_run.saveError()) { // another attempt
-        m_run.save();
-        m_run.flush();
-    }
-    if (m_run.saveError()) {
-        showFailure(m_window, tr("The work is not saved"), saveErrorText(*m_run.saveError()));
+    if (m_questions.error()) {
+        showFailure(m_window, tr("The work is not saved"), saveErrorText(*m_questions.error()));
         saveAs();
-        m_run.flush();
     }
     return m_run.isSaved();
 }
@@ -410,19 +530,26 @@ void LessonDesk::leave() {
     }
 }
 
-void LessonDesk::finish() {
+void LessonDesk::endRun() {
     m_draft.stop();
     m_moment.reset();
     m_notices.remove(saveNotice);
     m_run.end();
-    m_lock.release();
     m_hidden.hide({});
     emit limitsChanged();
     if (m_trial) {
         m_trial.reset();
-        m_run.keepDraftsIn(m_drafts);
+        if (!m_stateFolder.isEmpty()) {
+            m_file.protect(m_stateFolder);
+        }
         emit tried();
     }
+}
+
+void LessonDesk::finish() {
+    endRun();
+    m_file.follow({}, {});
+    showFileState();
 }
 
 void LessonDesk::takeOutcome(bool ran) {

@@ -3,7 +3,9 @@
 
 #include "core/course/work.h"
 #include "core/issue.h"
-#include "ui/files/file_lock.h"
+#include "ui/dialogs/disk_wait.h"
+#include "ui/dialogs/guard_questions.h"
+#include "ui/files/guarded_file.h"
 #include "ui/lesson/hidden_things.h"
 #include "ui/session/lesson_run.h"
 #include "ui/session/setup_state.h"
@@ -33,7 +35,8 @@ class LessonDesk : public QObject {
     Q_OBJECT
 
 public:
-    static constexpr std::uint32_t seedByNumber = 1; ///< of variants that are begun by a number
+    /// Of variants that are begun by a number: whoever draws them gets the same ones everywhere.
+    static constexpr std::uint32_t seedByNumber = 1;
 
     LessonDesk(Document& document, Settings& settings, NoticeBar& notices, QWidget* window);
     ~LessonDesk() override;
@@ -46,8 +49,11 @@ public:
     [[nodiscard]] bool isRunning() const { return m_run.isRunning(); }
     [[nodiscard]] bool isCovered() const { return m_run.isCovered(); }
 
-    /// Drafts of works are kept below this folder.
+    /// From now on works are locked and watched, and earlier versions and drafts of them are kept
+    /// in this folder.
     void protect(const QString& stateFolder);
+    [[nodiscard]] const QString& stateFolder() const { return m_stateFolder; }
+    [[nodiscard]] bool isReadOnly() const { return isRunning() && m_file.isReadOnly(); }
     /// What is typed in the inputs is taken before anything else.
     void endTypingBy(std::function<void()> end) { m_endTyping = std::move(end); }
 
@@ -83,16 +89,25 @@ private:
     void openLesson(const QString& path);
     void openWork(const QString& path);
     void begin(const Lesson& lesson, const QString& name);
-    void start(Work work, const QString& path, bool isNew);
-    [[nodiscard]] bool claim(const QString& path);
+    void start(Work work, const QString& path, bool isSaved);
+    [[nodiscard]] QString askPath(const QString& suggested);
+    /// Asks what speaks against it and writes a work; the path may become another one, or empty.
+    [[nodiscard]] GuardQuestions::Outcome keep(const Work& work, QString& path);
+    bool write(QString path); ///< the work that is being done
+    void showNotSaved();
+    void showFileState();
+    void showChangedOnDisk();
+    [[nodiscard]] QString draftFolder() const;
     [[nodiscard]] std::optional<std::string> textOf(const QString& path);
     [[nodiscard]] std::optional<Work> makeWork(const Lesson& lesson, int variant,
                                                const QString& name, const QString& group);
     void showFaults(const QString& path, const Issues& issues);
     void putStep();
     void handIn(Answer answer);
+    void takeEntry();
     void keepDraft();
     [[nodiscard]] bool allows(const SetupState& after) const;
+    void endRun(); ///< its file is still followed
     void finish();
 
     Document& m_document;
@@ -105,7 +120,10 @@ private:
     HiddenThings m_hidden;
     std::function<void()> m_endTyping = [] {};
     std::optional<ShownMoment> m_moment; ///< to be gone to with the next outcome
-    FileLock m_lock;                     ///< of the work: one window writes it
+    GuardedFile m_file;                  ///< of the work
+    DiskWait m_wait;
+    GuardQuestions m_questions;
+    bool m_wasCovered = false; ///< before what is handed in
     QTimer m_draft;
     /// A lesson that is tried out, and where its work is till then.
     struct Trial {
@@ -113,7 +131,7 @@ private:
         Setup base;
     };
     std::unique_ptr<Trial> m_trial;
-    QString m_drafts;     ///< their folder
+    QString m_stateFolder;
     bool m_isOwn = false; ///< the document is being replaced by a step
 };
 

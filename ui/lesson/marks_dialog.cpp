@@ -8,6 +8,7 @@
 #include "core/format/project_file.h"
 #include "core/lesson/lesson_file.h"
 #include "ui/dialogs/faults_dialog.h"
+#include "ui/dialogs/file_questions.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/dialogs/table_file.h"
 #include "ui/kit/file_dialog.h"
@@ -19,7 +20,6 @@
 #include "ui/session/settings.h"
 #include "ui/text/file_error_text.h"
 #include "ui/text/texts.h"
-#include "ui/window/dialogs/file_questions.h"
 #include "words/lesson_words.h"
 
 #include <QDir>

@@ -19,7 +19,9 @@
 #include <QFileInfo>
 #include <QMessageBox>
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 
 namespace sparkout {
@@ -31,7 +33,10 @@ const QString suffix = QStringLiteral("sparkout-pack");
 } // namespace
 
 PackCommands::PackCommands(Settings& settings, QWidget* window)
-    : QObject(window), m_settings(settings), m_window(window) {}
+    : QObject(window)
+    , m_settings(settings)
+    , m_window(window)
+    , m_questions(m_file, m_wait, window) {}
 
 bool PackCommands::isPack(const QString& path) {
     return path.endsWith(u'.' + suffix, Qt::CaseInsensitive);
@@ -44,11 +49,19 @@ void PackCommands::exportPack() {
     }
     const Pack pack = dialog.pack();
     const QString title = QString::fromStdString(pack.title);
-    const SaveRequest request{
-        tr("Export a pack"), fileNameOf({title.isEmpty() ? tr("Pack") : title}), suffix,
-        tr("Packs (*.sparkout-pack)"),
-        [&pack] { return [pack] { return QByteArray::fromStdString(writePack(pack)); }; }};
+    SaveRequest request{tr("Export a pack"),
+                        fileNameOf({title.isEmpty() ? tr("Pack") : title}),
+                        suffix,
+                        tr("Packs (*.sparkout-pack)"),
+                        {}};
+    request.content = [&pack]() -> std::optional<std::string> {
+        std::string text = writePack(pack);
+        return readPack(text).pack ? std::optional(std::move(text)) : std::nullopt;
+    };
+    request.guard = &m_questions;
     (void)saveWithDialog(m_window, &m_settings, request);
+    m_file.dropClaim();
+    m_file.unlock(); // nobody works in a pack
 }
 
 void PackCommands::importPack() {

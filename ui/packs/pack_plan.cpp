@@ -6,7 +6,9 @@
 #include "core/format/project_file.h"
 #include "core/lesson/lesson_file.h"
 #include "core/study/new_project.h"
+#include "ui/dialogs/file_questions.h"
 #include "ui/files/catalogue_changes.h"
+#include "ui/files/guarded_file.h"
 #include "ui/files/own_lessons.h"
 #include "ui/report/card/logo.h"
 #include "ui/session/background.h"
@@ -130,9 +132,13 @@ void PackPlan::addLessons() {
         const PackedLesson& lesson = m_pack.lessons[i];
         const QString path = lessonPath(lesson.file);
         State state = State::fresh;
+        QByteArray known;
         if (!m_lessons.isEmpty() && QFileInfo::exists(path)) {
-            state = textOf(path) == writeLesson(lesson.lesson) ? State::same : State::different;
+            const auto text = textOf(path);
+            known = contentHash(text.value_or(std::string()));
+            state = text == writeLesson(lesson.lesson) ? State::same : State::different;
         }
+        m_known.push_back(known);
         m_lines.push_back({PackPart::lesson, i, PackParts::title(lesson.lesson),
                            QString::fromStdString(lesson.file), state,
                            state == State::fresh ? Choice::take : Choice::leave});
@@ -231,17 +237,24 @@ QString PackPlan::keepEntries(PackPart part) {
 QString PackPlan::keepLesson(const Line& line) const {
     const PackedLesson& lesson = m_pack.lessons[line.index];
     QString path = lessonPath(lesson.file);
+    QByteArray known = m_known[line.index];
     if (line.choice == Choice::takeBeside) {
         const QString ending = QStringLiteral(".sparkout-lesson");
         path.chop(ending.size());
         path = freeName(path, [&](const QString& name) { return QFileInfo::exists(name + ending); })
                + ending;
+        known.clear();
     }
-    const std::string text = writeLesson(lesson.lesson);
-    std::optional<FileError> error;
-    runAside([&] {
-        QDir().mkpath(m_lessons); // its failure is the writer's
-        error = writeFileSafely(systemPath(path), text, {.keepBackup = true});
+    QDir().mkpath(m_lessons); // its failure is the writer's
+    GuardedFile file;
+    file.protect({}); // the version it replaces stands beside it
+    if (file.claim(path) == GuardedFile::Access::conflict) {
+        return inUseText(path, file.holder());
+    }
+    file.follow(path, known);
+    const auto error = file.write(path, [&lesson]() -> std::optional<std::string> {
+        std::string text = writeLesson(lesson.lesson);
+        return readLessonOfAnybody(text).lesson ? std::optional(std::move(text)) : std::nullopt;
     });
     return error ? saveErrorText(*error) : QString();
 }

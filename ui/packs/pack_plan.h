@@ -4,6 +4,7 @@
 #include "core/pack/pack.h"
 #include "ui/packs/pack_parts.h"
 
+#include <QByteArray>
 #include <QCoreApplication>
 #include <QString>
 #include <QStringList>
@@ -74,6 +75,9 @@ private:
     QString m_lessons; ///< the folder of his lessons; empty: he has none
     std::array<std::unique_ptr<CatalogueStore>, 3> m_stores;
     std::vector<Line> m_lines;
+    /// Hashes of the user's files of the same names as the pack's lessons, in their order; empty:
+    /// there is none.
+    std::vector<QByteArray> m_known;
 };
 
 } // namespace sparkout

@@ -327,7 +327,7 @@ std::optional<FileError> Document::save() {
 }
 
 std::optional<FileError> Document::saveAs(const QString& path) {
-    const SavedProject saved = saveProject(setup(), path);
+    const SavedContent saved = saveContent([this] { return projectText(setup()); }, path);
     if (!saved.error) {
         markSaved(path, saved.hash);
     }

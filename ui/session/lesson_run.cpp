@@ -42,23 +42,19 @@ Project LessonRun::projectOf(std::size_t step) const {
         setup.surfaces[static_cast<std::size_t>(lesson().steps[step].surface) - 1].project);
 }
 
-void LessonRun::start(Work work, const QString& file, bool isNew) {
+void LessonRun::start(Work work, const QString& file, bool isSaved) {
     m_job.stop();
     m_disk.wait();
     m_work = std::move(work);
     m_file = file;
     m_drafts.clear();
     m_results.clear();
-    m_saveError.reset();
-    m_savedEntries = isNew ? -1 : static_cast<int>(m_work->entries.size());
+    m_savedEntries = isSaved ? std::optional(m_work->entries.size()) : std::nullopt;
     m_step = 0;
     while (m_step + 1 < lesson().steps.size() && record(m_step).answer) {
         ++m_step;
     }
     readDraft();
-    if (isNew) {
-        save();
-    }
     check();
     emit started();
 }
@@ -143,7 +139,6 @@ void LessonRun::add(WorkEntry entry) {
     entry.step = static_cast<int>(m_step) + 1;
     entry.when = presentMoment();
     addEntry(*m_work, std::move(entry));
-    save();
     writeDraft();
 }
 
@@ -164,6 +159,7 @@ void LessonRun::handIn(Answer answer) {
     check();
     emit answered();
     emit changed();
+    emit saveWanted();
 }
 
 void LessonRun::takeHint() {
@@ -176,6 +172,7 @@ void LessonRun::takeHint() {
     entry.hint = static_cast<int>(taken) + 1;
     add(std::move(entry));
     emit changed();
+    emit saveWanted();
 }
 
 void LessonRun::keepRun(const KeptRun& run) {
@@ -187,6 +184,7 @@ void LessonRun::keepRun(const KeptRun& run) {
     entry.run = run;
     add(std::move(entry));
     emit changed();
+    emit saveWanted();
 }
 
 void LessonRun::setDraft(Answer draft) {
@@ -257,30 +255,13 @@ void LessonRun::check() {
     });
 }
 
-void LessonRun::save() {
-    m_disk.start([this, work = *m_work, file = m_file] {
-        const auto error = writeFileSafely(systemPath(file), writeWork(work));
-        return Background::Answer([this, error, file, entries = int(work.entries.size())] {
-            if (!m_work || file != m_file) {
-                return;
-            }
-            m_saveError = error;
-            if (error) {
-                emit saveFailed(*error);
-            } else {
-                m_savedEntries = std::max(m_savedEntries, entries);
-                emit saved();
-            }
-        });
-    });
-}
-
-void LessonRun::saveAs(const QString& file) {
-    m_disk.wait();
+void LessonRun::markSaved(const QString& file, std::size_t entries) {
+    const bool isAnother = file != m_file;
     m_file = file;
-    m_savedEntries = -1;
-    save();
-    writeDraft();
+    m_savedEntries = entries;
+    if (isAnother) {
+        writeDraft();
+    }
 }
 
 void LessonRun::flush() {

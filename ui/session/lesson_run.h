@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/course/work.h"
-#include "core/files/safe_file.h"
 #include "core/lesson/goal_check.h"
 #include "ui/session/background.h"
 #include "ui/session/newest_job.h"
@@ -17,9 +16,9 @@
 namespace sparkout {
 
 /// A laboratory work that is being done: what was handed in, what the engine finds of it, and the
-/// step in front. Every entry is sealed and saved to the student's file at once, aside. What is not
-/// handed in yet, answers and settings, is kept in a draft of the program's own, from which the
-/// work goes on where it was left.
+/// step in front. Every entry is sealed, and saveWanted() asks for the student's file to be
+/// written. What is not handed in yet, answers and settings, is kept in a draft of the program's
+/// own, from which the work goes on where it was left.
 class LessonRun : public QObject {
     Q_OBJECT
 
@@ -48,8 +47,8 @@ public:
     /// The project of the surface that a step is about, as the step begins.
     [[nodiscard]] Project projectOf(std::size_t step) const;
 
-    /// Begins or takes up a work; `isNew` saves it at once.
-    void start(Work work, const QString& file, bool isNew);
+    /// Begins or takes up a work; `isSaved`: its file holds it.
+    void start(Work work, const QString& file, bool isSaved);
     void end();                  ///< keeps the draft
     void show(std::size_t step); ///< announce() follows once its set-up is in the document
     void announce() { emit stepShown(); }
@@ -79,20 +78,18 @@ public:
     /// The set-up that a step is shown with.
     [[nodiscard]] Setup setupFor(std::size_t step) const;
 
-    void save();
-    void saveAs(const QString& file);
-    void flush(); ///< until all of it is written, the draft too
-    [[nodiscard]] bool isSaved() const { return m_savedEntries == int(m_work->entries.size()); }
-    [[nodiscard]] const std::optional<FileError>& saveError() const { return m_saveError; }
+    /// A file, which may be another one, holds the work with its first entries.
+    void markSaved(const QString& file, std::size_t entries);
+    void flush(); ///< until the draft is written
+    [[nodiscard]] bool isSaved() const { return m_savedEntries == m_work->entries.size(); }
 
 signals:
     void started();
     void ended();
     void stepShown();
-    void changed();  ///< an entry came, or a result
-    void answered(); ///< to the step in front
-    void saved();
-    void saveFailed(sparkout::FileError error);
+    void changed();    ///< an entry came, or a result
+    void answered();   ///< to the step in front
+    void saveWanted(); ///< an entry came; last
 
 private:
     void add(WorkEntry entry);
@@ -108,8 +105,7 @@ private:
     std::size_t m_step = 0;
     std::map<std::size_t, Answer> m_drafts;
     std::map<std::size_t, GoalResult> m_results; ///< of the answers that count
-    int m_savedEntries = -1;
-    std::optional<FileError> m_saveError;
+    std::optional<std::size_t> m_savedEntries;   ///< nothing: it has no file yet
     Background m_disk;
     NewestJob m_job; ///< last: stopped before what it uses is gone
 };

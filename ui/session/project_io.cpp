@@ -14,20 +14,8 @@ namespace sparkout {
 
 namespace {
 
-/// A text that could not be opened again must never reach the disk.
-bool readsBack(const std::string& text, const Setup& setup) {
-    const ReadSetup back = readSetup(text);
-    const auto& same = back.setup ? back.setup : back.unfinished;
-    return same && sameSetup(*same, setup);
-}
-
-FileError verifyError(const QString& path, int systemError, bool replaced) {
-    FileError error;
-    error.path = systemText(path);
-    error.step = FileStep::verify;
-    error.systemError = systemError;
-    error.replaced = replaced;
-    return error;
+FileError notConfirmed(const QString& path, int systemError) {
+    return {systemText(path), FileStep::verify, systemError, {}, true};
 }
 
 } // namespace
@@ -63,24 +51,32 @@ LoadedProject loadProject(const QString& path, const std::stop_token& stop) {
     return parseProject(std::get<std::string>(read), stop);
 }
 
-SavedProject saveProject(const Setup& setup, const QString& path, WriteOptions options) {
-    SavedProject saved;
-    const std::string text = writeSetup(setup);
-    if (!readsBack(text, setup)) {
-        saved.error = verifyError(path, 0, false);
+std::optional<std::string> projectText(const Setup& setup) {
+    std::string text = writeSetup(setup);
+    const ReadSetup back = readSetup(text);
+    const auto& same = back.setup ? back.setup : back.unfinished;
+    return same && sameSetup(*same, setup) ? std::optional(std::move(text)) : std::nullopt;
+}
+
+SavedContent saveContent(const MakeContent& make, const QString& path,
+                         const WriteOptions& options) {
+    SavedContent saved;
+    const std::optional<std::string> text = make();
+    if (!text || text->size() > limits::fileBytes) {
+        saved.error = FileError{systemText(path), FileStep::content, 0, {}};
         return saved;
     }
-    saved.hash = contentHash(text);
-    saved.error = writeFileSafely(systemPath(path), text, options);
+    saved.hash = contentHash(*text);
+    saved.error = writeFileSafely(systemPath(path), *text, options);
     if (saved.error) {
         return saved;
     }
     // The writer looked at its own file; this is what the next reader gets.
     const auto read = readFile(systemPath(path), limits::fileBytes);
     if (const auto* error = std::get_if<FileError>(&read)) {
-        saved.error = verifyError(path, error->systemError, true);
+        saved.error = notConfirmed(path, error->systemError);
     } else if (contentHash(std::get<std::string>(read)) != saved.hash) {
-        saved.error = verifyError(path, EILSEQ, true);
+        saved.error = notConfirmed(path, EILSEQ);
     }
     return saved;
 }

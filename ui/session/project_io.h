@@ -9,8 +9,10 @@
 #include <QString>
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <string_view>
 
 /// Project files in and out, as plain functions of values: they may run in any thread.
@@ -34,14 +36,20 @@ struct LoadedProject {
 [[nodiscard]] LoadedProject parseProject(std::string_view text, const std::stop_token& stop = {});
 [[nodiscard]] LoadedProject loadProject(const QString& path, const std::stop_token& stop = {});
 
-struct SavedProject {
+struct SavedContent {
     std::optional<FileError> error;
     QByteArray hash; ///< of the bytes to be written
 };
 
-/// Serialises, reads the text back and compares before the disk is touched; writes it; reads the
-/// file again and compares the hash. Only then is the project saved.
-[[nodiscard]] SavedProject saveProject(const Setup& setup, const QString& path,
-                                       WriteOptions options = {});
+/// What a file shall hold; nothing when its own reader would refuse that.
+using MakeContent = std::function<std::optional<std::string>()>;
+
+/// Makes the content, writes it, reads the file again and compares the hash: only then is it saved.
+/// A content that its reader would refuse never reaches the disk (FileStep::content).
+[[nodiscard]] SavedContent saveContent(const MakeContent& make, const QString& path,
+                                       const WriteOptions& options = {});
+
+/// The text of a set-up, read back and compared.
+[[nodiscard]] std::optional<std::string> projectText(const Setup& setup);
 
 } // namespace sparkout

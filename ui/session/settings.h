@@ -55,12 +55,8 @@ public:
     /// Where the file stands, and what else is the user's own; empty when nothing is kept.
     [[nodiscard]] const QString& folder() const { return m_folder; }
     std::optional<FileError> flush() { return m_file->flush(); } ///< writes now what is unwritten
-    /// Where a damaged settings file was put aside; empty when it was in order.
-    [[nodiscard]] const QString& damaged() const { return m_file->damaged(); }
-    /// Why a settings file that is there could not be read; it is left as it is.
-    [[nodiscard]] const std::optional<FileError>& unreadable() const {
-        return m_file->unreadable();
-    }
+    /// The file itself: what was put aside or could not be read, and what it refuses.
+    [[nodiscard]] SettingsFile& file() const { return *m_file; }
 
     static constexpr int recentFilesKept = 9; ///< as many as there are digits to choose one by
 

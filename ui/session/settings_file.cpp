@@ -1,25 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/settings_file.h"
 
-#include "core/files/file_system.h"
+#include "core/sha256.h"
 #include "ui/session/project_io.h"
 #include "ui/text/system_text.h"
 
 #include <QCoreApplication>
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
 
 #include <cerrno>
+#include <utility>
 
 namespace sparkout {
 
 namespace {
 
-constexpr std::size_t largest = 1u << 20;
 constexpr int later_ms = 500; ///< several settings are often set together
+constexpr int attempts = 100; ///< at a file that other instances write at the same time
+const QString reportedKey = QStringLiteral("damagedReported");
+
+QByteArray textOf(const QVariantMap& values) {
+    return QJsonDocument(QJsonObject::fromVariantMap(values)).toJson();
+}
 
 } // namespace
 
@@ -27,59 +32,88 @@ SettingsFile::SettingsFile(const QString& path) : m_path(path) {
     m_later.setSingleShot(true);
     m_later.setInterval(later_ms);
     connect(&m_later, &QTimer::timeout, this, [this] { (void)flush(); });
-    if (!m_path.isEmpty()) {
-        m_values = read().value_or(QVariantMap());
-    }
+    refresh();
 }
 
 SettingsFile::~SettingsFile() {
     (void)flush();
 }
 
-std::optional<QVariantMap> SettingsFile::read() {
-    const auto bytes = readFile(systemPath(m_path), largest);
+std::optional<SettingsFile::Content> SettingsFile::read() {
+    m_unreadable.reset();
+    const auto bytes = readFile(systemPath(m_path), limits::settingsBytes);
     const auto* text = std::get_if<std::string>(&bytes);
     const auto* error = std::get_if<FileError>(&bytes);
-    m_unreadable.reset();
-    const auto damaged = [this] {
-        return putAside() ? std::optional<QVariantMap>(QVariantMap()) : std::nullopt;
-    };
-    if (error != nullptr) {
-        if (error->step == FileStep::tooLarge) {
-            return damaged();
-        }
+    if (error != nullptr && error->step != FileStep::tooLarge) {
         if (error->systemError == ENOENT || error->systemError == ENOTDIR) {
-            return QVariantMap(); // the defaults hold
+            return Content{}; // the defaults hold
         }
         m_unreadable = *error;
         return std::nullopt;
     }
-    QJsonParseError fault;
-    const QJsonDocument document =
-        QJsonDocument::fromJson(QByteArray::fromStdString(*text), &fault);
-    if (fault.error != QJsonParseError::NoError || !document.isObject()) {
-        return damaged();
+    if (text != nullptr) {
+        QJsonParseError fault;
+        const QJsonDocument document =
+            QJsonDocument::fromJson(QByteArray::fromStdString(*text), &fault);
+        if (fault.error == QJsonParseError::NoError && document.isObject()) {
+            return Content{document.object().toVariantMap(), sha256(*text)};
+        }
     }
-    return document.object().toVariantMap();
+    const auto aside = putAside(systemPath(m_path));
+    if (const auto* failed = std::get_if<FileError>(&aside)) {
+        m_unreadable = *failed;
+        return std::nullopt;
+    }
+    emit foundDamaged();
+    return Content{m_values, {}}; // what was read of it before is not lost
 }
 
-bool SettingsFile::putAside() {
-    const QString aside = m_path + QStringLiteral(".damaged");
-    // Not QFile::rename(): what it cannot rename it opens and copies.
-    const int failed = renamePath(systemPath(m_path), systemPath(aside));
-    if (failed == 0) {
-        m_damaged = aside;
-        return true;
+QStringList SettingsFile::damaged() const {
+    if (m_path.isEmpty()) {
+        return {};
     }
-    m_unreadable = FileError{systemText(m_path), FileStep::backup, failed, {}};
-    return false;
+    const QFileInfo file(m_path);
+    const QStringList reported = m_values.value(reportedKey).toStringList();
+    QStringList found;
+    for (const QFileInfo& aside : file.dir().entryInfoList(
+             {file.fileName() + QStringLiteral(".damaged*")}, QDir::Files, QDir::Name)) {
+        if (!reported.contains(aside.fileName())) {
+            found += aside.filePath();
+        }
+    }
+    return found;
+}
+
+QStringList SettingsFile::takeDamaged() {
+    const QStringList found = damaged();
+    QStringList reported = m_values.value(reportedKey).toStringList();
+    for (const QString& path : found) {
+        reported += QFileInfo(path).fileName();
+    }
+    if (!found.isEmpty()) {
+        set(reportedKey, reported);
+    }
+    return found;
+}
+
+bool SettingsFile::mayBeRead(const QByteArray& text) {
+    const bool may = std::size_t(text.size()) <= limits::settingsBytes;
+    if (!may) {
+        emit refused({systemText(m_path), FileStep::content, 0, {}});
+    }
+    return may;
 }
 
 void SettingsFile::set(const QString& key, const QVariant& value) {
     if (m_values.value(key) == value) {
         return;
     }
-    m_values.insert(key, value);
+    QVariantMap values = m_values;
+    values.insert(key, value);
+    if (!m_path.isEmpty() && !mayBeRead(textOf(values))) {
+        return;
+    }
+    m_values = std::move(values);
     m_changed.insert(key, value);
     if (!m_path.isEmpty() && QCoreApplication::instance() != nullptr) {
         m_later.start();
@@ -90,8 +124,8 @@ void SettingsFile::refresh() {
     if (m_path.isEmpty()) {
         return;
     }
-    if (std::optional<QVariantMap> values = read()) { // else those that were read before hold
-        m_values = *std::move(values);
+    if (std::optional<Content> content = read()) { // else those that were read before hold
+        m_values = std::move(content->values);
         m_values.insert(m_changed);
     }
 }
@@ -102,15 +136,26 @@ std::optional<FileError> SettingsFile::flush() {
         return {};
     }
     QDir().mkpath(QFileInfo(m_path).absolutePath()); // its failure is the writer's
-    std::optional<QVariantMap> values = read();
-    if (!values) {
-        return m_unreadable;
-    }
-    values->insert(m_changed);
-    const QByteArray text = QJsonDocument(QJsonObject::fromVariantMap(*values)).toJson();
-    auto error = writeFileSafely(systemPath(m_path), {text.constData(), std::size_t(text.size())});
-    if (!error) {
-        m_changed.clear();
+    std::optional<FileError> error;
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+        std::optional<Content> content = read();
+        if (!content) {
+            return m_unreadable;
+        }
+        content->values.insert(m_changed);
+        const QByteArray text = textOf(content->values);
+        if (!mayBeRead(text)) {
+            return FileError{systemText(m_path), FileStep::content, 0, {}};
+        }
+        error = writeFileSafely(systemPath(m_path), {text.constData(), std::size_t(text.size())},
+                                {.expected = content->sha256});
+        if (!error) {
+            m_changed.clear();
+            return {};
+        }
+        if (error->step != FileStep::changed) {
+            break;
+        }
     }
     return error;
 }

@@ -3,6 +3,7 @@
 
 #include "core/study/new_project.h"
 #include "ui/dialogs/faults_dialog.h"
+#include "ui/dialogs/file_questions.h"
 #include "ui/dialogs/notice_bar.h"
 #include "ui/dialogs/watched_work.h"
 #include "ui/kit/file_dialog.h"
@@ -14,7 +15,6 @@
 #include "ui/text/file_error_text.h"
 #include "ui/text/texts.h"
 #include "ui/window/dialogs/examples_dialog.h"
-#include "ui/window/dialogs/file_questions.h"
 #include "ui/window/dialogs/versions_dialog.h"
 #include "ui/window/recent_files_menu.h"
 
@@ -48,8 +48,9 @@ FileCommands::FileCommands(Document& document, Settings& settings, QWidget* wind
     , m_bar(new NoticeBar(window))
     , m_recent(new RecentFilesMenu(settings, window))
     , m_guard(document)
+    , m_questions(m_guard, m_wait, window)
     , m_notices(document, settings, m_guard, *m_bar, window)
-    , m_saver(document, settings, m_guard, m_wait, window)
+    , m_saver(document, settings, m_guard, m_questions, window)
     , m_recovery(document, m_guard, m_notices, m_wait, window) {
     connect(m_recent, &RecentFilesMenu::chosen, this, &FileCommands::openInstead);
     connect(&m_notices, &FileNotices::saveWanted, this, &FileCommands::save);
@@ -123,26 +124,10 @@ void FileCommands::openInstead(const QString& path) {
     }
 }
 
-std::optional<FileCommands::Opening> FileCommands::wayToOpen(const QString& path) {
-    switch (m_guard.claim(path)) {
-    case FileGuard::Access::write: return Opening::write;
-    case FileGuard::Access::readOnly: return Opening::readOnly;
-    case FileGuard::Access::conflict: break;
-    }
-    switch (askLocked(m_window, path, m_guard.holder())) {
-    case LockedAnswer::readOnly: return Opening::readOnly;
-    case LockedAnswer::copy: return Opening::copy;
-    case LockedAnswer::takeOver:
-        return m_guard.takeOver() == FileGuard::Access::write ? Opening::write : Opening::readOnly;
-    case LockedAnswer::cancel: break;
-    }
-    m_guard.dropClaim();
-    return {};
-}
-
 bool FileCommands::openFile(const QString& given) {
     const QString path = QFileInfo(given).absoluteFilePath();
-    const auto opening = wayToOpen(path); // first, or somebody could save while this one reads
+    const auto opening =
+        m_questions.wayToOpen(path); // first, or somebody could save while this one reads
     if (!opening) {
         return false;
     }
@@ -175,9 +160,10 @@ void FileCommands::showWhyRefused(const LoadedProject& loaded, const QString& pa
     }
 }
 
-void FileCommands::take(LoadedProject loaded, const QString& path, Opening opening) {
+void FileCommands::take(LoadedProject loaded, const QString& path,
+                        GuardQuestions::Opening opening) {
+    using Opening = GuardQuestions::Opening;
     if (opening == Opening::copy) {
-        m_guard.dropClaim();
         m_document.startUntitled(std::move(*loaded.setup));
     } else {
         m_document.take(std::move(*loaded.setup), path, loaded.hash, opening == Opening::readOnly);
@@ -238,7 +224,7 @@ void FileCommands::reload() {
     m_wait.aside([&] { loaded = loadProject(path); });
     if (loaded.setup) {
         m_document.reload(std::move(*loaded.setup), loaded.hash);
-        m_guard.followDisk();
+        m_guard.followDocument();
         m_notices.followDisk();
         m_notices.showOpened(loaded.issues);
     } else {

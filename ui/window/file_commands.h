@@ -74,10 +74,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    enum class Opening { write, readOnly, copy };
-
-    [[nodiscard]] std::optional<Opening> wayToOpen(const QString& path);
-    void take(LoadedProject loaded, const QString& path, Opening opening);
+    void take(LoadedProject loaded, const QString& path, GuardQuestions::Opening opening);
     bool recover(bool alsoDiscarded);
     bool openAsCopy(const QString& path);
     void reload();
@@ -92,6 +89,7 @@ private:
     std::function<QStringList()> m_refused = [] { return QStringList(); };
     DiskWait m_wait;
     FileGuard m_guard;
+    GuardQuestions m_questions;
     FileNotices m_notices;
     ProjectSaver m_saver;
     WorkRecovery m_recovery;

@@ -2,6 +2,7 @@
 #include "ui/window/file_notices.h"
 
 #include "ui/dialogs/faults_dialog.h"
+#include "ui/dialogs/file_questions.h"
 #include "ui/dialogs/notice_bar.h"
 #include "ui/files/file_guard.h"
 #include "ui/session/document.h"
@@ -42,6 +43,9 @@ FileNotices::FileNotices(Document& document, const Settings& settings, FileGuard
     });
     connect(&m_guard, &FileGuard::changedOnDisk, this, &FileNotices::showChangedOnDisk);
     connect(&m_guard, &FileGuard::restoredOnDisk, this, &FileNotices::followDisk);
+    connect(&m_settings.file(), &SettingsFile::foundDamaged, this,
+            &FileNotices::showDamagedSettings, Qt::QueuedConnection);
+    connect(&m_settings.file(), &SettingsFile::refused, this, &FileNotices::showRefusedSettings);
     connect(&m_guard, &FileGuard::autosaveFailed, this, &FileNotices::showAutosaveFailed);
     connect(&m_guard, &FileGuard::autosaved, this, [this] { m_bar.remove(autosaveKey); });
 }
@@ -102,15 +106,7 @@ void FileNotices::showStrangeLock() {
     const QString strange = m_guard.strangeLock();
     m_bar.remove(lockKey);
     if (!strange.isEmpty()) {
-        m_bar.add({lockKey,
-                   Mark::warning,
-                   [strange] {
-                       return tr("The file is not locked against other users: “%1” stands "
-                                 "where its lock belongs and is not a lock file. It was "
-                                 "left as it is.")
-                           .arg(printableText(strange));
-                   },
-                   {}});
+        m_bar.add({lockKey, Mark::warning, [strange] { return strangeLockText(strange); }, {}});
     }
 }
 
@@ -160,19 +156,26 @@ void FileNotices::showRecovered(const RecoveryHeader& header) {
                {{[] { return tr("Save"); }, [this] { emit saveWanted(); }}}});
 }
 
+void FileNotices::showRefusedSettings(const FileError& error) {
+    m_bar.add({settingsKey,
+               Mark::error,
+               [error] { return tr("The settings were not kept. %1").arg(saveErrorText(error)); },
+               {}});
+}
+
+/// Also those that another instance, or this one at its end, found damaged and put aside.
 void FileNotices::showDamagedSettings() {
-    const QString aside = m_settings.damaged();
-    if (!aside.isEmpty()) {
+    if (const QStringList aside = m_settings.file().takeDamaged(); !aside.isEmpty()) {
         m_bar.add({settingsKey,
                    Mark::warning,
                    [aside] {
                        return tr("The settings file was damaged and is kept as %1. The "
                                  "settings are the default ones.")
-                           .arg(printableText(aside));
+                           .arg(printableText(aside.join(QStringLiteral(", "))));
                    },
                    {}});
     }
-    if (const auto& error = m_settings.unreadable()) {
+    if (const auto& error = m_settings.file().unreadable()) {
         m_bar.add(
             {settingsKey,
              Mark::warning,

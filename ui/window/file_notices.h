@@ -41,6 +41,7 @@ private:
     void showStrangeLock();
     void showChangedOnDisk(const DiskState& state);
     void showAutosaveFailed(const FileError& error);
+    void showRefusedSettings(const FileError& error);
 
     Document& m_document;
     const Settings& m_settings;

@@ -152,6 +152,9 @@ void LessonWiring::edit(const Parts& parts) {
 
 void LessonWiring::openEditor(const Parts& parts) {
     m_editor = new LessonEditor(parts.document, parts.settings, parts.window);
+    if (const QString folder = parts.desk.stateFolder(); !folder.isEmpty()) {
+        m_editor->protect(folder);
+    }
     connect(m_editor, &LessonEditor::trialWanted, this,
             [this, parts](const Lesson& lesson, std::size_t step) {
                 if (parts.files.mayDiscard() && parts.desk.tryOut(lesson, step)) {

@@ -3,6 +3,7 @@
 
 #include "core/project/gauge.h"
 #include "ui/charts/verdict_why.h"
+#include "ui/dialogs/file_questions.h"
 #include "ui/dialogs/notice_bar.h"
 #include "ui/identification/calibration_dialog.h"
 #include "ui/inputs/forms/stock_fit.h"
@@ -38,7 +39,6 @@
 #include "ui/views/verdict/verdict_panel.h"
 #include "ui/window/actions.h"
 #include "ui/window/dialogs/company_dialog.h"
-#include "ui/window/dialogs/file_questions.h"
 #include "ui/window/dialogs/title_page_dialog.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_desk.h"
@@ -91,6 +91,7 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
     , m_sheet(new StepSheet(m_cursor, this))
     , m_actions(new Actions(*this))
     , m_files(new FileCommands(m_document, settings, this))
+    , m_packs(new PackCommands(settings, this))
     , m_remedies(new RemedyOffers(
           m_document, m_verdict->remedies(),
           [this](const std::string& path) { m_inputs->revealPath(path); }, this))
@@ -399,10 +400,9 @@ void MainWindow::connectReports() {
     };
     on(m_actions->company, [this] { editCompany(); });
     showLogoFault();
-    auto* packs = new PackCommands(m_settings, this);
-    on(m_actions->importPack, [packs] { packs->importPack(); });
-    on(m_actions->exportPack, [packs] { packs->exportPack(); });
-    connect(m_files, &FileCommands::packChosen, packs, &PackCommands::importFile);
+    on(m_actions->importPack, [this] { m_packs->importPack(); });
+    on(m_actions->exportPack, [this] { m_packs->exportPack(); });
+    connect(m_files, &FileCommands::packChosen, m_packs, &PackCommands::importFile);
     on(m_actions->titlePage, [this] { TitlePageDialog(m_settings, this).exec(); });
     on(m_actions->exportResults, [exports] { exports->exportResults(); });
     auto* output = new ReportOutput(m_settings, this);
@@ -680,6 +680,12 @@ void MainWindow::showOutcome(const OutcomePtr& outcome) {
     emit outcomeShown();
 }
 
+void MainWindow::protect(const QString& stateFolder) {
+    m_files->protect(stateFolder);
+    m_lesson->protect(stateFolder);
+    m_packs->protect(stateFolder);
+}
+
 void MainWindow::showStatus() {
     m_status->showOutcome(m_lesson->isCovered() ? nullptr : m_outcome.get(), m_runs.lastRun_ms(),
                           m_cursor.outcome() != nullptr);
@@ -693,8 +699,9 @@ void MainWindow::showTitle() {
                        ? (title.isEmpty() ? tr("Untitled") : tr("%1 (not saved)").arg(title))
                        : printableText(QFileInfo(m_document.filePath()).fileName());
     name.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]"));
-    setWindowTitle(m_document.readOnly() ? tr("%1[*] (read-only) — Sparkout").arg(name)
-                                         : tr("%1[*] — Sparkout").arg(name));
+    const bool isReadOnly = m_document.readOnly() || m_lesson->isReadOnly();
+    setWindowTitle(isReadOnly ? tr("%1[*] (read-only) — Sparkout").arg(name)
+                              : tr("%1[*] — Sparkout").arg(name));
     setWindowModified(m_document.modified() || !m_inputs->refusals().empty());
 }
 

@@ -29,6 +29,7 @@ class MeasuredImport;
 class MeasuredView;
 class MessagesPanel;
 class OverviewView;
+class PackCommands;
 class PartCommands;
 class PartRuns;
 class PartStrip;
@@ -58,6 +59,9 @@ public:
     [[nodiscard]] InputsPanel& inputs() { return *m_inputs; }
     [[nodiscard]] MessagesPanel& messages() { return *m_messages; }
     [[nodiscard]] FileCommands& files() { return *m_files; }
+    /// From now on the files of the window are locked and watched, and their earlier versions and
+    /// what a crash leaves are kept in this folder.
+    void protect(const QString& stateFolder);
     [[nodiscard]] const std::vector<View*>& views() const; ///< in the order of their tabs
     [[nodiscard]] ViewTabs& viewTabs() { return *m_tabs; }
     bool showView(const QString& name); ///< by object name or number from 1; false when none
@@ -137,6 +141,7 @@ private:
     WindowLayout* m_layout = nullptr;
     Actions* m_actions;
     FileCommands* m_files;
+    PackCommands* m_packs;
     RunKeeper* m_keeper = nullptr;
     RemedyOffers* m_remedies;
     HelpDesk* m_help;

@@ -2,7 +2,6 @@
 #include "ui/window/project_saver.h"
 
 #include "core/project/part.h"
-#include "ui/dialogs/disk_wait.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/files/file_guard.h"
 #include "ui/kit/file_dialog.h"
@@ -25,8 +24,12 @@ const QString suffix = QStringLiteral(".sparkout");
 } // namespace
 
 ProjectSaver::ProjectSaver(Document& document, const Settings& settings, FileGuard& guard,
-                           DiskWait& wait, QWidget* window)
-    : m_document(document), m_settings(settings), m_guard(guard), m_wait(wait), m_window(window) {}
+                           GuardQuestions& questions, QWidget* window)
+    : m_document(document)
+    , m_settings(settings)
+    , m_guard(guard)
+    , m_questions(questions)
+    , m_window(window) {}
 
 /// What stands in for numbers yet to be given would be read as theirs.
 bool ProjectSaver::isComplete() {
@@ -73,56 +76,25 @@ bool ProjectSaver::saveAs() {
     return saveTo(path);
 }
 
-/// Everything that may speak against writing there, asked of the user.
-SaveAnswer ProjectSaver::clearTheWay(const QString& path) {
-    if (m_guard.claim(path) == FileGuard::Access::conflict) {
-        const SaveAnswer answer = askSaveLocked(m_window, path, m_guard.holder());
-        if (answer != SaveAnswer::proceed) {
-            return answer;
-        }
-        (void)m_guard.takeOver();
-    }
-    if (const auto state = m_guard.changedOutside(path)) {
-        const SaveAnswer answer =
-            askChangedOutside(m_window, path, state->kind == DiskState::Kind::missing);
-        if (answer != SaveAnswer::proceed) {
-            return answer;
-        }
-    }
-    if (const std::uint64_t links = linkCount(path); links > 1 && m_linksAccepted != path) {
-        const SaveAnswer answer = askHardLinks(m_window, path, links);
-        if (answer != SaveAnswer::proceed) {
-            return answer;
-        }
-        m_linksAccepted = path;
-    }
-    return SaveAnswer::proceed;
-}
-
 bool ProjectSaver::saveTo(const QString& path) {
-    const SaveAnswer answer = clearTheWay(path);
-    if (answer != SaveAnswer::proceed) {
-        m_guard.dropClaim();
-        if (answer == SaveAnswer::reload) {
-            emit reloadWanted();
+    const auto write = [&] { return m_guard.save(path); };
+    for (;;) {
+        switch (m_questions.save(path, Reloading::offered, write)) {
+        case GuardQuestions::Outcome::saved:
+            ProgramLog::note(tr("Saved: %1").arg(printableText(path)));
+            emit saved(path);
+            return true;
+        case GuardQuestions::Outcome::elsewhere: return saveAs();
+        case GuardQuestions::Outcome::reload: emit reloadWanted(); return false;
+        case GuardQuestions::Outcome::cancelled: return false;
+        case GuardQuestions::Outcome::failed: break;
         }
-        return answer == SaveAnswer::elsewhere && saveAs();
-    }
-    std::optional<FileError> error;
-    const auto attempt = [&] {
-        m_wait.during([&] { error = m_guard.save(path); });
-        return !error;
-    };
-    while (!attempt()) {
-        const FailureAnswer next = askSaveFailed(m_window, *error);
+        const FailureAnswer next = askSaveFailed(m_window, *m_questions.error());
         if (next != FailureAnswer::again) {
             m_guard.dropClaim();
             return next == FailureAnswer::elsewhere && saveAs();
         }
     }
-    ProgramLog::note(tr("Saved: %1").arg(printableText(path)));
-    emit saved(path);
-    return true;
 }
 
 QString ProjectSaver::suggestedPath() const {

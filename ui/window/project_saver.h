@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/window/dialogs/file_questions.h"
+#include "ui/dialogs/guard_questions.h"
 
 #include <QObject>
 #include <QString>
@@ -10,7 +10,6 @@ class QWidget;
 
 namespace sparkout {
 
-class DiskWait;
 class Document;
 class FileGuard;
 class Settings;
@@ -20,8 +19,8 @@ class ProjectSaver : public QObject {
     Q_OBJECT
 
 public:
-    ProjectSaver(Document& document, const Settings& settings, FileGuard& guard, DiskWait& wait,
-                 QWidget* window);
+    ProjectSaver(Document& document, const Settings& settings, FileGuard& guard,
+                 GuardQuestions& questions, QWidget* window);
 
     bool save(); ///< to its file; asks for one when there is none that may be written
     bool saveAs();
@@ -33,15 +32,13 @@ signals:
 private:
     bool isComplete(); ///< or says why it cannot be saved
     bool saveTo(const QString& path);
-    [[nodiscard]] SaveAnswer clearTheWay(const QString& path);
     [[nodiscard]] QString suggestedPath() const;
 
     Document& m_document;
     const Settings& m_settings;
     FileGuard& m_guard;
-    DiskWait& m_wait;
+    GuardQuestions& m_questions;
     QWidget* m_window;
-    QString m_linksAccepted; ///< the file whose other names may keep the old text
 };
 
 } // namespace sparkout

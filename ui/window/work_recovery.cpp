@@ -3,11 +3,11 @@
 
 #include "core/format/project_file.h"
 #include "ui/dialogs/disk_wait.h"
+#include "ui/dialogs/file_questions.h"
 #include "ui/files/file_guard.h"
 #include "ui/session/document.h"
 #include "ui/text/file_error_text.h"
 #include "ui/text/texts.h"
-#include "ui/window/dialogs/file_questions.h"
 #include "ui/window/dialogs/recovery_dialog.h"
 #include "ui/window/file_notices.h"
 

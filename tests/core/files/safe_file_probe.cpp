@@ -43,6 +43,8 @@ const char* stepName(FileStep step) {
     case FileStep::verify: return "verify";
     case FileStep::read: return "read";
     case FileStep::tooLarge: return "tooLarge";
+    case FileStep::changed: return "changed";
+    case FileStep::content: return "content";
     }
     return "?";
 }

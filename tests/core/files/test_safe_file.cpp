@@ -4,6 +4,7 @@
 // What is made of links, modes, devices and a second program is tried on POSIX alone.
 #include "core/files/safe_file.h"
 #include "core/files/safe_file_writer.h"
+#include "core/sha256.h"
 #include "tests/check_line.h"
 
 #include <QTest>
@@ -246,6 +247,69 @@ private slots:
         QCOMPARE(get(file()), std::string("3"));
         QCOMPARE(get(file("part.sparkout.bak")), std::string("2"));
         QCOMPARE(namesIn(m_folder), (Names{"part.sparkout", "part.sparkout.bak"}));
+    }
+
+    void saveReplacesOnlyTheExpectedVersion() {
+        for (const bool keepsBackup : {false, true}) {
+            const fs::path path = file(keepsBackup ? "kept" : "plain");
+            const auto write = [&](const char* text, const std::string& expected) {
+                return writeFileSafely(path, text,
+                                       {.keepBackup = keepsBackup, .expected = expected});
+            };
+            const auto isChange = [](const std::optional<FileError>& error) {
+                return error && error->step == FileStep::changed && !error->replaced;
+            };
+            QVERIFY(isChange(write("1", sha256("0")))); // there is none
+            QVERIFY(!fs::exists(path));
+            QVERIFY(!write("1", {}));
+            QVERIFY(isChange(write("2", {}))); // there is one
+            QVERIFY(isChange(write("2", sha256("0"))));
+            QCOMPARE(get(path), std::string("1"));
+            QVERIFY(!write("2", sha256("1")));
+            QCOMPARE(get(path), std::string("2"));
+        }
+        QCOMPARE(get(file("kept.bak")), std::string("1"));
+        QCOMPARE(namesIn(m_folder), (Names{"kept", "kept.bak", "plain"}));
+    }
+
+    /// Each counts up what it finds; a save that comes too late finds another number and repeats.
+    void savesOfTheExpectedVersionLoseNoUpdate() {
+        constexpr int writers = 4, each = 25;
+        QVERIFY(!writeFileSafely(file(), "0"));
+        std::vector<std::thread> threads;
+        for (int i = 0; i < writers; ++i) {
+            threads.emplace_back([path = file()] {
+                for (int done = 0; done < each;) {
+                    const auto read = readFile(path, 100);
+                    const auto* text = std::get_if<std::string>(&read);
+                    if (text == nullptr)
+                        continue; // not there while it is exchanged without an exchange
+                    const int next = std::atoi(text->c_str()) + 1;
+                    const auto error =
+                        writeFileSafely(path, std::to_string(next), {.expected = sha256(*text)});
+                    done += error ? 0 : 1;
+                }
+            });
+        }
+        for (std::thread& thread : threads)
+            thread.join();
+        QCOMPARE(get(file()), std::to_string(writers * each));
+        QCOMPARE(namesIn(m_folder), Names{"part.sparkout"});
+    }
+
+    void putAsideReplacesNothing() {
+        for (const char* name :
+             {"part.sparkout.damaged", "part.sparkout.damaged-2", "part.sparkout.damaged-3"}) {
+            put(file(), name);
+            const auto aside = putAside(file());
+            QVERIFY(std::holds_alternative<fs::path>(aside));
+            QCOMPARE(std::get<fs::path>(aside).filename().string(), std::string(name));
+            QCOMPARE(get(std::get<fs::path>(aside)), std::string(name));
+        }
+        QCOMPARE(namesIn(m_folder).size(), std::size_t(3));
+        const auto missing = putAside(file());
+        QVERIFY(std::holds_alternative<FileError>(missing));
+        QCOMPARE(std::get<FileError>(missing).systemError, ENOENT);
     }
 
     void aBackupThatCannotBeMadeStopsTheSave() {

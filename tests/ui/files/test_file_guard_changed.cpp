@@ -136,7 +136,7 @@ private slots:
         trouble::write(bench.path, textWith(35));
         LoadedProject loaded = loadProject(bench.path);
         bench.document.reload(*loaded.setup, loaded.hash);
-        bench.guard.followDisk();
+        bench.guard.followDocument();
         QVERIFY(!bench.document.modified());
         QCOMPARE(bench.document.project().part->diameter_mm, 35.0);
         QVERIFY(!bench.guard.changedOutside(bench.path));

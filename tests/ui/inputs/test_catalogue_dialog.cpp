@@ -176,15 +176,15 @@ private slots:
         QVERIFY(fault->text().contains(store->fault()));
         QTest::mouseClick(child<QPushButton>(dialog, "putAside"), Qt::LeftButton);
         QVERIFY(store->fault().isEmpty());
-        QCOMPARE(bytesOf(path + QStringLiteral(".damaged-1")), damaged);
-        QVERIFY(fault->text().contains(QStringLiteral("damaged-1")));
+        QCOMPARE(bytesOf(path + QStringLiteral(".damaged")), damaged);
+        QVERIFY(fault->text().contains(QStringLiteral(".damaged")));
         QVERIFY(!child<QPushButton>(dialog, "putAside")->isVisible());
         QCOMPARE(store->save(project, QStringLiteral("new")), QString());
         write(path, "[]"); // damaged once more: the first one stays
         store->refresh();
         QString aside;
         QCOMPARE(store->putAside(aside), QString());
-        QCOMPARE(bytesOf(path + QStringLiteral(".damaged-1")), damaged);
+        QCOMPARE(bytesOf(path + QStringLiteral(".damaged")), damaged);
         QCOMPARE(bytesOf(aside), QByteArray("[]"));
     }
 

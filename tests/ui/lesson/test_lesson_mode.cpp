@@ -6,7 +6,11 @@
 #include "tests/registry.h"
 #include "tests/ui/lesson/lesson_bench.h"
 #include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/file_trouble.h"
 #include "tests/ui/support/text_checks.h"
+#include "ui/dialogs/notice_bar.h"
+#include "ui/files/backup_history.h"
+#include "ui/files/file_lock.h"
 #include "ui/kit/font_size.h"
 #include "ui/lesson/lessons_dialog.h"
 #include "ui/lesson/marks_dialog.h"
@@ -422,10 +426,11 @@ private slots:
         // Nobody else writes the work meanwhile.
         {
             Bench second(QStringLiteral("en"));
-            DialogAnswers answers({QStringLiteral("cancel")});
+            second.window->lesson().protect(student.folder.path());
+            DialogAnswers answers({QStringLiteral("Escape")});
             second.window->files().openInstead(student.file());
             QCOMPARE(answers.fault(), QString());
-            QVERIFY(answers.text().contains(QStringLiteral("open in another window")));
+            QVERIFY(answers.text().contains(QStringLiteral("is open already")));
             QVERIFY(!second.window->lesson().isRunning());
         }
         // As after a crash: what was on the disk before the window went is what there is.
@@ -446,6 +451,133 @@ private slots:
         // Steps that were answered stand as they were, prediction and result side by side.
         other.window->lesson().showStep(1);
         QVERIFY(!other.window->lesson().isCovered());
+    }
+
+    void savedWorkKeepsForeignVersionOnConflict_data() {
+        QTest::addColumn<QStringList>("answers");
+        QTest::addColumn<std::size_t>("entries"); // of the open work's file then
+        const QString other = QStringLiteral("file:other.sparkout-work");
+        QTest::newRow("saved anyway") << QStringList{QStringLiteral("proceed")} << std::size_t(1);
+        QTest::newRow("elsewhere")
+            << QStringList{QStringLiteral("elsewhere"), other} << std::size_t(15);
+        QTest::newRow("cancelled, then saved")
+            << QStringList{QStringLiteral("Escape")} << std::size_t(15);
+    }
+
+    /// A sync client puts another version of the open work in place.
+    void savedWorkKeepsForeignVersionOnConflict() {
+        QFETCH(QStringList, answers);
+        QFETCH(std::size_t, entries);
+        Seat student;
+        student.begin();
+        Work foreign = student.run().work();
+        for (int i = 0; i < 15; ++i) {
+            WorkEntry entry;
+            entry.when = "2026-11-26T10:00:00Z";
+            entry.answer.text = std::to_string(i);
+            addEntry(foreign, std::move(entry));
+        }
+        const QString incoming = student.folder.filePath(QStringLiteral("incoming"));
+        QVERIFY(!writeFileSafely(incoming.toStdString(), writeWork(foreign)));
+        QVERIFY(QFile::remove(student.file()) && QFile::rename(incoming, student.file()));
+        const QString other = student.folder.filePath(QStringLiteral("other.sparkout-work"));
+        answers.replaceInStrings(QStringLiteral("file:other.sparkout-work"),
+                                 QStringLiteral("file:") + other);
+        {
+            DialogAnswers asked(answers);
+            student.show(0);
+            student.answer();
+            student.handIn();
+            QCOMPARE(asked.fault(), QString());
+            QVERIFY2(asked.text().contains(QStringLiteral("changed by another program")),
+                     qPrintable(asked.text()));
+        }
+        QCOMPARE(student.onDisk().entries.size(), entries);
+        const bool isSaved = student.run().isSaved();
+        QCOMPARE(isSaved, answers.front() != u"Escape");
+        QCOMPARE(student.window.files().notices().holds(QStringLiteral("lesson-not-saved")),
+                 !isSaved);
+        if (!isSaved) { // the work in the window is not lost either
+            const DialogAnswers asked({QStringLiteral("proceed")});
+            student.desk().save();
+            QCOMPARE(asked.fault(), QString());
+        }
+        const auto entriesIn = [](const QString& path) {
+            auto text = readFile(path.toStdString(), 1u << 24);
+            const auto* bytes = std::get_if<std::string>(&text);
+            const ReadWork read = bytes ? readWork(*bytes) : ReadWork();
+            return read.work ? read.work->entries.size() : 0;
+        };
+        QCOMPARE(entriesIn(student.run().file()), std::size_t(1));
+        std::vector<std::size_t> kept{entriesIn(student.file())};
+        for (const EarlierVersion& version :
+             earlierVersions(BackupHistory(student.folder.path()), student.file())) {
+            kept.push_back(entriesIn(version.file));
+        }
+        QVERIFY(std::ranges::count(kept, std::size_t(15)) > 0);
+        // The next answer is saved without a question, and the other version is still there.
+        student.show(1);
+        student.answer();
+        student.handIn();
+        QVERIFY(student.run().isSaved());
+        kept = {entriesIn(student.file())};
+        for (const EarlierVersion& version :
+             earlierVersions(BackupHistory(student.folder.path()), student.file())) {
+            kept.push_back(entriesIn(version.file));
+        }
+        QVERIFY(std::ranges::count(kept, std::size_t(15)) > 0);
+    }
+
+    void aLockedWorkCanBeReadCopiedAndTakenOver_data() {
+        QTest::addColumn<QByteArray>("lock");
+        QTest::addColumn<QString>("answer");
+        for (const char* answer : {"readOnly", "copy", "takeOver", "Escape"}) {
+            QTest::addRow("empty, %s", answer) << QByteArray() << QString::fromLatin1(answer);
+            QTest::addRow("of another computer, %s", answer)
+                << QByteArray("1\nsparkout\nanother-host\n\n\n") << QString::fromLatin1(answer);
+        }
+    }
+
+    void aLockedWorkCanBeReadCopiedAndTakenOver() {
+        QFETCH(QByteArray, lock);
+        QFETCH(QString, answer);
+        Seat student;
+        const QString lockFile = FileLock::lockPath(student.file());
+        trouble::write(lockFile, lock);
+        const QString copy = student.folder.filePath(QStringLiteral("copy.sparkout-work"));
+        QStringList list{answer};
+        if (answer == u"copy") {
+            list += QStringLiteral("file:") + copy;
+        }
+        {
+            const DialogAnswers answers(list);
+            student.begin();
+            QCOMPARE(answers.fault(), QString());
+            QVERIFY(answers.text().contains(lock.isEmpty() ? QStringLiteral("cannot be understood")
+                                                           : QStringLiteral("another-host")));
+        }
+        QCOMPARE(student.run().isRunning(), answer != u"Escape");
+        QCOMPARE(student.desk().isReadOnly(), answer == u"readOnly");
+        QCOMPARE(student.window.windowTitle().contains(QStringLiteral("read-only")),
+                 answer == u"readOnly");
+        QCOMPARE(trouble::bytesOf(lockFile) == lock, answer != u"takeOver");
+        if (answer == u"Escape") {
+            return;
+        }
+        // What is handed in goes where it may; a read-only work asks where.
+        const QByteArray before = trouble::bytesOf(student.file());
+        const QString other = student.folder.filePath(QStringLiteral("other.sparkout-work"));
+        const DialogAnswers answers(
+            answer == u"readOnly" ? QStringList{QStringLiteral("file:") + other} : QStringList());
+        student.show(0);
+        student.answer();
+        student.handIn();
+        QCOMPARE(answers.fault(), QString());
+        QVERIFY(student.run().isSaved() && !student.desk().isReadOnly());
+        QCOMPARE(student.run().file(), answer == u"readOnly" ? other
+                                       : answer == u"copy"   ? copy
+                                                             : student.file());
+        QCOMPARE(trouble::bytesOf(student.file()) == before, answer != u"takeOver");
     }
 
     void keptRunsAreOfTheWork() {

@@ -9,12 +9,12 @@
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/dialogs/faults_dialog.h"
+#include "ui/dialogs/file_questions.h"
 #include "ui/files/file_lock.h"
 #include "ui/files/recovery_store.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/kit/font_size.h"
 #include "ui/plot/view.h"
-#include "ui/window/dialogs/file_questions.h"
 #include "ui/window/dialogs/recovery_dialog.h"
 #include "ui/window/view_tabs.h"
 
@@ -306,7 +306,10 @@ private slots:
              [&] { (void)askUnsaved(&window, window.document(), {QStringLiteral("x: 5x")}); }},
             {"q-replace", [&] { (void)mayReplace(&window, example); }},
             {"q-locked", [&] { (void)askLocked(&window, example, holder); }},
-            {"q-changed", [&] { (void)askChangedOutside(&window, example, false); }},
+            {"q-changed",
+             [&] {
+                 (void)askChangedOutside(&window, example, Outside::changed, Reloading::offered);
+             }},
             {"q-save-failed", [&] { (void)askSaveFailed(&window, full); }},
             {"q-faults", [&] { FaultsDialog(example, issues, &window).exec(); }},
             {"q-recovery",

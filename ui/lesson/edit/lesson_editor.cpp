@@ -5,6 +5,7 @@
 #include "core/format/project_file.h"
 #include "core/lesson/lesson_file.h"
 #include "ui/dialogs/faults_dialog.h"
+#include "ui/dialogs/file_questions.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/kit/file_dialog.h"
 #include "ui/kit/help_topic.h"
@@ -19,7 +20,6 @@
 #include "ui/session/settings.h"
 #include "ui/text/file_error_text.h"
 #include "ui/text/texts.h"
-#include "ui/window/dialogs/file_questions.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -63,6 +63,7 @@ LessonEditor::LessonEditor(Document& document, Settings& settings, QWidget* wind
     : QDialog(window)
     , m_document(document)
     , m_settings(settings)
+    , m_questions(m_file, m_wait, this)
     , m_pages(new QListWidget(this))
     , m_place(new QVBoxLayout)
     , m_faults(new QListWidget(this))
@@ -216,28 +217,49 @@ void LessonEditor::build() {
 // --- the lesson and its file --------------------------------------------------------------------
 
 void LessonEditor::beginAbout() {
+    m_file.follow({}, {});
     m_draft.begin(LessonDraft::about(m_document.setup()), {});
 }
 
-bool LessonEditor::openLesson(const QString& path) {
-    const bool isShipped = path.startsWith(u':');
+/// The lesson of a file or a shipped one; nothing once it is said what is wrong with it.
+std::optional<Lesson> LessonEditor::readFrom(const QString& path, QByteArray& hash) {
     std::string text;
-    if (QFile file(path); isShipped && file.open(QIODevice::ReadOnly)) {
+    if (QFile file(path); path.startsWith(u':') && file.open(QIODevice::ReadOnly)) {
         text = file.readAll().toStdString();
     } else {
         auto read = readFile(systemPath(path), limits::fileBytes);
         if (const auto* error = std::get_if<FileError>(&read)) {
             showFailure(this, tr("The file was not opened"), readErrorText(*error));
-            return false;
+            return {};
         }
         text = std::get<std::string>(std::move(read));
     }
     ReadLesson read = readLesson(text);
     if (!read.lesson) {
         FaultsDialog(path, read.issues, this).exec();
+    }
+    hash = contentHash(text);
+    return std::move(read.lesson);
+}
+
+bool LessonEditor::openLesson(const QString& given) {
+    const bool isShipped = given.startsWith(u':');
+    const QString path = isShipped ? given : QFileInfo(given).absoluteFilePath();
+    const auto opening =
+        isShipped ? GuardQuestions::Opening::copy : m_questions.wayToOpen(path); // first
+    if (!opening) {
         return false;
     }
-    m_draft.begin(std::move(*read.lesson), isShipped ? QString() : path);
+    QByteArray hash;
+    auto lesson = readFrom(path, hash);
+    if (!lesson) {
+        m_file.dropClaim();
+        return false;
+    }
+    const bool isCopy = *opening == GuardQuestions::Opening::copy;
+    m_file.follow(isCopy ? QString() : path, isCopy ? QByteArray() : hash,
+                  *opening == GuardQuestions::Opening::readOnly);
+    m_draft.begin(std::move(*lesson), m_file.path());
     return true;
 }
 
@@ -258,9 +280,13 @@ void LessonEditor::chooseShipped() {
         return;
     }
     LessonsDialog dialog(m_settings.folder(), this);
-    if (dialog.exec() == QDialog::Accepted && !dialog.chosen().isEmpty()
-        && openLesson(dialog.chosen())) {
-        m_draft.begin(Lesson(m_draft.lesson()), {});
+    if (dialog.exec() != QDialog::Accepted || dialog.chosen().isEmpty()) {
+        return;
+    }
+    QByteArray hash;
+    if (auto lesson = readFrom(dialog.chosen(), hash)) {
+        m_file.follow({}, {});
+        m_draft.begin(std::move(*lesson), {});
     }
 }
 
@@ -276,7 +302,8 @@ bool LessonEditor::isWhole() {
 }
 
 bool LessonEditor::save() {
-    return m_draft.path().isEmpty() ? saveAs() : isWhole() && write(m_draft.path());
+    return m_draft.path().isEmpty() || m_file.isReadOnly() ? saveAs()
+                                                           : isWhole() && write(m_draft.path());
 }
 
 bool LessonEditor::saveAs() {
@@ -294,13 +321,35 @@ bool LessonEditor::saveAs() {
 }
 
 bool LessonEditor::write(const QString& path) {
-    if (const auto error = writeFileSafely(systemPath(path), m_draft.text())) {
-        showFailure(this, tr("The laboratory work is not saved"), saveErrorText(*error));
-        return false;
+    const auto text = [lesson = m_draft.lesson()]() -> std::optional<std::string> {
+        std::string written = writeLesson(lesson);
+        return readLesson(written).lesson ? std::optional(std::move(written)) : std::nullopt;
+    };
+    switch (m_questions.save(path, Reloading::offered, text)) {
+    case GuardQuestions::Outcome::saved:
+        m_settings.setLastFolder(QFileInfo(path).absolutePath());
+        m_draft.markSaved(path);
+        return true;
+    case GuardQuestions::Outcome::elsewhere: return saveAs();
+    case GuardQuestions::Outcome::reload: reload(); break;
+    case GuardQuestions::Outcome::cancelled: break;
+    case GuardQuestions::Outcome::failed:
+        m_file.dropClaim();
+        showFailure(this, tr("The laboratory work is not saved"),
+                    saveErrorText(*m_questions.error()));
     }
-    m_settings.setLastFolder(QFileInfo(path).absolutePath());
-    m_draft.markSaved(path);
-    return true;
+    return false;
+}
+
+/// The history keeps what was in the window.
+void LessonEditor::reload() {
+    const QString path = m_draft.path();
+    QByteArray hash;
+    if (auto lesson = readFrom(path, hash)) {
+        m_draft.edit({}, [&lesson](Lesson& now) { now = std::move(*lesson); });
+        m_file.follow(path, hash);
+        m_draft.markSaved(path);
+    }
 }
 
 bool LessonEditor::mayClose() {
@@ -413,7 +462,8 @@ void LessonEditor::showState() {
     }
     m_undo->setEnabled(m_draft.history().canUndo());
     m_redo->setEnabled(m_draft.history().canRedo());
-    setWindowTitle(tr("Laboratory work: %1[*]").arg(fileName()));
+    setWindowTitle(m_file.isReadOnly() ? tr("Laboratory work: %1[*] (read-only)").arg(fileName())
+                                       : tr("Laboratory work: %1[*]").arg(fileName()));
     setWindowModified(m_draft.isChanged());
     m_check.start();
 }

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/dialogs/disk_wait.h"
+#include "ui/dialogs/guard_questions.h"
+#include "ui/files/guarded_file.h"
 #include "ui/lesson/edit/lesson_draft.h"
 
 #include <QDialog>
 #include <QTimer>
+
+#include <optional>
 
 class QListWidget;
 class QMenu;
@@ -26,6 +31,8 @@ class LessonEditor : public QDialog {
 public:
     LessonEditor(Document& document, Settings& settings, QWidget* window);
 
+    /// From now on the lesson's file is locked, and earlier versions are kept in this folder.
+    void protect(const QString& stateFolder) { m_file.protect(stateFolder); }
     [[nodiscard]] LessonDraft& draft() { return m_draft; }
     bool
     openLesson(const QString& path); ///< a file, or a shipped lesson as a new one; false: refused
@@ -53,6 +60,8 @@ private:
     bool save();
     bool saveAs();
     bool write(const QString& path);
+    void reload();
+    [[nodiscard]] std::optional<Lesson> readFrom(const QString& path, QByteArray& hash);
     void tryOut();
     void checkVariants();
     void takeProject();
@@ -69,6 +78,9 @@ private:
     Document& m_document;
     Settings& m_settings;
     LessonDraft m_draft;
+    GuardedFile m_file;
+    DiskWait m_wait;
+    GuardQuestions m_questions;
     QTimer m_check; ///< the faults, after a pause
     QListWidget* m_pages;
     QVBoxLayout* m_place; ///< of the page in front

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/reports/report_output.h"
 
+#include "ui/dialogs/file_questions.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/kit/help_topic.h"
 #include "ui/report/format/pages.h"
 #include "ui/session/background.h"
-#include "ui/window/dialogs/file_questions.h"
 #include "ui/window/reports/report_actions.h"
 
 #include <QAction>

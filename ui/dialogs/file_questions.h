@@ -32,8 +32,13 @@ enum class LockedAnswer { readOnly, copy, takeOver, cancel };
                                      const LockHolder& holder);
 
 enum class SaveAnswer { proceed, elsewhere, reload, cancel };
-/// The file has another content than the document knows, or is gone.
-[[nodiscard]] SaveAnswer askChangedOutside(QWidget* window, const QString& path, bool missing);
+enum class Outside { changed, removed };
+/// Whether the version on the disk can be taken in place of the one in the window, which Undo then
+/// gives back.
+enum class Reloading { offered, notOffered };
+/// The file has another content than the window knows, or is gone.
+[[nodiscard]] SaveAnswer askChangedOutside(QWidget* window, const QString& path, Outside what,
+                                           Reloading reloading);
 /// Somebody else has the file open that is about to be written.
 [[nodiscard]] SaveAnswer askSaveLocked(QWidget* window, const QString& path,
                                        const LockHolder& holder);
@@ -45,5 +50,9 @@ enum class FailureAnswer { again, elsewhere, cancel };
 
 /// Who has the file open: user, host, program and since when, as far as known.
 [[nodiscard]] QString holderText(const LockHolder& holder);
+/// That somebody else has a file open, and who.
+[[nodiscard]] QString inUseText(const QString& path, const LockHolder& holder);
+/// That a file cannot be locked, as what stands at the lock's name is no lock.
+[[nodiscard]] QString strangeLockText(const QString& strange);
 
 } // namespace sparkout

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/dialogs/file_questions.h"
+#include "ui/dialogs/file_questions.h"
 
 #include "ui/session/document.h"
 #include "ui/text/file_error_text.h"
@@ -146,6 +146,17 @@ QString holderText(const LockHolder& holder) {
              QString::number(holder.process), since);
 }
 
+QString inUseText(const QString& path, const LockHolder& holder) {
+    return Words::tr("“%1” is open in another window.").arg(printableText(path))
+           + QStringLiteral("\n\n") + holderText(holder);
+}
+
+QString strangeLockText(const QString& strange) {
+    return Words::tr("The file is not locked against other users: “%1” stands where its lock "
+                     "belongs and is not a lock file. It was left as it is.")
+        .arg(printableText(strange));
+}
+
 LockedAnswer askLocked(QWidget* window, const QString& path, const LockHolder& holder) {
     QString text = holder.readable
                        ? Words::tr("“%1” is open already.").arg(printableText(path))
@@ -176,20 +187,26 @@ SaveAnswer saveAnswer(const QString& answer) {
 
 } // namespace
 
-SaveAnswer askChangedOutside(QWidget* window, const QString& path, bool missing) {
-    Question question(
-        window, QMessageBox::Warning, Words::tr("Changed outside"),
+SaveAnswer askChangedOutside(QWidget* window, const QString& path, Outside what,
+                             Reloading reloading) {
+    const bool missing = what == Outside::removed;
+    const bool reloads = reloading == Reloading::offered && !missing;
+    const QString text =
         missing ? Words::tr("“%1” has been removed or renamed since it was opened.")
-                      .arg(printableText(path))
-                : Words::tr("“%1” was changed by another program since it was opened.\n\nSaving "
-                            "replaces that version; it is kept as the previous one.\nReloading "
-                            "takes that version; your changes stay in Undo.")
-                      .arg(printableText(path)));
+        : reloads
+            ? Words::tr("“%1” was changed by another program since it was opened.\n\nSaving "
+                        "replaces that version; it is kept as the previous one.\nReloading "
+                        "takes that version; your changes stay in Undo.")
+            : Words::tr("“%1” was changed by another program since it was opened or saved.\n\n"
+                        "Saving replaces that version; it is kept as the previous one.\nWith "
+                        "another name both versions stay as they are.");
+    Question question(window, QMessageBox::Warning, Words::tr("Changed outside"),
+                      text.arg(printableText(path)));
     question.breakPath(path);
     question.add(Words::tr("Save an&yway"),
                  missing ? QMessageBox::AcceptRole : QMessageBox::DestructiveRole, "proceed");
     question.addDefault(Words::tr("Save &as…"), QMessageBox::AcceptRole, "elsewhere");
-    if (!missing) {
+    if (reloads) {
         question.add(Words::tr("&Reload"), QMessageBox::AcceptRole, "reload");
     }
     question.addCancel();
@@ -198,8 +215,7 @@ SaveAnswer askChangedOutside(QWidget* window, const QString& path, bool missing)
 
 SaveAnswer askSaveLocked(QWidget* window, const QString& path, const LockHolder& holder) {
     Question question(window, QMessageBox::Warning, Words::tr("The file is in use"),
-                      Words::tr("“%1” is open in another window.").arg(printableText(path))
-                          + QStringLiteral("\n\n") + holderText(holder));
+                      inUseText(path, holder));
     question.breakPath(path);
     question.add(Words::tr("Save an&yway"), QMessageBox::DestructiveRole, "proceed");
     question.addDefault(Words::tr("Save &as…"), QMessageBox::AcceptRole, "elsewhere");
