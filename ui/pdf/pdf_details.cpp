@@ -139,6 +139,18 @@ void putFontMarks(QPDF& document) {
 
 class Stopped : public std::exception {};
 
+std::shared_ptr<Buffer> written(QPDF& document, qpdf_object_stream_e mode,
+                                const std::function<void()>& stopIfAsked) {
+    QPDFWriter writer(document);
+    writer.setOutputMemory();
+    writer.setDeterministicID(true);
+    writer.setObjectStreamMode(mode);
+    writer.registerProgressReporter(std::make_shared<QPDFWriter::FunctionProgressReporter>(
+        [&stopIfAsked](int) { stopIfAsked(); }));
+    writer.write();
+    return writer.getBufferSharedPointer();
+}
+
 } // namespace
 
 QByteArray withDetails(const QByteArray& pdf, const PdfDetails& details,
@@ -161,14 +173,15 @@ QByteArray withDetails(const QByteArray& pdf, const PdfDetails& details,
         if (!details.structure.isEmpty()) {
             putTags(document, details.structure, stopIfAsked);
         }
-        QPDFWriter writer(document);
-        writer.setOutputMemory();
-        writer.setDeterministicID(true);
-        writer.setObjectStreamMode(qpdf_o_generate); // an element is a small object: packed
-        writer.registerProgressReporter(std::make_shared<QPDFWriter::FunctionProgressReporter>(
-            [&stopIfAsked](int) { stopIfAsked(); }));
-        writer.write();
-        const auto bytes = writer.getBufferSharedPointer();
+        // Objects that are not packed are numbered from the root on, whichever numbers Qt gave
+        // them.
+        const auto numbered = written(document, qpdf_o_disable, stopIfAsked);
+        QPDF ordered;
+        ordered.setSuppressWarnings(true);
+        ordered.processMemoryFile("report", reinterpret_cast<const char*>(numbered->getBuffer()),
+                                  numbered->getSize());
+        // An element is a small object: packed.
+        const auto bytes = written(ordered, qpdf_o_generate, stopIfAsked);
         return {reinterpret_cast<const char*>(bytes->getBuffer()),
                 static_cast<qsizetype>(bytes->getSize())};
     } catch (const std::exception&) { // of libqpdf: what it cannot read it throws; Stopped
