@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -112,7 +113,43 @@ void putSpaces(QPDF& document) {
     }
 }
 
+/// Six letters before the name of a font say that a part of it is embedded [ISO 32000-1, 9.6.4].
+/// Qt's are of the number of an object, which each start of the program gives to another font.
+void putFontMarks(QPDF& document) {
+    std::multimap<std::string, QPDFObjectHandle> fonts; // by their names
+    for (QPDFObjectHandle& object : document.getAllObjects()) {
+        if (object.isDictionaryOfType("/FontDescriptor") && object.getKey("/FontName").isName()) {
+            const std::string marked = object.getKey("/FontName").getName();
+            if (const auto plus = marked.find('+'); plus != std::string::npos) {
+                fonts.emplace(marked.substr(plus + 1), object);
+            }
+        }
+    }
+    std::size_t number = 0;
+    for (auto& [name, font] : fonts) {
+        constexpr std::size_t letters = 26;
+        std::string mark = "/AAAAAA+";
+        std::size_t rest = number++;
+        for (std::size_t at = mark.size() - 2; rest > 0; --at, rest /= letters) {
+            mark[at] = static_cast<char>('A' + rest % letters);
+        }
+        font.replaceKey("/FontName", QPDFObjectHandle::newName(mark + name));
+    }
+}
+
 class Stopped : public std::exception {};
+
+std::shared_ptr<Buffer> written(QPDF& document, qpdf_object_stream_e mode,
+                                const std::function<void()>& stopIfAsked) {
+    QPDFWriter writer(document);
+    writer.setOutputMemory();
+    writer.setDeterministicID(true);
+    writer.setObjectStreamMode(mode);
+    writer.registerProgressReporter(std::make_shared<QPDFWriter::FunctionProgressReporter>(
+        [&stopIfAsked](int) { stopIfAsked(); }));
+    writer.write();
+    return writer.getBufferSharedPointer();
+}
 
 } // namespace
 
@@ -132,17 +169,19 @@ QByteArray withDetails(const QByteArray& pdf, const PdfDetails& details,
         putLanguage(document, details.language);
         putOutline(document, details.outline);
         putSpaces(document);
+        putFontMarks(document);
         if (!details.structure.isEmpty()) {
             putTags(document, details.structure, stopIfAsked);
         }
-        QPDFWriter writer(document);
-        writer.setOutputMemory();
-        writer.setDeterministicID(true);
-        writer.setObjectStreamMode(qpdf_o_generate); // an element is a small object: packed
-        writer.registerProgressReporter(std::make_shared<QPDFWriter::FunctionProgressReporter>(
-            [&stopIfAsked](int) { stopIfAsked(); }));
-        writer.write();
-        const auto bytes = writer.getBufferSharedPointer();
+        // Objects that are not packed are numbered from the root on, whichever numbers Qt gave
+        // them.
+        const auto numbered = written(document, qpdf_o_disable, stopIfAsked);
+        QPDF ordered;
+        ordered.setSuppressWarnings(true);
+        ordered.processMemoryFile("report", reinterpret_cast<const char*>(numbered->getBuffer()),
+                                  numbered->getSize());
+        // An element is a small object: packed.
+        const auto bytes = written(ordered, qpdf_o_generate, stopIfAsked);
         return {reinterpret_cast<const char*>(bytes->getBuffer()),
                 static_cast<qsizetype>(bytes->getSize())};
     } catch (const std::exception&) { // of libqpdf: what it cannot read it throws; Stopped

@@ -10,6 +10,8 @@
 #include <QTextDocumentFragment>
 #include <QTextFrame>
 #include <QTextTable>
+#include <QUrl>
+#include <QVariant>
 
 #include <algorithm>
 #include <utility>
@@ -99,9 +101,15 @@ QChar cellSeparator(const QString& text) {
     return commaPartsCells(text) ? QChar(u',') : QChar();
 }
 
+/// A document that opens no file, whichever style or picture a text names.
+class PastedDocument : public QTextDocument {
+protected:
+    QVariant loadResource(int /*type*/, const QUrl& /*name*/) override { return QString(); }
+};
+
 /// The cells of the first table; without one each paragraph is a row of one cell.
 std::vector<QStringList> rowsOfHtml(const QString& html) {
-    QTextDocument document;
+    PastedDocument document;
     document.setHtml(html);
     const QTextTable* table = nullptr;
     for (QTextFrame* const frame : document.rootFrame()->childFrames()) {

@@ -64,10 +64,8 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QStatusBar>
-#include <QTextDocument>
 #include <QUrl>
 #include <QVBoxLayout>
-#include <QVariant>
 
 #include <algorithm>
 #include <utility>
@@ -99,9 +97,6 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
     , m_lesson(new LessonDesk(m_document, settings, m_files->notices(), this))
     , m_runs(nullptr, std::move(runner)) {
     ToolTips::install();
-    // No text with markup loads anything, whichever picture or style of a file it names: a value
-    // that is given ends the search for one. Nothing of the program needs any.
-    QTextDocument::setDefaultResourceProvider([](const QUrl&) { return QVariant(QString()); });
     setWindowIcon(QIcon(QStringLiteral(":/icons/sparkout.svg")));
     setAcceptDrops(true);
     buildViews();

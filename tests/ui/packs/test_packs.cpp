@@ -26,10 +26,7 @@
 #include <QPlainTextEdit>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QTextBrowser>
-#include <QTextDocument>
 #include <QTreeWidget>
-#include <QUrl>
 
 #include <algorithm>
 
@@ -238,26 +235,6 @@ private slots:
             student.settings.setCompany(own);
             QCOMPARE(packOf(student).logo, std::string());
         }
-    }
-
-    /// Whatever a text with markup names, in a browser, a label or a tip.
-    void noTextLoadsAFile() {
-        const Bench bench(QStringLiteral("en"));
-        const QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("secret.png"));
-        write(path, samples::picture({20, 20}, "PNG"));
-        const QUrl url = QUrl::fromLocalFile(path);
-        QTextBrowser browser;
-        browser.setHtml(
-            QStringLiteral("<img src=\"%1\"><img src=\"%2\">").arg(url.toString(), path));
-        for (const QUrl& name : {url, QUrl(path)}) {
-            const QVariant loaded =
-                browser.document()->resource(QTextDocument::ImageResource, name);
-            QVERIFY(loaded.value<QImage>().isNull() && loaded.toByteArray().isEmpty());
-        }
-        QTextDocument tip;
-        tip.setHtml(QStringLiteral("<p style=\"background-image: url(%1)\">x</p>").arg(path));
-        QVERIFY(tip.resource(QTextDocument::ImageResource, url).toByteArray().isEmpty());
     }
 
     /// A picture whose head alone is in order: found out when it is taken, not before.

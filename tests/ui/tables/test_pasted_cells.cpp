@@ -5,8 +5,12 @@
 
 #include "tests/registry.h"
 
+#include <QFile>
 #include <QLocale>
+#include <QMimeData>
+#include <QTemporaryDir>
 #include <QTest>
+#include <QUrl>
 
 #include <cmath>
 #include <random>
@@ -63,6 +67,27 @@ class TestPastedCells : public QObject {
     Q_OBJECT
 
 private slots:
+    /// A page may name styles and pictures; a file that is opened for them may be any of the
+    /// user's.
+    void pastedHtmlOpensNoFile() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("style.css"));
+        QFile style(path);
+        QVERIFY(style.open(QIODevice::WriteOnly));
+        style.write("td { white-space: pre }"); // as it would show
+        style.close();
+        for (const QString& name : {QUrl::fromLocalFile(path).toString(), path}) {
+            for (const char* way :
+                 {"<link rel=\"stylesheet\" href=\"%1\">", "<style>@import url(\"%1\");</style>"}) {
+                QMimeData data;
+                data.setHtml(QStringLiteral("<html><head>%1</head><body><table><tr><td>a   b</td>"
+                                            "</tr></table></body></html>")
+                                 .arg(QString::fromLatin1(way).arg(name)));
+                QCOMPARE(PastedCells::of(&data).rows, Rows{cells({"a b"})});
+            }
+        }
+    }
+
     void cellsArePartedAsSpreadsheetsAndFilesPartThem() {
         const Rows two{cells({"0,004", "1800"}), cells({"0,002", "1200"})};
         QCOMPARE(rowsOfText("0,004\t1800\n0,002\t1200\n"), two);     // a spreadsheet
