@@ -71,7 +71,10 @@ int KeptSearch::open(const SearchQuestion& question) {
 }
 
 void KeptSearch::write(const SearchRecord& record) {
-    const auto error = writeFileSafely(m_file, writeSearchState(m_question, record));
+    const std::string text = writeSearchState(m_question, record);
+    const auto error = text.size() > mostBytes // it could not be gone on from
+                           ? FileError{m_file, FileStep::content, 0, {}}
+                           : writeFileSafely(m_file, text);
     m_written = std::chrono::steady_clock::now();
     if (error && !m_failed) {
         print(stderr, "the progress is not kept: " + describe(*error));

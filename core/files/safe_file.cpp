@@ -162,7 +162,7 @@ StepOutcome replaceOld(SaveTarget& target, const std::string& temporary,
 }
 
 /// Puts the temporary file in its place, whatever the caller expects there.
-StepOutcome place(SaveTarget& target, const std::string& temporary, const WriteOptions& options) {
+StepOutcome putInPlace(SaveTarget& target, const std::string& temporary, const WriteOptions& options) {
     if (!target.exists && options.expected) {
         const int error = renameToFree(target.folder, temporary, target.name);
         return error == EEXIST ? StepFailure{FileStep::changed, 0}
@@ -195,7 +195,7 @@ StepOutcome save(const std::filesystem::path& path, SaveTarget& target, std::str
         Descriptor turn;
         if (options.expected)
             waitForTurn(path, turn);
-        if (StepOutcome failed = place(target, name, options))
+        if (StepOutcome failed = putInPlace(target, name, options))
             return failed;
         temporary.release();
     }

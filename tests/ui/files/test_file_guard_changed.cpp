@@ -33,6 +33,34 @@ private slots:
         QVERIFY2(!bench.guard.changedOutside(QStringLiteral("/tmp/elsewhere")), "not its file");
     }
 
+    /// The user has seen one version; another one has come since.
+    void onlyTheVersionThatWasLookedAtIsReplaced() {
+        Bench bench;
+        bench.open();
+        setDiameter(bench.document, 31);
+        (void)bench.guard.claim(bench.path);
+        trouble::write(bench.path, textWith(35));
+        auto error = bench.guard.save(bench.path); // nobody has looked
+        QVERIFY(error && error->step == FileStep::changed && !error->replaced);
+        QVERIFY(bench.guard.changedOutside(bench.path));
+        trouble::write(bench.path, textWith(36));
+        error = bench.guard.save(bench.path);
+        QVERIFY(error && error->step == FileStep::changed);
+        QCOMPARE(trouble::bytesOf(bench.path), textWith(36));
+        QVERIFY(bench.document.modified());
+        QVERIFY(bench.guard.changedOutside(bench.path));
+        QVERIFY(!bench.guard.save(bench.path));
+        QCOMPARE(trouble::bytesOf(bench.path), textWith(31));
+        QCOMPARE(trouble::bytesOf(bench.path + QStringLiteral(".bak")), textWith(36));
+        // One that is gone is written again once that was seen, and one that is back is not.
+        QVERIFY(QFile::remove(bench.path));
+        QVERIFY(bench.guard.changedOutside(bench.path));
+        trouble::write(bench.path, textWith(37));
+        error = bench.guard.save(bench.path);
+        QVERIFY(error && error->step == FileStep::changed);
+        QCOMPARE(trouble::bytesOf(bench.path), textWith(37));
+    }
+
     void ourOwnSaveIsNoChangeFromOutside() {
         Bench bench;
         bench.open();

@@ -38,6 +38,31 @@ private slots:
         QCOMPARE(bench.document.project().part->diameter_mm, 30.0);
     }
 
+    /// Two saves within a minute: the version of somebody else is in the history, not only in
+    /// NAME.bak, which the second save takes.
+    void foreignVersionIsKeptHoweverSoonItComes() {
+        Bench bench;
+        bench.open();
+        const auto save = [&](double diameter_mm) {
+            setDiameter(bench.document, diameter_mm);
+            (void)bench.guard.claim(bench.path);
+            (void)bench.guard.changedOutside(bench.path);
+            QVERIFY(!bench.guard.save(bench.path));
+        };
+        save(31);
+        for (const double foreign : {50.0, 51.0}) {
+            trouble::write(bench.path, textWith(foreign));
+            save(32);
+            save(33);
+        }
+        QByteArrayList kept;
+        for (const EarlierVersion& version : bench.guard.history()->versions(bench.path)) {
+            kept += trouble::bytesOf(version.file);
+        }
+        QVERIFY(kept.contains(textWith(50)) && kept.contains(textWith(51)));
+        QVERIFY2(!kept.contains(textWith(32)), "one's own comes too soon");
+    }
+
     void theHistoryKeepsToItsCaps() {
         const QTemporaryDir folder;
         const QString project = folder.filePath(QStringLiteral("a.sparkout"));

@@ -179,8 +179,9 @@ private slots:
         }
         QElapsedTimer clock;
         clock.start();
-        const SavedProject saved =
-            saveProject(plainSetup(project), bench.path, {.keepBackup = true});
+        const SavedContent saved =
+            saveContent([&project] { return projectText(plainSetup(project)); }, bench.path,
+                        {.keepBackup = true});
         const qint64 saving_ms = clock.restart();
         QVERIFY(!saved.error);
         const LoadedProject loaded = loadProject(bench.path);

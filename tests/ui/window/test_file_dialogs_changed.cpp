@@ -27,6 +27,43 @@ class TestFileDialogsChanged : public QObject {
     Q_OBJECT
 
 private slots:
+    void damagedSettingsAreReportedAtTheNextStart_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QString>("begins");
+        QTest::newRow("en") << QStringLiteral("en") << QStringLiteral("The settings ");
+        QTest::newRow("ru") << QStringLiteral("ru") << QStringLiteral("Файл настроек ");
+    }
+
+    void damagedSettingsAreReportedAtTheNextStart() {
+        QFETCH(QString, language);
+        QFETCH(QString, begins);
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("settings.json"));
+        trouble::write(file, "damaged");
+        { const Settings settings(file); } // put aside at the end of a session, say
+        Settings settings(file);
+        Language words;
+        words.apply(language);
+        MainWindow window(settings, words);
+        window.files().start({});
+        const auto notice = [&window] {
+            return window.files().notices().textOf(QStringLiteral("settings"));
+        };
+        QVERIFY2(notice().startsWith(begins), qPrintable(notice()));
+        QVERIFY2(notice().contains(file + QStringLiteral(".damaged")), qPrintable(notice()));
+        // A further one, found while the window is open.
+        trouble::write(file, "damaged again");
+        settings.setTheme(QStringLiteral("dark"));
+        QVERIFY(!settings.flush());
+        QTRY_VERIFY2(notice().contains(file + QStringLiteral(".damaged-2")), qPrintable(notice()));
+        QCOMPARE(trouble::bytesOf(file + QStringLiteral(".damaged")), QByteArray("damaged"));
+        // What could not be read again is refused, and said.
+        settings.setHandout(QString(qsizetype(limits::settingsBytes), u'x'));
+        QVERIFY2(notice().contains(language == u"ru" ? QStringLiteral("Настройки не сохранены")
+                                                     : QStringLiteral("were not kept")),
+                 qPrintable(notice()));
+    }
+
     void aChangedFileIsOfferedForReloading() {
         Bench bench;
         QVERIFY(bench.open());

@@ -321,7 +321,7 @@ private slots:
         summary.zones[0].roundness_um += 0.5;
         project.runs = {keptRun(outcome->result, summary, "spring", "2026-03-04T05:06:07Z")};
         project.runs[0].engine_version = "0.0.1";
-        QVERIFY(!saveProject(plainSetup(project), path).error);
+        QVERIFY(!saveContent([&project] { return projectText(plainSetup(project)); }, path).error);
 
         Bench bench(QStringLiteral("en"));
         QVERIFY(bench.open(path));
