@@ -47,12 +47,12 @@ struct Stretch {
 };
 
 std::vector<Stretch> stretches(const Outcome& outcome) {
-    const auto ground = groundStretches(outcome.result.project);
+    const auto ends = groundStretches(outcome.result.project);
     const auto& sections = outcome.result.sections;
     std::vector<Stretch> all;
     for (std::size_t i = 0; i < sections.size(); ++i) {
         const Zone zone = sections[i].zone;
-        all.push_back({ground[i].from_mm, ground[i].to_mm,
+        all.push_back({ends[i].from_mm, ends[i].to_mm,
                        zone == Zone::section ? QString::number(i + 1) : Names::zone(zone)});
     }
     return all;
