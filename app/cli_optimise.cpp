@@ -13,7 +13,6 @@
 #include "core/printable.h"
 #include "core/project/optimisation.h"
 #include "core/setup/setup_file.h"
-#include "core/setup/worn_project.h"
 #include "words/search_words.h"
 
 #include <algorithm>
@@ -149,9 +148,9 @@ int parseOptimise(const std::vector<std::string>& arguments, OptimiseOptions& op
 /// How the wheel goes on from part to part, where that counts; with the cycles found before.
 std::optional<SurfaceWear> wearOf(const Setup& answers, std::size_t surface,
                                   const Project& project) {
-    return answers.wear.isGiven() && objectiveOf(project) != SearchObjective::time ? std::optional(
-               surfaceWear(answers, surface, wornProject(answers, surface).before_mm3))
-                                                                                   : std::nullopt;
+    return answers.wear.isGiven() && objectiveOf(project) != SearchObjective::time
+               ? std::optional(SurfaceWear(answers, surface))
+               : std::nullopt;
 }
 
 /// What of the options makes another search of a project: not how many threads it has, nor when it

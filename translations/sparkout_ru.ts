@@ -465,6 +465,14 @@
             <translation>пополам</translation>
         </message>
         <message>
+            <source>constant peripheral speed</source>
+            <translation>постоянная окружная скорость</translation>
+        </message>
+        <message>
+            <source>constant revolutions</source>
+            <translation>постоянная частота вращения</translation>
+        </message>
+        <message>
             <source>tailstock</source>
             <translation>у задней бабки</translation>
         </message>
@@ -3728,6 +3736,22 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Wheel speed</source>
             <translation>Скорость круга</translation>
+        </message>
+        <message>
+            <source>Worn wheel runs at</source>
+            <translation>У изношенного круга</translation>
+        </message>
+        <message>
+            <source>What the drive keeps when the wheel gets smaller, in a batch, a sweep, a set-up and from dressing to dressing: the peripheral speed, or the revolutions, so that the speed falls with the diameter. The wheel speed is that of the wheel diameter as it is given.</source>
+            <translation>Что сохраняет привод, когда круг становится меньше — в партии, при варьировании, в установе и от правки до правки: окружную скорость или частоту вращения, так что скорость падает вместе с диаметром. Скорость круга относится к заданному диаметру круга.</translation>
+        </message>
+        <message>
+            <source>Wear since the last compensation</source>
+            <translation>Износ после последней компенсации</translation>
+        </message>
+        <message>
+            <source>By how much the wheel&apos;s radius is smaller than the position control takes it to be. Each dressing compensates it: the control is set to the new radius. In a set-up the wear of the wheel adds to it.</source>
+            <translation>Насколько радиус круга меньше того, который учитывает управление по положению. Каждая правка компенсирует износ: системе управления задаётся новый радиус. В установе к нему прибавляется износ круга.</translation>
         </message>
         <message>
             <source>Peripheral speed of the wheel.</source>
@@ -8771,8 +8795,8 @@ With another name both versions stay as they are.</source>
             <translation>Наибольшая мощность P_z·V_k на круге по проходам ступени.</translation>
         </message>
         <message>
-            <source>Mean wheel power: the energy over the time of grinding, which is the revolutions of plunging and dwelling and L_p/S_ax for each stroke.</source>
-            <translation>Средняя мощность на круге: энергия, делённая на время шлифования — обороты врезания и задержки и L_p/S_ax на каждый ход.</translation>
+            <source>Mean wheel power: the energy over the machining time of the stage, in all of which the wheel grinds: plunging, dwells and strokes of the table.</source>
+            <translation>Средняя мощность на круге: энергия, делённая на время обработки на ступени; круг шлифует всё это время — при врезании, выстоях и ходах стола.</translation>
         </message>
         <message>
             <source>Maximum normal force P_y of any pass of the stage.</source>

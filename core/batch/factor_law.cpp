@@ -160,10 +160,7 @@ void putFactor(FactorKind kind, double value, Project& project) {
         project.part->initial_runout_mm = value;
         break;
     case FactorKind::dullness: setDullness(*project.wheel, value); break;
-    case FactorKind::wheelDiameter:
-        project.machine->wheel_speed_m_s *= value / project.wheel->diameter_mm;
-        project.wheel->diameter_mm = value;
-        break;
+    case FactorKind::wheelDiameter: changeWheelDiameter(project, value); break;
     case FactorKind::flowStress: project.material->flow_stress_mpa = value; break;
     case FactorKind::compliance: scaleCompliance(project, value); break;
     case FactorKind::contactWidth:

@@ -41,9 +41,10 @@ public:
     }
 
     /// Every part that still counts, in one case; whether it was not stopped.
-    bool walk(Case& tried, bool isTimed) {
+    bool walk(const Case& dressed, bool isTimed) {
         for (std::int64_t part = 1; part <= m_found.parts; ++part) {
-            *tried.project.wheel = m_worn.wheel(tried.surface, part);
+            Case tried = dressed;
+            m_worn.wear(tried.project, tried.surface, part);
             std::optional<WornFailure> failure = failureOf(tried, part, isTimed);
             if (m_options.stop.stop_requested()) {
                 m_found.isStopped = true;
@@ -60,7 +61,7 @@ public:
             if (m_options.onPart) {
                 m_options.onPart(part);
             }
-            if (m_worn.isWornOut(part)) {
+            if (m_worn.isWornOut(*dressed.project.wheel, part)) {
                 m_wornOut = part;
                 return true;
             }
@@ -125,8 +126,7 @@ bool walkScenarios(const Setup& setup, const DressingOptions& options, Walk& wal
         }
         const ScenarioSource source(batchOf(project, *options.scenarios));
         for (std::int64_t part = 0; part < source.parts(); ++part) {
-            Case tried{i, part, source.project(part)};
-            if (!walk.walk(tried, false)) {
+            if (!walk.walk({i, part, source.project(part)}, false)) {
                 return false;
             }
         }
@@ -172,6 +172,7 @@ DressingInterval dressingInterval(const Setup& setup, const DressingOptions& opt
     Walk walk(worn, options, found);
     for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
         Case asItStands{i, std::nullopt, setup.surfaces[i].project};
+        asItStands.project.runs.clear();
         if (!walk.walk(asItStands, true)) {
             return found;
         }

@@ -56,18 +56,19 @@ struct DressingInterval {
     std::optional<WornFailure> end;
     /// No part fails however many there are, for from one on all find the same wheel.
     bool isEndless = false;
-    bool isStopped = false; ///< nothing is known
-    double partVolume_mm3 = 0;
+    bool isStopped = false;     ///< nothing is known
+    double partVolume_mm3 = 0;  ///< that the cycles of the first part remove
     std::int64_t tried = 0;     ///< runs
     std::vector<double> time_s; ///< of the cycles of the parts 1…N together, as they stand
 
     [[nodiscard]] bool ran() const { return fault == DressingFault::none && issues.empty(); }
 };
 
-/// Runs part after part with the wheel as those before have left it [MODEL-12], each surface by
-/// itself and in each of its scenarios, until the first that does not hold. No part is left out: a
-/// requirement may fail for one part and hold for a duller wheel again, as the moments at which
-/// stages end go from step to step. Of a set-up without faults.
+/// Runs part after part with the wheel as the metal that those before have lost has left it, each
+/// as much as the first [MODEL-12], each surface by itself and in each of its scenarios, until the
+/// first that does not hold. No part is left out: a requirement may fail for one part and hold for
+/// a duller wheel again, as the moments at which stages end go from step to step. Of a set-up
+/// without faults.
 [[nodiscard]] DressingInterval dressingInterval(const Setup& setup,
                                                 const DressingOptions& options = {});
 

@@ -7,6 +7,7 @@
 #include "core/optimisation/variants.h"
 #include "core/phases/cycle_trial.h"
 #include "core/project/validate.h"
+#include "core/quality/shop_numbers.h"
 #include "core/simulation/simulate.h"
 
 #include <algorithm>
@@ -27,33 +28,6 @@ std::optional<std::int64_t> allowedParts(const Project& project) {
                : std::nullopt;
 }
 
-/// The parts of a project from one dressing to the next, up to the last that need be told apart.
-class WornCourse {
-public:
-    WornCourse(const Project& project, const SurfaceWear& wear, std::int64_t most)
-        : m_wear(wear), m_last(most) {
-        const std::optional<std::int64_t> allowed = allowedParts(project);
-        m_last = std::min(m_last, allowed.value_or(most));
-        std::int64_t low = 0;
-        while (m_last - low > 1) { // none is worn out up to low, m_last is or is the last
-            const std::int64_t middle = low + (m_last - low) / 2;
-            (m_wear.isWornOut(middle) ? m_last : low) = middle;
-        }
-        m_isEndless = !allowed && m_wear.isWornOut(m_last);
-    }
-
-    [[nodiscard]] std::int64_t last() const { return m_last; }
-    [[nodiscard]] bool isEndless() const { return m_isEndless; } ///< who holds for the last
-    void putWheel(Project& project, std::int64_t part) const {
-        *project.wheel = m_wear.wheel(part);
-    }
-
-private:
-    const SurfaceWear& m_wear;
-    std::int64_t m_last;
-    bool m_isEndless = false;
-};
-
 /// Whether a project may be run with the wheel it has.
 bool isRunnable(const Project& project) {
     return !hasErrors(validate(project));
@@ -73,12 +47,16 @@ public:
     IntervalSearch(const Project& project, const SurfaceWear& wear, const IntervalOptions& options)
         : m_project(project)
         , m_isLife(objectiveOf(project) == SearchObjective::wheel_life)
-        , m_course(project, wear, options.most)
+        , m_course(wear, options.search.stop)
         , m_options(options.search)
-        , m_variants(project, options.search.stop) {}
+        , m_variants(project, options.search.stop) {
+        const std::optional<std::int64_t> allowed = allowedParts(project);
+        m_most = std::min(options.most, allowed.value_or(options.most));
+        m_mayBeEndless = !allowed && !wear.wear().grinding_ratio;
+    }
 
     IntervalSummary run() {
-        m_open = {{1, m_course.last(), 0}};
+        m_open = {{1, last(), 0}};
         while (!m_open.empty() && !stopped()) {
             const auto next = std::min_element(
                 m_open.begin(), m_open.end(),
@@ -99,14 +77,18 @@ public:
 private:
     [[nodiscard]] bool stopped() const { return m_options.stop.stop_requested(); }
 
+    /// The last of the numbers of parts; where a wheel may come to all parts alike, one more than
+    /// are tried stands for any number.
+    [[nodiscard]] std::int64_t last() const { return m_mayBeEndless ? m_most + 1 : m_most; }
+    [[nodiscard]] bool isAny(std::int64_t parts) const { return parts > m_most; }
+
     [[nodiscard]] Worth worthOf(std::int64_t time_us, std::int64_t parts) const {
         return {valueOf(seconds(time_us), parts), time_us, -parts};
     }
     [[nodiscard]] double valueOf(double time_s, std::int64_t parts) const {
-        const bool isEndless = parts == m_course.last() && m_course.isEndless();
         return m_isLife ? -static_cast<double>(parts)
                         : partCost(*m_project.optimisation->cost, time_s,
-                                   isEndless ? std::nullopt : std::optional(parts));
+                                   isAny(parts) ? std::nullopt : std::optional(parts));
     }
     [[nodiscard]] Worth boundOf(const Numbers& numbers) const {
         return worthOf(numbers.least_us, numbers.last);
@@ -174,13 +156,8 @@ private:
         SearchOptions options = m_options;
         options.quickest_us = least_us;
         if (parts > 1) {
-            const std::optional<Project> last = part(m_project, parts);
-            if (!last || !areRunnable(parts)) {
-                return {}; // whatever the cycle
-            }
-            options.scenarios.push_back(*last);
             options.wholeMargin = [this, parts](const FeasibleCycle& found, double least) {
-                return marginBetween(found, parts, least);
+                return marginOver(found, parts, least);
             };
         }
         if (m_options.onProgress) {
@@ -211,21 +188,6 @@ private:
         m_options.onProgress(all);
     }
 
-    /// Nothing: with the wheel that comes to it the project is refused.
-    [[nodiscard]] std::optional<Project> part(Project project, std::int64_t number) const {
-        project.runs.clear();
-        m_course.putWheel(project, number);
-        return isRunnable(project) ? std::optional(std::move(project)) : std::nullopt;
-    }
-
-    /// Whether the parts up to this one may be run with their wheels.
-    [[nodiscard]] bool areRunnable(std::int64_t parts) {
-        while (m_runnable < parts && part(m_project, m_runnable + 1)) {
-            ++m_runnable;
-        }
-        return m_runnable >= parts;
-    }
-
     [[nodiscard]] Project projectOf(const FeasibleCycle& found) const {
         Project project = m_variants.project(found.variant);
         project.runs.clear();
@@ -233,57 +195,111 @@ private:
         return project;
     }
 
-    /// Over the parts from 2 on before the last, those first that shut out cycles before. In the
-    /// threads of a full search.
-    WholeMargin marginBetween(const FeasibleCycle& found, std::int64_t last, double least) {
-        const std::scoped_lock lock(m_mutex);
-        Project project = projectOf(found);
-        double margin = std::numeric_limits<double>::infinity();
-        const auto holds = [&](std::int64_t number) {
-            m_course.putWheel(project, number);
-            const std::optional<CycleTrial> trial = tried(project, m_options.stop);
-            if (!trial || !trial->holds || trial->leastMargin < least) {
-                return false;
-            }
-            margin = std::min(margin, trial->leastMargin);
-            return true;
-        };
-        const std::vector<std::int64_t> telling = m_telling;
-        for (const std::int64_t number : telling) {
-            if (number < last && !holds(number)) {
-                note(number);
-                return {};
-            }
+    /// A cycle that holds for the first part, and the wheel with it.
+    struct Tried {
+        Project project;
+        WheelCourse course;
+        double margin = 0; ///< relative, of the first part
+        std::int64_t
+            wornOut{}; ///< from this part on all find the same wheel; m_most + 1: none does
+    };
+
+    /// Nothing: it was stopped.
+    [[nodiscard]] std::optional<Tried> begin(const FeasibleCycle& found) const {
+        Tried begun{projectOf(found), m_course, 0};
+        begun.course.putWheel(begun.project, 1);
+        const std::optional<CycleTrial> trial = tried(begun.project, m_options.stop);
+        if (!trial || !trial->holds) {
+            return std::nullopt;
         }
-        for (std::int64_t number = last - 1; number > 1; --number) {
-            if (std::find(telling.begin(), telling.end(), number) == telling.end()
-                && !holds(number)) {
-                note(number);
-                return {};
-            }
+        begun.course = m_course.ofCycle(trial->removed_mm3, m_options.stop);
+        begun.margin = trial->leastMargin;
+        begun.wornOut = m_most + 1;
+        std::int64_t low = 0;
+        while (begun.wornOut - low > 1) { // none is worn out up to low
+            const std::int64_t middle = low + (begun.wornOut - low) / 2;
+            (begun.course.isWornOut(middle) ? begun.wornOut : low) = middle;
         }
-        return {margin};
+        return stopped() ? std::nullopt : std::optional(std::move(begun));
     }
 
+    /// The last part that need be told apart of so many.
+    [[nodiscard]] std::int64_t lastOf(const Tried& begun, std::int64_t parts) const {
+        return std::min({parts, begun.wornOut, m_most});
+    }
+
+    /// The margin on a part; nothing: it fails there, its wheel is refused, or it was stopped.
+    [[nodiscard]] std::optional<double> marginAt(Tried& begun, std::int64_t part) const {
+        begun.course.putWheel(begun.project, part);
+        if (!isRunnable(begun.project)) {
+            return std::nullopt;
+        }
+        const std::optional<CycleTrial> trial = tried(begun.project, m_options.stop);
+        return trial && trial->holds ? std::optional(trial->leastMargin) : std::nullopt;
+    }
+
+    /// Over all these parts, the last and those first that shut out cycles before. In the threads
+    /// of a full search.
+    WholeMargin marginOver(const FeasibleCycle& found, std::int64_t parts, double least) {
+        std::optional<Tried> begun = begin(found);
+        if (!begun || (isAny(parts) && begun->wornOut > m_most)) {
+            return {};
+        }
+        const std::int64_t last = lastOf(*begun, parts);
+        double margin = begun->margin;
+        const std::vector<std::int64_t> telling = tellingBelow(last);
+        const auto holds = [&](std::int64_t part) {
+            const std::optional<double> there = marginAt(*begun, part);
+            if (!there) {
+                note(part);
+            }
+            margin = std::min(margin, there.value_or(margin));
+            return there && margin >= least;
+        };
+        const auto isTold = [&](std::int64_t part) {
+            return std::ranges::find(telling, part) != telling.end();
+        };
+        bool all = last < 2 || holds(last);
+        for (std::size_t i = 0; all && i < telling.size(); ++i) {
+            all = holds(telling[i]);
+        }
+        for (std::int64_t part = last - 1; all && part > 1; --part) {
+            all = isTold(part) || holds(part);
+        }
+        return all && margin >= least ? WholeMargin{margin} : WholeMargin{};
+    }
+
+    [[nodiscard]] std::vector<std::int64_t> tellingBelow(std::int64_t last) {
+        const std::scoped_lock lock(m_mutex);
+        std::vector<std::int64_t> telling = m_telling;
+        std::erase_if(telling, [last](std::int64_t part) { return part >= last; });
+        return telling;
+    }
+
+    /// A part for which a cycle does not hold.
     void note(std::int64_t telling) {
         constexpr std::size_t most = 8;
+        const std::scoped_lock lock(m_mutex);
+        if (stopped() || telling < 2) {
+            return;
+        }
         std::erase(m_telling, telling);
         m_telling.insert(m_telling.begin(), telling);
         m_telling.resize(std::min(m_telling.size(), most));
     }
 
     /// Of a cycle that holds for so many parts.
-    [[nodiscard]] std::int64_t lifeOf(const FeasibleCycle& found, std::int64_t parts) {
-        Project project = projectOf(found);
-        while (parts < m_course.last() && areRunnable(parts + 1)) {
-            m_course.putWheel(project, parts + 1);
-            const std::optional<CycleTrial> trial = tried(project, m_options.stop);
-            if (!trial || !trial->holds) {
-                break;
-            }
-            ++parts;
+    [[nodiscard]] std::int64_t lifeOf(const FeasibleCycle& found, std::int64_t parts) const {
+        std::optional<Tried> begun = begin(found);
+        if (!begun || isAny(parts)) {
+            return parts;
         }
-        return parts;
+        const std::int64_t end = lastOf(*begun, m_most);
+        std::int64_t held = std::min(parts, end);
+        while (held < end && marginAt(*begun, held + 1)) {
+            ++held;
+        }
+        return held < end ? held : begun->wornOut <= m_most ? last() : m_most;
     }
 
     void finish() {
@@ -316,15 +332,20 @@ private:
         return bound && m_isLife ? std::optional(-*bound) : bound;
     }
 
-    [[nodiscard]] std::vector<Project> tellingParts() const {
+    /// With the wheel as the answer leaves it.
+    [[nodiscard]] std::vector<Project> tellingParts() {
         std::vector<Project> parts;
-        std::vector<std::int64_t> numbers = m_telling;
-        numbers.push_back(m_parts);
+        std::optional<Tried> begun = begin(*m_best);
+        if (!begun) {
+            return parts;
+        }
+        const std::int64_t last = lastOf(*begun, m_parts);
+        std::vector<std::int64_t> numbers = tellingBelow(last);
+        numbers.push_back(last);
         for (const std::int64_t number : numbers) {
-            if (number > 1 && number <= m_parts) {
-                if (auto made = part(m_project, number)) {
-                    parts.push_back(std::move(*made));
-                }
+            begun->course.putWheel(begun->project, number);
+            if (number > 1 && isRunnable(begun->project)) {
+                parts.push_back(begun->project);
             }
         }
         return parts;
@@ -332,18 +353,19 @@ private:
 
     const Project& m_project;
     bool m_isLife;
-    WornCourse m_course;
+    WheelCourse m_course; ///< before the cycle is known
     const SearchOptions& m_options;
     Variants m_variants;
+    std::int64_t m_most = 0;     ///< parts that are tried
+    bool m_mayBeEndless = false; ///< where no number of parts is stated
     std::vector<Numbers> m_open; ///< apart from each other
     std::optional<FeasibleCycle> m_best;
     SearchSummary m_answer;
     std::int64_t m_parts = 0;       ///< that the best holds for
     std::int64_t m_searchedFor = 0; ///< where its margin is taken over
-    std::int64_t m_runnable = 1;
     double m_leastTime_s = 0;
     std::vector<std::int64_t> m_telling; ///< parts that shut out cycles, the last one first
-    std::mutex m_mutex;
+    std::mutex m_mutex;                  ///< of these
     IntervalSummary m_summary;
 };
 
@@ -380,12 +402,14 @@ ObjectiveFault objectiveFault(const Project& project, bool isRobust) {
 
 PartsHeld partsHeld(const Project& project, const SurfaceWear& wear, std::int64_t most,
                     const std::stop_token& stop) {
-    const WornCourse course(project, wear, most);
+    const std::optional<std::int64_t> allowed = allowedParts(project);
+    const std::int64_t last = std::min(most, allowed.value_or(most));
+    WheelCourse course(wear, stop);
     PartsHeld held;
     Project part = project;
     part.runs.clear();
     double sum_s = 0;
-    while (held.parts < course.last()) {
+    while (held.parts < last && !held.isEndless && !stop.stop_requested()) {
         course.putWheel(part, held.parts + 1);
         if (!isRunnable(part)) {
             break;
@@ -405,12 +429,15 @@ PartsHeld partsHeld(const Project& project, const SurfaceWear& wear, std::int64_
             held.end = worst->kind;
             break;
         }
+        if (held.parts == 0) {
+            course = course.ofCycle(removedVolume_mm3(result), stop);
+        }
         sum_s += result.time_s;
         ++held.parts;
+        held.isEndless = !allowed && course.isWornOut(held.parts);
     }
     held.meanTime_s = held.parts > 0 ? sum_s / static_cast<double>(held.parts) : 0;
-    held.isAll = held.parts == course.last();
-    held.isEndless = held.isAll && course.isEndless();
+    held.isAll = held.isEndless || held.parts == last;
     return held;
 }
 
@@ -426,7 +453,7 @@ double IntervalSummary::value(SearchObjective objective) const {
 
 IntervalSummary searchInterval(const Project& project, const SurfaceWear& wear,
                                const IntervalOptions& options) {
-    const bool wears = wear.wear.isGiven();
+    const bool wears = wear.wear().isGiven();
     IntervalSummary summary =
         wears ? IntervalSearch(project, wear, options).run() : withoutWear(project, options.search);
     if (!summary.search.best) {

@@ -15,10 +15,11 @@
 /// cheapest, or keeps the wheel longest [MODEL-12].
 ///
 /// A cycle c holds for N parts when it ends by itself and holds every requirement for each of the
-/// parts 1…N, part n with the wheel as those before it have left it (SurfaceWear); its life L(c) is
-/// the greatest such N. t(c) is its time on the part as it stands, the first after dressing, by
-/// which all searches compare. What a part costs, f(t, N) = partCost(), grows with t and never
-/// grows with N. Let T(N) be the least t(c) of the cycles with L(c) ≥ N, none: ∞.
+/// parts 1…N, part n with the wheel as the metal that c removes of the parts before it leaves it
+/// (WheelCourse); its life L(c) is the greatest such N, ∞ where from a part on the wheel comes to
+/// all parts alike and none fails. t(c) is its time on the part as it stands, the first after
+/// dressing, by which all searches compare. What a part costs, f(t, N) = partCost(), grows with t
+/// and never grows with N. Let T(N) be the least t(c) of the cycles with L(c) ≥ N, none: ∞.
 ///
 /// 1. T never falls: the cycles that hold for N + 1 parts are among those that hold for N.
 /// 2. The least cost of all cycles and intervals they hold for is the least f(T(N), N) of all N,
@@ -33,8 +34,9 @@
 /// 5. For the wheel's life −N stands for f, and all this holds as well.
 ///
 /// Each search leaves fewer numbers, so it ends. That a wheel gets duller from part to part is not
-/// made use of: a cycle may fail for one part and hold for a later one, and all are tried. From a
-/// part on to which the wheel comes as to all further ones, one stands for all.
+/// made use of: a cycle may fail for one part and hold for a later one, and all are tried, those
+/// first that shut out cycles before. From a part on to which the wheel comes as to all further
+/// ones, one stands for all.
 ///
 /// Among equal costs the quicker cycle wins, then the longer interval. Among the cycles of the time
 /// T(N) the one of the greatest least margin over the parts 1…N, then as optimise() has it.
@@ -84,7 +86,7 @@ struct IntervalSummary {
     std::optional<PartsHeld> held; ///< by the answer, where the wheel wears
     std::optional<double> cost;    ///< of a part, by the time of the part as it stands
     std::optional<double> bound;   ///< stopped: no cost is less, or no life longer, than that
-    std::vector<Project> parts;    ///< some of 2…N that shut out cycles, N among them
+    std::vector<Project> parts;    ///< of the answer, some of 2…N that shut out cycles, and N
     int searches = 0;
 
     /// What the answer is compared by among those of several grids, less is better: its cost, its

@@ -3,11 +3,10 @@
 
 namespace sparkout {
 
-WornParts::WornParts(const Setup& setup, const SetupRun& first) {
-    double before_mm3 = 0;
-    for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
-        m_surfaces.push_back(surfaceWear(setup, i, before_mm3));
-        before_mm3 += i < first.surfaces.size() ? first.surfaces[i].removed_mm3 : 0;
+WornParts::WornParts(const Setup& setup, const SetupRun& first) : m_wear(setup.wear) {
+    for (const SurfaceRun& surface : first.surfaces) {
+        m_before.push_back(m_part);
+        m_part += surface.removed();
     }
 }
 

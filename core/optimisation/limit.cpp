@@ -384,8 +384,10 @@ SteplessLimit limitOf(const Project& project, bool sparksOut, const std::stop_to
     const double left = sparksOut ? leftByField_mm(*project.part) : 0;
     const double end = left + 2 * stageSlack_mm; ///< stock left there
     const double all = blank.totalInfeed_mm - end;
-    // a datum of the position control may be nearer than the first touch
-    const double fed = all - std::max(firstFeed(project, blank.totalInfeed_mm), 0.0);
+    // a datum of the position control may be nearer than the first touch; the wear of the wheel
+    // moves the first and the last of the feed alike
+    const double datum = firstFeed(project, blank.totalInfeed_mm) + standsBack_mm(project);
+    const double fed = all - std::max(datum, 0.0);
     const double steps = feedsContinuously(project)
                              ? 1 // what a step feeds grows with the time it takes
                              : std::max(std::ceil(fed / times.infeed_mm - 1e-9), 1.0);

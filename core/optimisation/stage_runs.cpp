@@ -39,6 +39,7 @@ StageRuns::StageRuns(const Project& project, const Grid& grid, const CycleRunner
     , m_cuts(runner.cuts())
     , m_part(runner.begin(grid.stageCounts().front()))
     , m_total(m_part->run().blank().totalInfeed_mm)
+    , m_fedAtSize_mm(fedAtSize(project, m_total))
     , m_gauge(project.gauge->control == Control::gauge)
     , m_signal(project, grid.sparkOut() == 0) {
     for (const StageSetting& setting : grid.settings()) {
@@ -200,12 +201,12 @@ double StageRuns::later(bool last, int taken) const {
 
 double StageRuns::nextInfeed(double later_mm, std::size_t setting, double fed_mm) const {
     const double infeed = m_infeeds_mm[setting];
-    return m_gauge ? infeed : std::clamp(m_total - later_mm - fed_mm, 0.0, infeed);
+    return m_gauge ? infeed : std::clamp(m_fedAtSize_mm - later_mm - fed_mm, 0.0, infeed);
 }
 
 bool StageRuns::ended(const Run& run, const GaugeSignal& signal, double later_mm, bool last) const {
     return m_gauge ? signal.isOver(later_mm, last)
-                   : run.fed_mm >= m_total - later_mm - stageSlack_mm;
+                   : run.fed_mm >= m_fedAtSize_mm - later_mm - stageSlack_mm;
 }
 
 } // namespace sparkout

@@ -117,6 +117,7 @@ private:
     const PassCuts& m_cuts;
     std::shared_ptr<const CycleSteps> m_part; ///< its first steps
     double m_total;                           ///< |R_first − R_t| [mm]
+    double m_fedAtSize_mm;                    ///< by position control
     std::vector<double> m_infeeds_mm;         ///< of a step, by setting
     std::vector<FollowedFeed> m_feeds;        ///< by setting; empty: no radius can be followed
     std::optional<TimeBound> m_bound;

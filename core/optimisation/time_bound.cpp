@@ -29,7 +29,7 @@ double sureInfeed_mm(const Project& project, double total_mm) {
     const auto gauged = static_cast<std::size_t>(gaugeSection(project));
     if (project.gauge->control == Control::position || gauged >= zones.size()
         || zones[gauged].stock_mm >= 0) {
-        return total_mm;
+        return fedAtSize(project, total_mm);
     }
     return std::min(total_mm, project.part->stock_mm + zones[gauged].stock_mm);
 }

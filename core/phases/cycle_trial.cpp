@@ -2,6 +2,7 @@
 #include "core/phases/cycle_trial.h"
 
 #include "core/quality/constraints.h"
+#include "core/quality/shop_numbers.h"
 #include "core/simulation/simulate.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ std::optional<CycleTrial> tried(const Project& project, const std::stop_token& s
     if (result.status != RunStatus::completed) {
         return CycleTrial{};
     }
-    CycleTrial trial{true, std::numeric_limits<double>::infinity()};
+    CycleTrial trial{true, std::numeric_limits<double>::infinity(), removedVolume_mm3(result)};
     for (const ConstraintResult& constraint : evaluateConstraints(result)) {
         trial.holds &= constraint.holds;
         trial.leastMargin = std::min(trial.leastMargin, constraint.relativeMargin);

@@ -13,6 +13,7 @@ namespace sparkout {
 struct CycleTrial {
     bool holds = false; ///< it ends by itself, and every requirement holds
     double leastMargin = -std::numeric_limits<double>::infinity(); ///< relative; if it ends
+    double removed_mm3 = 0;                                        ///< if it ends
 };
 
 /// Nothing: it was stopped, so nothing is known.

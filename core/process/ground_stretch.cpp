@@ -18,7 +18,8 @@ std::vector<Stretch> groundStretches(const Project& project) {
         return stretches;
     }
     const ZoneLengths zones = zoneLengths(project);
-    const double bounds[] = {0, zones.rz1, length - zones.rz2, length};
+    const double bounds[] = {reliefBehind(project, zones.rz1), zones.rz1, length - zones.rz2,
+                             length - reliefBehind(project, zones.rz2)};
     const bool mirrored = project.machine->entry_side == EntrySide::tailstock;
     for (int i = 0; i < 3; ++i) {
         stretches.push_back(mirrored ? Stretch{length - bounds[i + 1], length - bounds[i]}

@@ -13,7 +13,8 @@ struct Stretch {
     double to_mm = 0;   ///< the other one [mm]
 };
 
-/// What the zones РЗ1, НЗ, РЗ2 or the sections stand for, in this order. With the entry at the
+/// What the zones РЗ1, НЗ, РЗ2 or the sections stand for, in this order, without the relief before
+/// the wall of a blind bore. With the entry at the
 /// tailstock the zones come from the far end.
 [[nodiscard]] std::vector<Stretch> groundStretches(const Project& project);
 

@@ -57,7 +57,9 @@ std::vector<double> positions(const Project& project) {
         return middles;
     }
     const ZoneLengths zones = zoneLengths(project);
-    middles = {zones.rz1 / 2, zones.rz1 + zones.nz / 2, length - zones.rz2 / 2};
+    const double relief = reliefBehind(project, zones.rz2);
+    middles = {zones.rz1 - plungeWidth(project, zones.rz1) / 2, zones.rz1 + zones.nz / 2,
+               length - relief - plungeWidth(project, zones.rz2) / 2};
     if (project.machine->entry_side == EntrySide::tailstock) {
         for (double& middle : middles) {
             middle = length - middle;
@@ -121,6 +123,10 @@ ZoneLengths zoneLengths(const Project& project) {
 
 double plungeWidth(const Project& project, double zoneLength_mm) {
     return std::min(zoneLength_mm, project.wheel->width_mm);
+}
+
+double reliefBehind(const Project& project, double zoneLength_mm) {
+    return zoneLength_mm - plungeWidth(project, zoneLength_mm);
 }
 
 std::vector<CompliantPoint> compliantPoints(const Project& project, const std::stop_token& stop) {

@@ -20,6 +20,11 @@ struct ZoneLengths {
 /// of a blind bore [MODEL-5].
 [[nodiscard]] double plungeWidth(const Project& project, double zoneLength_mm);
 
+/// What the wheel does not reach of a reversal zone [mm]: the relief before the wall of a blind
+/// bore, else 0. Neither the zone's middle, nor its sections, nor what it stands for have a part of
+/// it.
+[[nodiscard]] double reliefBehind(const Project& project, double zoneLength_mm);
+
 /// A place along the ground length and the compliance there.
 struct CompliantPoint {
     double position_mm = 0; ///< from the headstock end of the ground length [mm]
@@ -27,10 +32,10 @@ struct CompliantPoint {
     double length_mm = 0;   ///< ℓ it stands for: its zone, or its slice of L_p [mm]
 };
 
-/// The zones РЗ1, НЗ, РЗ2 (at their middles) or the J sections (at the middles of equal slices),
-/// with γ as given or computed from stiffness and shaft: traverse G(x,x), plunge the mean of
-/// G(x,s) over the contact, internal the quill's [MODEL-6]. Here and below what is stopped is not
-/// to be used (see Compliance).
+/// The zones РЗ1, НЗ, РЗ2 (at the middles of what the wheel reaches of them) or the J sections (at
+/// the middles of equal slices), with γ as given or computed from stiffness and shaft: traverse
+/// G(x,x), plunge the mean of G(x,s) over the contact, internal the quill's [MODEL-6]. Here and
+/// below what is stopped is not to be used (see Compliance).
 [[nodiscard]] std::vector<CompliantPoint> compliantPoints(const Project& project,
                                                           const std::stop_token& stop = {});
 

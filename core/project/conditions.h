@@ -27,6 +27,7 @@ bool setsFeed(const Project& p, const void*) {
     return std::ranges::any_of(p.operation->feeds,
                                [](const StageFeed& feed) { return feed.value == Feed; });
 }
+[[nodiscard]] bool byPosition(const Project& p, const void*);
 [[nodiscard]] bool external(const Project& p, const void*);
 [[nodiscard]] bool internal(const Project& p, const void*);
 

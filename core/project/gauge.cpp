@@ -13,9 +13,6 @@ namespace {
 bool gaugeAtSection(const Project& p, const void*) {
     return !p.operation->hasZones && !p.gauge->position_mm;
 }
-bool byPosition(const Project& p, const void*) {
-    return p.gauge->control == Control::position;
-}
 bool gaugeEndsAStage(const Project& p, const void*) {
     const auto& stages = p.cycle->stages;
     return p.gauge->control == Control::gauge || (!stages.empty() && stages.back().waitsForSize());
@@ -88,8 +85,8 @@ const StructInfo& tableOf<Gauge>() {
         SPARKOUT_FIELD(
             Gauge, datum_mm, .label = SPARKOUT_NOOP("Input", "Feeding starts before size"),
             .unit = "mm", .hard = {0, 1000, true}, .soft = {0.001, 5},
-            .nullMeaning = SPARKOUT_NOOP("Input", "at first touch"), .relevant = byPosition,
-            .page = Page::gauge,
+            .nullMeaning = SPARKOUT_NOOP("Input", "at first touch"),
+            .relevant = conditions::byPosition, .page = Page::gauge,
             .hint = SPARKOUT_NOOP("Input",
                                   "How far from the target radius the wheel head's feed starts. In "
                                   "a batch it is where the wheel touches the nominal blank: a "

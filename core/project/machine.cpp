@@ -4,6 +4,7 @@
 #include "core/project/conditions.h"
 #include "core/project/gauge.h"
 #include "core/project/part.h"
+#include "core/project/wheel.h"
 #include "core/text.h"
 
 namespace sparkout {
@@ -19,6 +20,13 @@ bool onCentres(const Project& p, const void*) {
 
 } // namespace
 
+void changeWheelDiameter(Project& project, double diameter_mm) {
+    if (project.machine->wheel_speed_control == WheelSpeedControl::constant_revolutions) {
+        project.machine->wheel_speed_m_s *= diameter_mm / project.wheel->diameter_mm;
+    }
+    project.wheel->diameter_mm = diameter_mm;
+}
+
 template <>
 std::span<const Choice> choicesOf<EntrySide>() {
     static const std::array choices{Choice{"headstock", SPARKOUT_NOOP("Choice", "headstock")},
@@ -31,6 +39,14 @@ std::span<const Choice> choicesOf<ReversalInfeed>() {
     static const std::array choices{Choice{"entry", SPARKOUT_NOOP("Choice", "at the entry")},
                                     Choice{"exit", SPARKOUT_NOOP("Choice", "at the exit")},
                                     Choice{"both", SPARKOUT_NOOP("Choice", "half at each")}};
+    return choices;
+}
+
+template <>
+std::span<const Choice> choicesOf<WheelSpeedControl>() {
+    static const std::array choices{
+        Choice{"constant_speed", SPARKOUT_NOOP("Choice", "constant peripheral speed")},
+        Choice{"constant_revolutions", SPARKOUT_NOOP("Choice", "constant revolutions")}};
     return choices;
 }
 
@@ -134,6 +150,18 @@ Field zoneCompliance() {
         .source = "MODEL-6");
 }
 
+Field wheelSpeedControl() {
+    return SPARKOUT_FIELD(
+        Machine, wheel_speed_control, .label = SPARKOUT_NOOP("Input", "Worn wheel runs at"),
+        .sparse = true, .page = Page::machine,
+        .hint = SPARKOUT_NOOP("Input", "What the drive keeps when the wheel gets smaller, in a "
+                                       "batch, a sweep, a set-up and from dressing to dressing: "
+                                       "the peripheral speed, or the revolutions, so that the "
+                                       "speed falls with the diameter. The wheel speed is that of "
+                                       "the wheel diameter as it is given."),
+        .formula = "V_k = π·D·n_k", .source = "MODEL-8");
+}
+
 Field geometricRunout() {
     return SPARKOUT_FIELD(
         Machine, geometric_runout_um, .label = SPARKOUT_NOOP("Input", "Geometric runout"),
@@ -155,6 +183,7 @@ const StructInfo& tableOf<Machine>() {
                        .required = conditions::always, .slider = true, .page = Page::machine,
                        .hint = SPARKOUT_NOOP("Input", "Peripheral speed of the wheel."),
                        .formula = "k_s = ε_i·tg β·σ_i·V_d/V_k", .source = "MODEL-1"),
+        wheelSpeedControl(),
         SPARKOUT_FIELD(Machine, work_speed_rpm, .label = SPARKOUT_NOOP("Input", "Work speed"),
                        .symbol = "n", .unit = "rev/min", .hard = {0.1, 10000}, .soft = {20, 1500},
                        .required = conditions::always, .slider = true, .page = Page::machine,

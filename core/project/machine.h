@@ -35,10 +35,15 @@ struct MachineLimits {
     std::optional<double> part_length_mm;   ///< largest; not given: not limited [mm]
 };
 
+/// What the wheel's drive keeps as the diameter of the wheel falls [MODEL-8]: V_k, or the
+/// revolutions, so that V_k falls with the diameter.
+enum class WheelSpeedControl { constant_speed, constant_revolutions };
+
 /// The grinder: speeds, table travel, dwells, compliance, drives.
 struct Machine {
     std::string name;
-    double wheel_speed_m_s = 30;     ///< V_k [m/s]
+    double wheel_speed_m_s = 30; ///< V_k of the wheel as it is given [m/s]
+    WheelSpeedControl wheel_speed_control = WheelSpeedControl::constant_speed;
     double work_speed_rpm = 180;     ///< n [rev/min]
     double plunge_feed_mm_min = 0.5; ///< S_rad, plunge-in at a reversal [mm/min]
     ReversalInfeed reversal_infeed = ReversalInfeed::entry;
@@ -59,10 +64,16 @@ struct Machine {
     MachineLimits limits;
 };
 
+/// Gives a project a wheel of another diameter, on a drive that keeps V_k or the revolutions: the
+/// one law of batch, sweep, set-up and dressing [MODEL-8].
+void changeWheelDiameter(Project& project, double diameter_mm);
+
 template <>
 std::span<const Choice> choicesOf<EntrySide>();
 template <>
 std::span<const Choice> choicesOf<ReversalInfeed>();
+template <>
+std::span<const Choice> choicesOf<WheelSpeedControl>();
 template <>
 const StructInfo& tableOf<Stiffness>();
 template <>

@@ -81,6 +81,22 @@ const StructInfo& tableOf<ForceRecipe>() {
     return info;
 }
 
+namespace {
+
+Field radiusWear() {
+    return SPARKOUT_FIELD(
+        Wheel, radius_wear_um, .label = SPARKOUT_NOOP("Input", "Wear since the last compensation"),
+        .symbol = "w", .unit = "µm", .hard = {0, 1e6}, .soft = {0, 200},
+        .relevant = conditions::byPosition, .sparse = true, .page = Page::wheel,
+        .hint = SPARKOUT_NOOP("Input",
+                              "By how much the wheel's radius is smaller than the position control "
+                              "takes it to be. Each dressing compensates it: the control is set to "
+                              "the new radius. In a set-up the wear of the wheel adds to it."),
+        .formula = "h = t_П − w − (R_max0 − R_k)", .source = "MODEL-7");
+}
+
+} // namespace
+
 template <>
 const StructInfo& tableOf<Wheel>() {
     static const std::array rows{
@@ -107,6 +123,7 @@ const StructInfo& tableOf<Wheel>() {
                            "Input", "Share of the working surface that is wear flats: 0 is ideally "
                                     "sharp. It drives the friction term k_r = η·σ_i·√D_e/3."),
                        .source = "MODEL-2"),
+        radiusWear(),
         SPARKOUT_FIELD(Wheel, grain_mm, .label = SPARKOUT_NOOP("Input", "Grain size"),
                        .symbol = "d_g", .unit = "mm", .hard = {0.001, 5}, .soft = {0.05, 1},
                        .page = Page::wheel, .hint = SPARKOUT_NOOP("Input", "Mean grain size."),

@@ -22,12 +22,13 @@ struct ForceRecipe {
 /// The grinding wheel: size, sharpness, structure.
 struct Wheel {
     std::string marking;
-    double diameter_mm = 500;                        ///< D [mm]
-    double width_mm = 50;                            ///< B [mm]
-    double dullness = 0.02;                          ///< η, share of wear flats, 0…1
-    double grain_mm = 0.25;                          ///< d_g [mm]
-    double grain_share = 0.5;                        ///< W_g, by volume
-    double bond_share = 0.12;                        ///< W_b, by volume
+    double diameter_mm = 500;  ///< D [mm]
+    double width_mm = 50;      ///< B [mm]
+    double dullness = 0.02;    ///< η, share of wear flats, 0…1
+    double radius_wear_um = 0; ///< w, off its radius since the control was last set to it [µm]
+    double grain_mm = 0.25;    ///< d_g [mm]
+    double grain_share = 0.5;  ///< W_g, by volume
+    double bond_share = 0.12;  ///< W_b, by volume
     double grain_tip_angle_deg = 45;                 ///< φ [°]
     double dressing_chipping_mm = 0.1;               ///< Δ, chipping level of dressing [mm]
     double roughness_factor = 1;                     ///< calibration of Ra

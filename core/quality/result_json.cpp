@@ -159,7 +159,7 @@ ordered_json columnJson(const ShopColumn& column) {
                          {"specific_energy_plausible", nullptr},
                          {"removed_volume_mm3", column.removedVolume_mm3},
                          {"energy_j", column.energy_j},
-                         {"grinding_time_min", column.grindingTime_s / units::secondsPerMinute},
+                         {"grinding_time_min", column.time_s / units::secondsPerMinute},
                          {"peak_power_w", column.power_w.value},
                          {"peak_power_where", whereJson(column.power_w)},
                          {"mean_power_w", column.meanPower_w},

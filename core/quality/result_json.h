@@ -17,7 +17,8 @@ namespace sparkout {
 /// and aggressiveness at largest_depth_um; mean_removal_rate_mm3_mm_s; overlap_ratio;
 /// specific_energy_j_mm3 and specific_energy_plausible; peak_power_w, mean_power_w,
 /// peak_normal_force_n; and what they are made of: removed_volume_mm3, energy_j,
-/// grinding_time_min. Peaks have a …_where. What there is none of is null.
+/// grinding_time_min, which is the machining time. Peaks have a …_where. What there is none of is
+/// null.
 [[nodiscard]] std::string resultJson(const SimulationResult& result,
                                      const std::vector<ConstraintResult>& constraints);
 

@@ -26,7 +26,6 @@ void keepLarger(Peak& peak, const Peak& other) {
 StageSums add(const StageSums& a, const StageSums& b) {
     StageSums sum = a;
     sum.length_mm += b.length_mm;
-    sum.revolutions += b.revolutions;
     sum.removed_mm2 += b.removed_mm2;
     sum.rootLength_mm15 += b.rootLength_mm15;
     keepLarger(sum.depth_mm, b.depth_mm);
@@ -46,9 +45,9 @@ public:
         , m_De(equivalentDiameter(project.part->diameter_mm, project.wheel->diameter_mm,
                                   project.part->surface)) {}
 
-    [[nodiscard]] ShopColumn column(const StageSums& sums) const {
+    [[nodiscard]] ShopColumn column(const StageSums& sums, double time_s) const {
         ShopColumn c;
-        c.grindingTime_s = sums.revolutions * m_turn_s;
+        c.time_s = time_s;
         c.removedVolume_mm3 = m_girth_mm * sums.removed_mm2;
         // Σ⟨P_z⟩·ℓ/b turns, P_z/b = k_t·a + μ·k_r·√a
         c.energy_j = m_wheelSpeed_m_s * m_turn_s
@@ -61,7 +60,7 @@ public:
             1e6 * workSpeed() / (m_wheelSpeed_m_s * units::mmPerM) * std::sqrt(a / m_De);
         if (sums.length_mm > 0) {
             c.meanRemovalRate_mm2_s = removalRate(sums.removed_mm2 / sums.length_mm);
-            c.meanPower_w = c.energy_j / c.grindingTime_s;
+            c.meanPower_w = c.energy_j / time_s;
         }
         if (c.removedVolume_mm3 > 0) {
             c.energy_j_mm3 = c.energy_j / c.removedVolume_mm3;
@@ -118,9 +117,8 @@ ShopNumbers shopNumbers(const SimulationResult& result) {
     std::optional<double> least;
     for (std::size_t z = 0; z < result.sumsByStage.size(); ++z) {
         const StageSums& sums = result.sumsByStage[z];
-        ShopColumn column = shop.column(sums);
+        ShopColumn column = shop.column(sums, result.timeByStage_s[z]);
         column.count = result.countsByStage[z];
-        column.time_s = result.timeByStage_s[z];
         column.overlap = overlap(project, z);
         if (column.overlap && sums.length_mm > 0) {
             least = std::min(least.value_or(*column.overlap), *column.overlap);
@@ -128,15 +126,22 @@ ShopNumbers shopNumbers(const SimulationResult& result) {
         all = add(all, sums);
         numbers.stages.push_back(column);
     }
-    numbers.cycle = shop.column(all);
+    numbers.cycle = shop.column(all, result.time_s);
     numbers.cycle.count = result.cycleCount;
-    numbers.cycle.time_s = result.time_s;
     numbers.cycle.overlap = least;
     numbers.wheelSpeed_rpm = project.machine->wheel_speed_m_s * units::mmPerM
                              * units::secondsPerMinute
                              / (std::numbers::pi * project.wheel->diameter_mm);
     numbers.rotationRatio = numbers.wheelSpeed_rpm / project.machine->work_speed_rpm;
     return numbers;
+}
+
+double removedVolume_mm3(const SimulationResult& result) {
+    double removed_mm2 = 0;
+    for (const StageSums& sums : result.sumsByStage) {
+        removed_mm2 += sums.removed_mm2;
+    }
+    return std::numbers::pi * result.project.part->diameter_mm * removed_mm2;
 }
 
 } // namespace sparkout

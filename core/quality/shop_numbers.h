@@ -24,9 +24,10 @@
 ///     E/V at one depth = P_z(a)·V_k/(b·a·V_d)     b cancels: P_z is proportional to it
 ///
 /// and a stage sums both over the same passes. V is the ring to first order: π(R0² − R1²)·ℓ differs
-/// by the factor (R0 + R1)/d, half a percent for 0.15 mm of stock on 30 mm. The grinding time is
-/// Σℓ/(b·n): in plunge all of the stage's time; in traverse a stroke counts L_p/S_ax, its table
-/// travel being B − o1 − o2 shorter as the reversal zones are ground under the standing wheel.
+/// by the factor (R0 + R1)/d, half a percent for 0.15 mm of stock on 30 mm. The wheel grinds in
+/// every revolution and stroke of a stage, so the grinding time is the stage's machining time, and
+/// the mean power is E over it. A stroke takes the table travel/S_ax while it grinds all of L_p,
+/// B − o1 − o2 more: at one depth its mean power is L_p/travel times that of a pass at b.
 namespace sparkout {
 
 /// Plausible specific energy of steel; below it the work cuts too freely to be true, above it the
@@ -43,9 +44,8 @@ enum class BandSide { none, inside, below, above }; ///< none: there is no numbe
 
 /// The numbers of one stage of the cycle, or of all.
 struct ShopColumn {
-    int count = 0;             ///< double strokes or revolutions
-    double time_s = 0;         ///< as charged to the cycle
-    double grindingTime_s = 0; ///< Σℓ/(b·n)
+    int count = 0;     ///< double strokes or revolutions
+    double time_s = 0; ///< as charged to the cycle: all of it is grinding
     double removedVolume_mm3 = 0;
     double energy_j = 0;
     Peak depth_mm;                      ///< largest a: where the next three are taken
@@ -56,7 +56,7 @@ struct ShopColumn {
     std::optional<double> overlap;      ///< B/s_ax, s_ax = S_ax/n; the least of a cycle's stages
     std::optional<double> energy_j_mm3; ///< specific energy E/V; not when nothing is removed
     Peak power_w;                       ///< largest P_z·V_k of a pass
-    double meanPower_w = 0;             ///< E over the grinding time
+    double meanPower_w = 0;             ///< E over the time
     Peak normalForce_n;                 ///< largest P_y of a pass
 
     [[nodiscard]] BandSide specificEnergyBand() const;
@@ -74,5 +74,8 @@ struct ShopNumbers {
 };
 
 [[nodiscard]] ShopNumbers shopNumbers(const SimulationResult& result);
+
+/// V of the whole cycle alone [mm³].
+[[nodiscard]] double removedVolume_mm3(const SimulationResult& result);
 
 } // namespace sparkout

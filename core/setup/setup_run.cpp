@@ -20,15 +20,16 @@ bool SetupRun::holds(const Setup& setup) const {
 
 SetupRun runSetup(const Setup& setup, const std::stop_token& stop) {
     SetupRun run;
-    double removed_mm3 = 0, cycles_min = 0;
+    RemovedMetal removed;
+    double cycles_min = 0;
     for (std::size_t i = 0; i < setup.surfaces.size() && !stop.stop_requested(); ++i) {
-        WornProject made = wornProject(setup, i, removed_mm3);
+        WornProject made = wornProject(setup, i, removed);
         if (!made.issues.empty()) {
             run.issues = std::move(made.issues);
             break;
         }
         run.surfaces.push_back(runSurface(setup.surfaces[i].name, made.project, stop));
-        removed_mm3 += run.surfaces.back().removed_mm3;
+        removed += run.surfaces.back().removed();
         cycles_min += run.surfaces.back().result.time_s / units::secondsPerMinute;
     }
     if (run.isCompleted(setup)) {

@@ -22,7 +22,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr std::array<std::string_view, 22> members{"/title",
+constexpr std::array<std::string_view, 23> members{"/title",
                                                    "/author",
                                                    "/notes",
                                                    "/coolant",
@@ -37,6 +37,7 @@ constexpr std::array<std::string_view, 22> members{"/title",
                                                    "/wheel",
                                                    "/machine/name",
                                                    "/machine/wheel_speed_m_s",
+                                                   "/machine/wheel_speed_control",
                                                    "/machine/stiffness_n_um",
                                                    "/machine/geometric_runout_um",
                                                    "/machine/wheel_drive_kw",
@@ -132,6 +133,7 @@ void copyShared(const Project& from, Project& to) {
     const Machine& shared = *from.machine;
     machine.name = shared.name;
     machine.wheel_speed_m_s = shared.wheel_speed_m_s;
+    machine.wheel_speed_control = shared.wheel_speed_control;
     machine.stiffness_n_um = shared.stiffness_n_um;
     machine.geometric_runout_um = shared.geometric_runout_um;
     machine.wheel_drive_kw = shared.wheel_drive_kw;

@@ -16,7 +16,7 @@ SurfaceRun runSurface(const std::string& name, const Project& project,
                       const std::stop_token& stop) {
     SurfaceRun run{name, simulate(project, nullptr, stop), {}, 0};
     run.constraints = evaluateConstraints(run.result);
-    run.removed_mm3 = shopNumbers(run.result).cycle.removedVolume_mm3;
+    run.removed_mm3 = removedVolume_mm3(run.result);
     return run;
 }
 

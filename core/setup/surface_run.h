@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/quality/constraints.h"
+#include "core/setup/wheel_wear.h"
 #include "core/simulation/result.h"
 
 #include <stop_token>
@@ -17,6 +18,7 @@ struct SurfaceRun {
     std::vector<ConstraintResult> constraints;
     double removed_mm3 = 0;
 
+    [[nodiscard]] RemovedMetal removed() const { return removedMetal(result.project, removed_mm3); }
     [[nodiscard]] bool isCompleted() const { return result.status == RunStatus::completed; }
     [[nodiscard]] bool holds() const; ///< completed, and every requirement that is checked holds
 };

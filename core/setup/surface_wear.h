@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/wheel.h"
 #include "core/setup/setup.h"
-#include "core/setup/wheel_wear.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <stop_token>
 
 namespace sparkout {
 
@@ -14,23 +13,53 @@ namespace sparkout {
 /// the nominal diameter, over the ground length without its gaps.
 [[nodiscard]] double nominalVolume_mm3(const Project& project);
 
-/// How the wheel comes to one surface of part after part, from one dressing to the next [MODEL-12].
-/// Part n comes to a wheel that has removed (n − 1) parts by their drawings, and its surface what
-/// those before it remove of the part.
+/// One surface of a set-up, which is ground in part after part from one dressing to the next.
 struct SurfaceWear {
-    Wheel dressed;
-    WheelWear wear;
-    double part_mm3 = 0;   ///< of a part, by its drawing
-    double before_mm3 = 0; ///< that the surfaces before it lose
+    /// Of the set-up as it is read: its projects have the dressed wheel.
+    SurfaceWear(Setup setup, std::size_t surface);
+    /// Of a wheel that does not wear.
+    explicit SurfaceWear(const Project& project);
 
-    /// Of a part, from 1.
-    [[nodiscard]] Wheel wheel(std::int64_t part) const;
+    Setup setup; ///< with what the cycles of its surfaces read, and no more
+    std::size_t surface = 0;
+
+    [[nodiscard]] const WheelWear& wear() const { return setup.wear; }
+};
+
+/// Whether the wheel comes to the surface alike, whatever its own cycle.
+[[nodiscard]] bool sameWear(const SurfaceWear& a, const SurfaceWear& b);
+
+/// The wheel as it comes to the surface of part after part [MODEL-12]: part n after n − 1 times
+/// what the cycles of the first part remove, as simulated, and what those of the surfaces before
+/// remove of the part. A surface beside whose cycle cannot be run, or does not reach size, loses
+/// its stock by the drawing. A value.
+class WheelCourse {
+public:
+    /// Runs the surfaces before. `surface` must outlive the course and its copies.
+    explicit WheelCourse(const SurfaceWear& surface, const std::stop_token& stop = {});
+    /// Of a cycle that removes so much of the surface of the first part; runs the surfaces after
+    /// it. A stop leaves the course of no use.
+    [[nodiscard]] WheelCourse ofCycle(double removed_mm3, const std::stop_token& stop = {}) const;
+
+    /// Gives a project of the surface the wheel as it comes to it in a part, from 1; to the first
+    /// one as well before the cycle is known.
+    void putWheel(Project& project, std::int64_t part) const;
     /// Whether it comes to every further part as to this one: it is as dull as can be, and keeps
     /// its diameter.
     [[nodiscard]] bool isWornOut(std::int64_t part) const;
-};
 
-/// Of a surface of a set-up, before which so much was removed of the part.
-[[nodiscard]] SurfaceWear surfaceWear(const Setup& setup, std::size_t surface, double before_mm3);
+private:
+    [[nodiscard]] const Project& dressed() const {
+        return m_surface->setup.surfaces[m_surface->surface].project;
+    }
+    [[nodiscard]] RemovedMetal before(std::int64_t part) const {
+        return m_before + static_cast<double>(part - 1) * m_part;
+    }
+    void grindOthers(std::size_t from, std::size_t to, const std::stop_token& stop);
+
+    const SurfaceWear* m_surface;
+    RemovedMetal m_before; ///< in the first part
+    RemovedMetal m_part;   ///< of all surfaces, as far as they are known
+};
 
 } // namespace sparkout

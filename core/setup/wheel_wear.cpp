@@ -2,32 +2,66 @@
 #include "core/setup/wheel_wear.h"
 
 #include "core/process/recipe_force.h"
+#include "core/project/machine.h"
+#include "core/project/part.h"
+#include "core/project/project.h"
 #include "core/project/wheel.h"
 #include "core/text.h"
+#include "core/units.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace sparkout {
 
-Wheel wheelAfter(const Wheel& dressed, const WheelWear& wear, double removed_mm3) {
+namespace {
+
+/// D of a wheel of which so much has worn off over a width.
+double wornDiameter(double dressed_mm, double worn_mm3, double width_mm) {
+    const double square = dressed_mm * dressed_mm - 4 * worn_mm3 / (std::numbers::pi * width_mm);
+    return std::sqrt(std::max(square, 0.0));
+}
+
+} // namespace
+
+RemovedMetal removedMetal(const Project& project, double volume_mm3) {
+    const double contact_mm =
+        project.operation->travels ? project.wheel->width_mm : project.part->length_mm;
+    return {volume_mm3, volume_mm3 / contact_mm};
+}
+
+Wheel wheelAfter(const Wheel& dressed, const WheelWear& wear, const RemovedMetal& removed) {
     Wheel wheel = dressed;
-    if (removed_mm3 <= 0) {
+    if (removed.volume_mm3 <= 0) {
         return wheel;
     }
     if (wear.dulling_per_mm2) {
-        const double grown = std::pow(removed_mm3 / dressed.width_mm, wear.dulling_exponent);
+        const double grown = std::pow(removed.volume_mm3 / dressed.width_mm, wear.dulling_exponent);
         setDullness(wheel, std::min(1.0, dullnessOf(dressed) + *wear.dulling_per_mm2 * grown));
     }
-    if (wear.grinding_ratio) {
-        const double worn_mm3 = removed_mm3 / *wear.grinding_ratio;
-        const double square = dressed.diameter_mm * dressed.diameter_mm
-                              - 4 * worn_mm3 / (std::numbers::pi * dressed.width_mm);
-        wheel.diameter_mm = std::sqrt(std::max(square, 0.0));
+    if (const std::optional<double>& ratio = wear.grinding_ratio) {
+        wheel.diameter_mm =
+            wornDiameter(dressed.diameter_mm, removed.volume_mm3 / *ratio, dressed.width_mm);
+        const double ground_mm =
+            wornDiameter(dressed.diameter_mm, removed.perContact_mm2 / *ratio, 1);
+        wheel.radius_wear_um += (dressed.diameter_mm - ground_mm) / 2 * units::umPerMm;
     }
     return wheel;
+}
+
+void wearWheel(Project& project, const WheelWear& wear, const RemovedMetal& removed) {
+    Wheel worn = wheelAfter(*project.wheel, wear, removed);
+    changeWheelDiameter(project, worn.diameter_mm);
+    *project.wheel = std::move(worn);
+}
+
+bool isWornOut(const Wheel& dressed, const WheelWear& wear, const RemovedMetal& removed) {
+    const bool asDullAsCanBe = wear.dulling_per_mm2.value_or(0) == 0
+                               || dullnessOf(wheelAfter(dressed, wear, removed)) >= 1;
+    return asDullAsCanBe && !wear.grinding_ratio;
 }
 
 template <>

@@ -7,6 +7,7 @@
 
 namespace sparkout {
 
+struct Project;
 struct Wheel;
 
 /// How the wheel goes on from one surface of a set-up to the next [MODEL-12].
@@ -19,9 +20,40 @@ struct WheelWear {
     friend bool operator==(const WheelWear&, const WheelWear&) = default;
 };
 
-/// The wheel after it has removed a volume [mm³] since it was dressed: its dullness
-/// η = η_0 + c·(V_w/B)ᵖ, at most 1, and its diameter by V_w/G = π·B·(D_0² − D²)/4.
-[[nodiscard]] Wheel wheelAfter(const Wheel& dressed, const WheelWear& wear, double removed_mm3);
+/// Metal that cycles have removed since the wheel was dressed.
+struct RemovedMetal {
+    double volume_mm3 = 0; ///< V_w
+    /// S = Σ V/b, b the width of the wheel in contact: in plunge grinding the ground length, else
+    /// all of it. What wears the radius where the wheel grinds.
+    double perContact_mm2 = 0;
+
+    RemovedMetal& operator+=(const RemovedMetal& more) {
+        volume_mm3 += more.volume_mm3;
+        perContact_mm2 += more.perContact_mm2;
+        return *this;
+    }
+    friend RemovedMetal operator+(RemovedMetal a, const RemovedMetal& b) { return a += b; }
+    friend RemovedMetal operator*(double parts, const RemovedMetal& of) {
+        return {parts * of.volume_mm3, parts * of.perContact_mm2};
+    }
+};
+
+/// What the cycle of a project has removed, so much in all.
+[[nodiscard]] RemovedMetal removedMetal(const Project& project, double volume_mm3);
+
+/// The wheel after it has removed so much since it was dressed: its dullness η = η_0 + c·(V_w/B)ᵖ,
+/// at most 1, its diameter by V_w/G = π·B·(D_0² − D²)/4, and the wear of its radius
+/// w = w_0 + (D_0 − √(D_0² − 4·S/(π·G)))/2, which the next dressing compensates.
+[[nodiscard]] Wheel wheelAfter(const Wheel& dressed, const WheelWear& wear,
+                               const RemovedMetal& removed);
+
+/// Gives a project that has the dressed wheel the worn one, with V_k as its drive has it.
+void wearWheel(Project& project, const WheelWear& wear, const RemovedMetal& removed);
+
+/// Whether a wheel that has removed so much can wear no further: it is as dull as can be, and keeps
+/// its diameter.
+[[nodiscard]] bool isWornOut(const Wheel& dressed, const WheelWear& wear,
+                             const RemovedMetal& removed);
 
 template <>
 const StructInfo& tableOf<WheelWear>();

@@ -21,10 +21,10 @@ Issues errorsOf(const Project& project) {
 
 } // namespace
 
-WornProject wornProject(const Setup& setup, std::size_t surface, double removed_mm3) {
-    WornProject made{surface, setup.surfaces[surface].project, {}, removed_mm3};
-    if (removed_mm3 > 0 && setup.wear.isGiven()) {
-        *made.project.wheel = wheelAfter(*made.project.wheel, setup.wear, removed_mm3);
+WornProject wornProject(const Setup& setup, std::size_t surface, const RemovedMetal& removed) {
+    WornProject made{surface, setup.surfaces[surface].project, {}};
+    if (removed.volume_mm3 > 0 && setup.wear.isGiven()) {
+        wearWheel(made.project, setup.wear, removed);
         made.issues = errorsOf(made.project);
     }
     return made;
@@ -32,25 +32,25 @@ WornProject wornProject(const Setup& setup, std::size_t surface, double removed_
 
 WornProject wornProject(const Setup& setup, std::size_t surface, const std::stop_token& stop,
                         RemovedVolumes* known) {
-    double removed_mm3 = 0;
+    RemovedMetal removed;
     for (std::size_t i = 0; i < surface && setup.wear.isGiven() && !stop.stop_requested(); ++i) {
-        WornProject before = wornProject(setup, i, removed_mm3);
-        if (removed_mm3 <= 0) { // of a set-up that is unfinished
+        WornProject before = wornProject(setup, i, removed);
+        if (removed.volume_mm3 <= 0) { // of a set-up that is unfinished
             before.issues = errorsOf(before.project);
         }
         if (!before.issues.empty()) {
             return before;
         }
-        std::optional<double> removed = known ? known->find(before.project) : std::nullopt;
-        if (!removed) {
-            removed = runSurface({}, before.project, stop).removed_mm3;
+        std::optional<double> volume_mm3 = known ? known->find(before.project) : std::nullopt;
+        if (!volume_mm3) {
+            volume_mm3 = runSurface({}, before.project, stop).removed_mm3;
             if (known && !stop.stop_requested()) {
-                known->add(before.project, *removed);
+                known->add(before.project, *volume_mm3);
             }
         }
-        removed_mm3 += *removed;
+        removed += removedMetal(before.project, *volume_mm3);
     }
-    return wornProject(setup, surface, removed_mm3);
+    return wornProject(setup, surface, removed);
 }
 
 } // namespace sparkout

@@ -52,7 +52,6 @@ struct Peak {
 /// A gauge's free position counts for nothing.
 struct StageSums {
     double length_mm = 0;       ///< Σℓ
-    double revolutions = 0;     ///< Σℓ/b: turns of the work that grind these lengths
     double removed_mm2 = 0;     ///< Σℓ·⟨a⟩: longitudinal section of what is removed
     double rootLength_mm15 = 0; ///< Σℓ·⟨√a⟩, for the friction term of P_z [mm^1.5]
     Peak depth_mm;              ///< largest a, per revolution or stroke

@@ -171,7 +171,6 @@ void Run::tally(double root, std::size_t first, std::size_t count, const CutWidt
     StageSums& sums = m_result.sumsByStage[m_openStage];
     const double length = m_lengthBefore[first + count] - m_lengthBefore[first];
     sums.length_mm += length;
-    sums.revolutions += length / width.width_mm;
     keepPeaks(sums, root, first, width, places);
 }
 

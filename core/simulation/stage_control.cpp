@@ -4,6 +4,8 @@
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
+#include "core/project/wheel.h"
+#include "core/units.h"
 
 #include <algorithm>
 #include <limits>
@@ -27,7 +29,7 @@ StageControl::StageControl(const Project& project, std::vector<double> feeds_mm,
     , m_laterStock(m_feeds.size())
     , m_steps(m_feeds.size())
     , m_control(project.gauge->control)
-    , m_totalInfeed(totalInfeed_mm)
+    , m_fedAtSize_mm(fedAtSize(project, totalInfeed_mm))
     , m_gauge(project, !m_stages.empty() && !m_stages.back().sparkOutSteps()) {
     double later = 0;
     for (std::size_t z = m_feeds.size(); z-- > 0;) {
@@ -37,7 +39,7 @@ StageControl::StageControl(const Project& project, std::vector<double> feeds_mm,
 }
 
 double StageControl::stageEndInfeed() const {
-    return m_totalInfeed - m_laterStock[m_stage];
+    return m_fedAtSize_mm - m_laterStock[m_stage];
 }
 
 double StageControl::nextInfeed(double fed_mm) const {
@@ -128,10 +130,21 @@ double remainingStock(const double* depth_mm, int radii, std::span<const std::si
     });
 }
 
+double standsBack_mm(const Project& project) {
+    return project.gauge->control == Control::position
+               ? project.wheel->radius_wear_um / units::umPerMm
+               : 0;
+}
+
+double fedAtSize(const Project& project, double totalInfeed_mm) {
+    return totalInfeed_mm - standsBack_mm(project);
+}
+
 double firstFeed(const Project& project, double totalInfeed_mm) {
     const Gauge& gauge = *project.gauge;
-    return gauge.control == Control::position && gauge.datum_mm ? totalInfeed_mm - *gauge.datum_mm
-                                                                : 0;
+    const double touch_mm =
+        gauge.control == Control::position && gauge.datum_mm ? totalInfeed_mm - *gauge.datum_mm : 0;
+    return touch_mm - standsBack_mm(project);
 }
 
 } // namespace sparkout

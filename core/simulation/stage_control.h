@@ -59,7 +59,7 @@ private:
     std::vector<double> m_laterStock; ///< Σ_{j>z} Π_j
     std::vector<int> m_steps;
     Control m_control;
-    double m_totalInfeed;
+    double m_fedAtSize_mm;
     GaugeSignal m_gauge;
     std::size_t m_stage = 0;
 };
@@ -74,8 +74,16 @@ private:
                                     std::span<const std::size_t> diameters, GaugeRule rule,
                                     double totalInfeed_mm);
 
+/// w under position control [mm]: the head stands where it would with a new wheel, and the worn
+/// one's surface that much farther from the part [MODEL-7]. Under gauge control 0, for there
+/// feeding starts at the touch and ends by the reading.
+[[nodiscard]] double standsBack_mm(const Project& project);
+
+/// t_П at which position control takes the part to be at size [mm]: |R_first − R_t| − w.
+[[nodiscard]] double fedAtSize(const Project& project, double totalInfeed_mm);
+
 /// t_П at the beginning [mm]: 0 when feeding starts where the wheel touches this blank. Under
-/// position control from a datum, how much deeper (a larger blank) or, below 0, how far away.
+/// position control −w, and from a datum how much deeper (a larger blank) or farther away.
 [[nodiscard]] double firstFeed(const Project& project, double totalInfeed_mm);
 
 } // namespace sparkout

@@ -7,7 +7,6 @@
 #include "core/project/cycle.h"
 #include "core/project/optimisation.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 #include "core/study/refine_answer.h"
 
@@ -100,8 +99,8 @@ void searchOnce(GridSearchReport& report, const Project& searched, const GridSea
                 const SearchOptions& search) {
     report.searched = searched;
     if (objectiveOf(searched) != SearchObjective::time) {
-        const SurfaceWear none{*searched.wheel, {}};
-        report.interval = searchInterval(searched, options.wear.value_or(none), {.search = search});
+        report.interval = searchInterval(searched, options.wear.value_or(SurfaceWear(searched)),
+                                         {.search = search});
         report.search = report.interval->search;
     } else if (options.robust || asksForABatch(searched)) {
         report.robust = optimiseRobustly(searched, undecidedScenarios(searched, options.stop),

@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 namespace sparkout {
 
@@ -57,9 +59,9 @@ Project sweepOnly(Project project) {
     project.runs.clear();
     if (project.sweep && sweepFaults(project).empty()) {
         const std::vector<SweepAxis> axes = project.sweep->inputs;
-        for (const SweepAxis& axis : axes) {
-            setNumberInput(project, axis.input, axis.from);
-        }
+        std::vector<double> values;
+        std::ranges::transform(axes, std::back_inserter(values), &SweepAxis::from);
+        putSweptValues(project, axes, values);
     }
     return project;
 }
@@ -115,10 +117,7 @@ Project withSweepAxis(Project project, std::size_t place, const SweepAxis& axis)
 }
 
 Project withPoint(Project project, const SweepResult& sweep, std::size_t point) {
-    const std::vector<double> values = sweep.valuesAt(point);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        setNumberInput(project, sweep.inputs[i].axis.input, values[i]);
-    }
+    putSweptValues(project, sweep.project.sweep->inputs, sweep.valuesAt(point));
     return project;
 }
 

@@ -11,8 +11,6 @@
 #include "core/optimisation/variants.h"
 #include "core/project/optimisation.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
-#include "core/setup/worn_project.h"
 #include "core/study/refine_answer.h"
 #include "core/study/search_levels.h"
 
@@ -55,7 +53,7 @@ public:
             m_outcome->objectiveFault = objectiveFault(project, wish.phases);
         }
         if (m_outcome->ran() && m_objective != SearchObjective::time) {
-            m_outcome->wear = wearOf(project, wish, m_stop);
+            m_outcome->wear = wearOf(project, wish);
         }
     }
 
@@ -89,13 +87,9 @@ private:
     };
 
     /// Of the surface; without a set-up the wheel does not wear.
-    static SurfaceWear wearOf(const Project& project, const SearchWish& wish,
-                              const std::stop_token& stop) {
-        if (!wish.setup || !wish.setup->wear.isGiven()) {
-            return {*project.wheel, {}};
-        }
-        return surfaceWear(*wish.setup, wish.surface,
-                           wornProject(*wish.setup, wish.surface, stop).before_mm3);
+    static SurfaceWear wearOf(const Project& project, const SearchWish& wish) {
+        return wish.setup && wish.setup->wear.isGiven() ? SurfaceWear(*wish.setup, wish.surface)
+                                                        : SurfaceWear(project);
     }
 
     /// What it is compared by before anything else.

@@ -2,6 +2,7 @@
 #include "core/sweep/sweep_run.h"
 
 #include "core/batch/worker_pool.h"
+#include "core/project/machine.h"
 #include "core/project/number_input.h"
 #include "core/project/range_check.h"
 #include "core/project/sweep.h"
@@ -69,10 +70,7 @@ public:
 private:
     bool runPoint(std::size_t index) {
         Project project = m_base;
-        const std::vector<double> values = m_result.valuesAt(index);
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            setNumberInput(project, m_result.inputs[i].axis.input, values[i]);
-        }
+        putSweptValues(project, m_result.project.sweep->inputs, m_result.valuesAt(index));
         SweepPoint& mine = m_result.points[index];
         Issues issues = validate(project);
         std::erase_if(issues, [](const Issue& issue) { return issue.severity != Severity::error; });
@@ -198,6 +196,21 @@ std::int64_t pointsOf(const Project& project) {
         points *= static_cast<std::int64_t>(input.values.size());
     }
     return points;
+}
+
+void putSweptValues(Project& project, const std::vector<SweepAxis>& axes,
+                    const std::vector<double>& values) {
+    const auto isDiameter = [&](std::size_t i) { return axes[i].input == "/wheel/diameter_mm"; };
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        if (isDiameter(i)) {
+            changeWheelDiameter(project, values[i]);
+        }
+    }
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        if (!isDiameter(i)) {
+            setNumberInput(project, axes[i].input, values[i]);
+        }
+    }
 }
 
 SweepResult runSweep(const Project& project, const SweepOptions& options) {

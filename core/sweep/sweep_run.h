@@ -90,6 +90,11 @@ struct SweepOptions {
 /// How many points the sweep of a project has; 0 without one.
 [[nodiscard]] std::int64_t pointsOf(const Project& project);
 
+/// Gives a project these values of varied inputs. With another wheel diameter V_k is what the
+/// machine's drive makes of it (changeWheelDiameter); a V_k that is varied itself counts as it is.
+void putSweptValues(Project& project, const std::vector<SweepAxis>& axes,
+                    const std::vector<double>& values);
+
 /// Runs a sweep: no point of one that checkSweep() does not pass. The same for any number of
 /// threads, bit for bit: each point is the run of the project with its values. A stop request ends
 /// it within a revolution of each thread and keeps what was done.

@@ -327,7 +327,7 @@ private slots:
             const Outcome outcome = optimize({file, "--json"});
             QVERIFY2(outcome.status == 0, outcome.err.c_str());
             const json answer = json::parse(outcome.out);
-            const IntervalSummary engine = searchInterval(project, surfaceWear(setup, 0, 0), {});
+            const IntervalSummary engine = searchInterval(project, SurfaceWear(setup, 0), {});
             QVERIFY(answer.at("status") == "proved");
             QVERIFY(answer.at("aim") == (isCost ? "least_cost" : "longest_wheel_life"));
             const json& dressing = answer.at("dressing");

@@ -207,7 +207,7 @@ private:
             {"aggressiveness", expected.aggressiveness},
             {"removed_volume_mm3", expected.removedVolume_mm3},
             {"energy_j", expected.energy_j},
-            {"grinding_time_min", expected.grindingTime_s / 60},
+            {"grinding_time_min", expected.time_s / 60},
             {"peak_power_w", expected.power_w.value},
             {"mean_power_w", expected.meanPower_w},
             {"peak_normal_force_n", expected.normalForce_n.value}};

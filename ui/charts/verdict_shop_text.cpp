@@ -42,7 +42,7 @@ QString energyText(const ShopColumn& column) {
     return ShopText::tr("%1 kJ for %2 mm³ in %3 min of grinding")
         .arg(Names::significant(column.energy_j / units::jPerKj),
              Names::significant(column.removedVolume_mm3),
-             Names::significant(column.grindingTime_s / units::secondsPerMinute));
+             Names::significant(column.time_s / units::secondsPerMinute));
 }
 
 /// In the order of the rows.
@@ -73,9 +73,9 @@ constexpr const char* hints[] = {
         "Specific energy: ∫P_z·V_k dt over the volume removed. Plausible for steel: %1…%2 J/mm³. A "
         "dull wheel needs more; so does spark-out, where the wheel rubs more than it cuts."),
     QT_TRANSLATE_NOOP("ShopText", "Maximum wheel power P_z·V_k of any pass of the stage."),
-    QT_TRANSLATE_NOOP("ShopText",
-                      "Mean wheel power: the energy over the time of grinding, which is the "
-                      "revolutions of plunging and dwelling and L_p/S_ax for each stroke."),
+    QT_TRANSLATE_NOOP(
+        "ShopText", "Mean wheel power: the energy over the machining time of the stage, in all of "
+                    "which the wheel grinds: plunging, dwells and strokes of the table."),
     QT_TRANSLATE_NOOP("ShopText", "Maximum normal force P_y of any pass of the stage."),
     QT_TRANSLATE_NOOP("ShopText", "Wheel rev/min to work rev/min. Within %1 of a whole number the "
                                   "waves of a wheel out of true print onto one another: over ten "

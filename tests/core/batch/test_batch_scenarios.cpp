@@ -157,7 +157,7 @@ private slots:
         }
     }
 
-    void theWheelGetsSmallerWithDressingsAndItsSpeedWithIt() {
+    void theWheelGetsSmallerWithDressingsAndItsSpeedAsTheDriveHasIt() {
         Project project = fixtures::plunge();
         project.batch = Batch{};
         project.batch->parts = 20;
@@ -166,11 +166,17 @@ private slots:
         wheel.parts_between_dressings = 10;
         project.batch->factors.wheel_diameter_mm = wheel;
         const double rate = project.machine->wheel_speed_m_s / project.wheel->diameter_mm;
-        const ScenarioSource source(project);
-        const Project last = source.project(9), dressed = source.project(10);
-        QCOMPARE(last.wheel->diameter_mm, 500.0);
-        QCOMPARE(dressed.wheel->diameter_mm, 450.0);
-        QVERIFY(fixtures::close(dressed.machine->wheel_speed_m_s, 450 * rate, 1e-14));
+        for (const auto control :
+             {WheelSpeedControl::constant_speed, WheelSpeedControl::constant_revolutions}) {
+            const bool falls = control == WheelSpeedControl::constant_revolutions;
+            project.machine->wheel_speed_control = control;
+            const ScenarioSource source(project);
+            const Project last = source.project(9), dressed = source.project(10);
+            QCOMPARE(last.wheel->diameter_mm, 500.0);
+            QCOMPARE(dressed.wheel->diameter_mm, 450.0);
+            QVERIFY(fixtures::close(dressed.machine->wheel_speed_m_s,
+                                    falls ? 450 * rate : project.machine->wheel_speed_m_s, 1e-14));
+        }
     }
 
     // Quantiles of the truncated law by its own distribution function.

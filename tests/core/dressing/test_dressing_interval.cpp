@@ -2,7 +2,6 @@
 // The parts between dressings: closed form of the drive's limit, every part tried by hand, laws.
 #include "core/dressing/dressing_interval.h"
 #include "core/dressing/part_cost.h"
-#include "core/dressing/worn_parts.h"
 #include "core/process/force.h"
 #include "core/project/batch.h"
 #include "core/project/machine.h"
@@ -11,6 +10,7 @@
 #include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "core/quality/shop_numbers.h"
+#include "core/setup/surface_wear.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/setup/setup_samples.h"
 #include "tests/core/support/batch_fixtures.h"
@@ -24,8 +24,8 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <numeric>
 #include <stop_token>
+#include <vector>
 
 namespace test_dressing_interval {
 
@@ -52,51 +52,65 @@ double power_kw(const Project& project, double dullness) {
     return dull.machine->wheel_speed_m_s * law.tangential(40, std::sqrt(0.005)) / 1000;
 }
 
+/// What the stiff plunge removes of each millimetre of the wheel's width, whatever its wheel: 40
+/// whole revolutions of 5 µm and a spiral, of which the radii have 1/4 … 4/4 [mm²].
+double specific_mm2() {
+    return std::numbers::pi * 30 * 0.005 * (40 + 2.5 / 4);
+}
+
 /// Parts whose power is below the limit when n parts before them have removed n·V.
 std::int64_t closedForm(const Setup& setup, double most_kw) {
     const Project& project = setup.surfaces[0].project;
     const double sharp = power_kw(project, 0);
     const double slope = power_kw(project, 1) - sharp; // k_r, and with it the power, grows with η
     const double mostDull = (most_kw - sharp) / slope;
-    const double specific_mm2 = std::numbers::pi * 30 * 0.2; // of a part: V/B with L = B
     const double grown = (mostDull - project.wheel->dullness) / *setup.wear.dulling_per_mm2;
     return static_cast<std::int64_t>(
-               std::floor(std::pow(grown, 1 / setup.wear.dulling_exponent) / specific_mm2))
+               std::floor(std::pow(grown, 1 / setup.wear.dulling_exponent) / specific_mm2()))
            + 1;
 }
 
-bool holdsByHand(const Project& project) {
-    const SimulationResult result = simulate(project);
-    return result.status == RunStatus::completed
-           && std::ranges::all_of(evaluateConstraints(result), &ConstraintResult::holds);
-}
+/// The parts that hold, one by one until the first that does not, at most so many: each simulated
+/// with a wheel that carries the metal of the first parts before it.
+struct ByHand {
+    std::int64_t parts = 0;
+    std::vector<double> time_s; ///< of each
+    double part_mm3 = 0;
 
-/// Parts that hold, one by one until the first that does not, at most so many.
-std::int64_t byHand(const Setup& setup, std::int64_t most) {
-    const double part_mm3 = std::accumulate(setup.surfaces.begin(), setup.surfaces.end(), 0.0,
-                                            [](double sum, const GroundSurface& surface) {
-                                                const Part& part = *surface.project.part;
-                                                return sum
-                                                       + std::numbers::pi * part.diameter_mm
-                                                             * part.stock_mm * part.length_mm
-                                                             * engagedShare(part);
-                                            });
-    for (std::int64_t n = 1; n <= most; ++n) {
-        double before_mm3 = 0;
-        for (const GroundSurface& surface : setup.surfaces) {
-            Project first = surface.project;
-            *first.wheel = wheelAfter(*surface.project.wheel, setup.wear, before_mm3);
-            Project worn = surface.project;
-            *worn.wheel = wheelAfter(*surface.project.wheel, setup.wear,
-                                     static_cast<double>(n - 1) * part_mm3 + before_mm3);
-            if (!holdsByHand(worn)) {
-                return n - 1;
+    ByHand(const Setup& setup, std::int64_t most) {
+        for (; parts < most; ++parts) {
+            RemovedMetal ofPart;
+            double time = 0;
+            for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
+                const Project& dressed = setup.surfaces[i].project;
+                Project worn = dressed;
+                const RemovedMetal before = parts == 0 ? ofPart : m_before[i];
+                *worn.wheel = wheelAfter(*dressed.wheel, setup.wear,
+                                         before + static_cast<double>(parts) * m_part);
+                if (worn.machine->wheel_speed_control == WheelSpeedControl::constant_revolutions) {
+                    worn.machine->wheel_speed_m_s *=
+                        worn.wheel->diameter_mm / dressed.wheel->diameter_mm;
+                }
+                const SimulationResult result = simulate(worn);
+                if (result.status != RunStatus::completed
+                    || !std::ranges::all_of(evaluateConstraints(result),
+                                            &ConstraintResult::holds)) {
+                    return;
+                }
+                m_before.push_back(ofPart);
+                ofPart += removedMetal(worn, shopNumbers(result).cycle.removedVolume_mm3);
+                time += result.time_s;
             }
-            before_mm3 += shopNumbers(simulate(first)).cycle.removedVolume_mm3;
+            m_part = parts == 0 ? ofPart : m_part;
+            part_mm3 = m_part.volume_mm3;
+            time_s.push_back(time);
         }
     }
-    return most;
-}
+
+private:
+    std::vector<RemovedMetal> m_before; ///< of the surfaces before each, in the first part
+    RemovedMetal m_part;
+};
 
 } // namespace
 
@@ -124,19 +138,40 @@ private slots:
         }
     }
 
-    /// p = 1 is η_0 + c·V/B to the last bit; the volume ground is that of the drawing.
-    void theWheelIsThatOfThePartsBefore() {
-        const Setup setup = stiffPlunge();
-        const SetupRun first = runSetup(setup);
-        const WornParts worn(setup, first);
-        const double part_mm3 = nominalVolume_mm3(setup.surfaces[0].project);
-        QVERIFY(fixtures::close(part_mm3, std::numbers::pi * 30 * 0.2 * 40, 1e-15));
-        QVERIFY(fixtures::close(first.surfaces[0].removed_mm3, part_mm3, 0.05));
+    /// p = 1 is η_0 + c·V/B to the last bit; V is the metal removed as simulated, with the runout
+    /// of the blank and what is cut past the threshold, not the stock of the drawing.
+    void theWheelIsThatOfTheMetalRemovedBefore() {
+        const SurfaceWear wear(stiffPlunge(), 0);
+        const Project& project = wear.setup.surfaces[0].project;
+        const double part_mm3 = removedVolume_mm3(simulate(project));
+        QVERIFY(fixtures::close(part_mm3, 40 * specific_mm2(), 1e-8)); // it yields a little
+        QVERIFY(part_mm3 > 1.01 * nominalVolume_mm3(project));
+        WheelCourse course(wear);
+        Project worn = project;
+        course.putWheel(worn, 1);
+        QCOMPARE(worn.wheel->dullness, 0.02);
+        course = course.ofCycle(part_mm3);
         for (const std::int64_t part : {1, 2, 10, 500}) {
-            const double specific_mm2 = static_cast<double>(part - 1) * part_mm3 / 40;
-            QCOMPARE(worn.wheel(0, part).dullness, std::min(1.0, 0.02 + 1e-5 * specific_mm2));
+            const double removed_mm3 = static_cast<double>(part - 1) * part_mm3;
+            course.putWheel(worn, part);
+            QCOMPARE(worn.wheel->dullness, std::min(1.0, 0.02 + 1e-5 * (removed_mm3 / 40)));
         }
-        QVERIFY(!worn.isWornOut(500) && worn.isWornOut(100000));
+        QVERIFY(!course.isWornOut(500) && course.isWornOut(100000));
+    }
+
+    /// Runout that the drawing does not know of is cut too: the same part with a greater runout
+    /// dulls the wheel sooner.
+    void runoutDullsTheWheelToo() {
+        Setup setup = stiffPlunge();
+        Project& project = setup.surfaces[0].project;
+        project.part->profile = ProfileForm::eccentric;
+        project.machine->wheel_drive_kw = 1.2 * power_kw(project, project.wheel->dullness);
+        setup.wear.dulling_per_mm2 = 1e-6;
+        const std::int64_t round = dressingInterval(setup).parts;
+        project.part->initial_runout_mm = 0.1;
+        const DressingInterval uneven = dressingInterval(setup);
+        QVERIFY(uneven.end && uneven.parts > 1 && uneven.parts < 0.9 * double(round));
+        QCOMPARE(uneven.parts, ByHand(setup, round).parts);
     }
 
     /// Random set-ups of up to four surfaces, whose limits fail or hold as they happen to.
@@ -165,7 +200,14 @@ private slots:
             if (!found.ran()) {
                 continue;
             }
-            QCOMPARE(found.parts, byHand(*setup, most));
+            const ByHand byHand(*setup, most);
+            QCOMPARE(found.parts, byHand.parts);
+            QCOMPARE(found.time_s.size(), byHand.time_s.size());
+            for (std::size_t i = 0; i < byHand.time_s.size(); ++i) {
+                QVERIFY(fixtures::close(found.time_s[i], byHand.time_s[i], 1e-12));
+            }
+            QVERIFY(found.parts == 0
+                    || fixtures::close(found.partVolume_mm3, byHand.part_mm3, 1e-12));
             QVERIFY(found.end.has_value() == (found.parts < most));
             ended += found.end ? 1 : 0;
             several += found.parts > 1 && found.end ? 1 : 0;
@@ -199,6 +241,28 @@ private slots:
         QCOMPARE(corners.parts, dressingInterval(strong).parts);
         setup.wear.dulling_per_mm2 = 4e-6;
         QVERIFY(dressingInterval(setup).parts < parts);
+    }
+
+    /// The worn wheel of a batch's part is that part's own wheel, worn: its diameter and width are
+    /// factors of the batch.
+    void aScenarioKeepsItsOwnWheel() {
+        Setup setup = stiffPlunge();
+        Project& project = setup.surfaces[0].project;
+        project.machine->wheel_speed_control = WheelSpeedControl::constant_revolutions;
+        project.machine->wheel_drive_kw = 1.3 * power_kw(project, project.wheel->dullness);
+        setup.wear.dulling_per_mm2 = 2e-6;
+        project.batch = Batch{};
+        project.batch->factors.wheel_diameter_mm = fixtures::uniform(590, 600);
+        DressingOptions options;
+        options.scenarios = Scenarios::corners;
+        const DressingInterval corners = dressingInterval(setup, options);
+        Setup smaller = setup;
+        smaller.surfaces[0].project.wheel->diameter_mm = 590;
+        smaller.surfaces[0].project.machine->wheel_speed_m_s *= 590.0 / 600;
+        const std::int64_t least =
+            std::min(dressingInterval(setup).parts, dressingInterval(smaller).parts);
+        QVERIFY(dressingInterval(setup).parts != dressingInterval(smaller).parts);
+        QCOMPARE(corners.parts, least);
     }
 
     void aWheelThatIsAsDullAsCanBeGoesOn() {

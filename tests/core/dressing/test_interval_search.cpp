@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cheapest cycle and the one that keeps the wheel longest: found by running all cycles of the
 // grid on all parts, laws, and the closed form of a drive's limit.
+#include "core/dressing/dressing_interval.h"
 #include "core/dressing/interval_search.h"
 #include "core/dressing/part_cost.h"
 #include "core/process/force.h"
 #include "core/project/wheel.h"
+#include "core/quality/shop_numbers.h"
 #include "core/study/grid_search.h"
 #include "core/study/whole_search.h"
 #include "tests/core/optimisation/search_checks.h"
@@ -42,9 +44,10 @@ std::vector<Lasting> allLasting(Project project, const SurfaceWear& wear, std::i
         setMachine(project, each.machine);
         Lasting lasting{each, 0, 0, {}};
         double margin = std::numeric_limits<double>::infinity();
+        RemovedMetal ofPart;
         for (std::int64_t part = 1; part <= most; ++part) {
-            *project.wheel =
-                wheelAfter(wear.dressed, wear.wear, static_cast<double>(part - 1) * wear.part_mm3);
+            *project.wheel = wheelAfter(*wear.setup.surfaces[0].project.wheel, wear.wear(),
+                                        static_cast<double>(part - 1) * ofPart);
             const SimulationResult result = simulateUnchecked(project);
             if (!holds(result)) {
                 break;
@@ -55,6 +58,9 @@ std::vector<Lasting> allLasting(Project project, const SurfaceWear& wear, std::i
                 margin = std::min(margin, constraint.relativeMargin);
             }
             lasting.margins.push_back(margin);
+            if (part == 1) {
+                ofPart = removedMetal(project, shopNumbers(result).cycle.removedVolume_mm3);
+            }
         }
         if (!lasting.margins.empty()) {
             all.push_back(std::move(lasting));
@@ -127,15 +133,23 @@ Project withRates(Project p, unsigned seed) {
 
 /// A wheel whose dullness some parts multiply, so that cycles end after different numbers.
 SurfaceWear wearOf(const Project& project, unsigned seed) {
-    SurfaceWear wear{*project.wheel, {}, nominalVolume_mm3(project), 0};
+    Setup setup = plainSetup(project);
     const double exponent = seed % 3 == 0 ? 0.7 : 1;
     const double grown = project.wheel->dullness * (0.02 + 0.06 * (seed % 6));
-    wear.wear.dulling_exponent = exponent;
-    wear.wear.dulling_per_mm2 = grown / std::pow(wear.part_mm3 / project.wheel->width_mm, exponent);
+    const double specific_mm2 = nominalVolume_mm3(project) / project.wheel->width_mm;
+    setup.wear.dulling_exponent = exponent;
+    setup.wear.dulling_per_mm2 = grown / std::pow(specific_mm2, exponent);
     if (seed % 5 == 2) {
-        wear.wear.grinding_ratio = 0.5;
+        setup.wear.grinding_ratio = 0.5;
     }
-    return wear;
+    return {setup, 0};
+}
+
+/// Of a plain part whose wheel dulls evenly.
+SurfaceWear dulling(const Project& project, double dulling_per_mm2) {
+    Setup setup = plainSetup(project);
+    setup.wear.dulling_per_mm2 = dulling_per_mm2;
+    return {setup, 0};
 }
 
 IntervalSummary searched(const Project& project, const SurfaceWear& wear, std::int64_t most,
@@ -245,20 +259,19 @@ private slots:
         Project project = withRates(stiffDriven(), 3);
         project.optimisation->cost->dressing_cost = 0.4;
         const double most_kw = *project.machine->wheel_drive_kw;
-        SurfaceWear wear{*project.wheel, {}, nominalVolume_mm3(project), 0};
-        wear.wear.dulling_per_mm2 = 3e-6;
-        const double perPart = *wear.wear.dulling_per_mm2 * wear.part_mm3 / project.wheel->width_mm;
+        const SurfaceWear wear = dulling(project, 3e-6);
         std::int64_t longest = 0;
         double cheapest = std::numeric_limits<double>::infinity(), cheapestFeed = 0;
         for (const double feed : levelValues(project.optimisation->radial_feed_mm_min)) {
             const double sharp_kw = power_kw(project, feed, 0);
             const double slope_kw = power_kw(project, feed, 1) - sharp_kw;
             const double left = (most_kw - sharp_kw) / slope_kw - project.wheel->dullness;
-            const auto life = static_cast<std::int64_t>(std::floor(left / perPart)) + 1;
             Project run = project;
             run.cycle->stages = {fixtures::plungeStage(feed, run.part->stock_mm)};
-            const double cost =
-                partCost(*project.optimisation->cost, simulateUnchecked(run).time_s, life);
+            const SimulationResult result = simulateUnchecked(run);
+            const double perPart = 3e-6 * removedVolume_mm3(result) / project.wheel->width_mm;
+            const auto life = static_cast<std::int64_t>(std::floor(left / perPart)) + 1;
+            const double cost = partCost(*project.optimisation->cost, result.time_s, life);
             longest = std::max(longest, life);
             if (cost < cheapest) {
                 cheapest = cost;
@@ -286,7 +299,7 @@ private slots:
         for (unsigned seed = 0; seed < searches(20); ++seed) {
             Project project = withRates(smallCase(seed), seed);
             const SearchSummary quickest = search(project);
-            const SurfaceWear none{*project.wheel, {}, 1000, 0};
+            const SurfaceWear none(project);
             for (const SearchObjective objective :
                  {SearchObjective::cost, SearchObjective::wheel_life}) {
                 project.optimisation->objective = objective;
@@ -306,11 +319,10 @@ private slots:
     void aWheelThatGetsNoDullerNeedsNoDressing() {
         Project project = withRates(stiffDriven(), 3);
         project.machine->wheel_drive_kw = 1000;
-        SurfaceWear wear{*project.wheel, {}, nominalVolume_mm3(project), 0};
-        wear.wear.dulling_per_mm2 = 1e-4;
+        const SurfaceWear wear = dulling(project, 1e-4);
         project.optimisation->objective = SearchObjective::cost;
         const IntervalSummary answer = searched(project, wear, mostPartsTried);
-        QVERIFY(answer.held && answer.held->isEndless && wear.isWornOut(answer.held->parts));
+        QVERIFY(answer.held && answer.held->isEndless && answer.held->parts < 1000);
         QCOMPARE(*answer.cost,
                  partCost(*project.optimisation->cost, answer.search.best->time_s, {}));
         project.optimisation->cost->parts_between_dressings = 7; // the most that is allowed
@@ -324,8 +336,7 @@ private slots:
     /// bound.
     void aStoppedSearchKeepsTheBestSoFar() {
         Project project = withRates(stiffDriven(), 3);
-        SurfaceWear wear{*project.wheel, {}, nominalVolume_mm3(project), 0};
-        wear.wear.dulling_per_mm2 = 3e-5;
+        const SurfaceWear wear = dulling(project, 3e-5);
         project.optimisation->objective = SearchObjective::cost;
         const IntervalSummary whole = searched(project, wear, 500);
         int stopped = 0, kept = 0;
@@ -353,6 +364,56 @@ private slots:
             }
         }
         QVERIFY(stopped > 3 && kept > 0);
+    }
+
+    /// In a set-up the other surfaces dull the wheel as they are ground: the parts of an answer are
+    /// those that the set-up with it holds for.
+    void theOtherSurfacesDullTheWheelAsTheyAreGround() {
+        Project project = withRates(stiffDriven(), 3);
+        project.optimisation->objective = SearchObjective::wheel_life;
+        Setup setup = plainSetup(project);
+        for (const double runout_mm : {0.02, 0.08}) { // of two others, which nothing ends
+            setup.surfaces.push_back(setup.surfaces.front());
+            Project& other = setup.surfaces.back().project;
+            other.part->initial_runout_mm = runout_mm;
+            other.machine->wheel_drive_kw = std::nullopt;
+            other.part->lower_deviation_um = -50;
+        }
+        setup.wear.dulling_per_mm2 = 2e-5;
+        std::vector<std::int64_t> lives;
+        for (std::size_t surface = 0; surface < setup.surfaces.size(); ++surface) {
+            Setup turned = setup; // the searched surface stands first, second, last
+            std::swap(turned.surfaces[0], turned.surfaces[surface]);
+            const SurfaceWear wear(turned, surface);
+            Project searchedFirst = turned.surfaces[surface].project;
+            WheelCourse(wear).putWheel(searchedFirst, 1);
+            const IntervalSummary answer = searched(searchedFirst, wear, 500);
+            QVERIFY(answer.search.best && answer.held && answer.held->parts > 2);
+            *turned.surfaces[surface].project.cycle = answer.search.cycle;
+            QCOMPARE(answer.held->parts, dressingInterval(turned).parts);
+            lives.push_back(answer.held->parts);
+        }
+        const std::int64_t alone = searched(project, dulling(project, 2e-5), 500).held->parts;
+        QVERIFY(std::ranges::all_of(lives, [alone](std::int64_t n) { return n < alone / 2; }));
+    }
+
+    /// In a set-up that is not finished, a surface without a cycle counts by its drawing.
+    void aSurfaceWithoutACycleCountsByItsDrawing() {
+        Setup setup = plainSetup(stiffDriven());
+        setup.surfaces.resize(3, setup.surfaces.front());
+        setup.surfaces[1].project.cycle->stages.clear();
+        setup.wear.dulling_per_mm2 = 2e-5;
+        const SurfaceWear wear(setup, 0);
+        const WheelCourse course = WheelCourse(wear).ofCycle(100);
+        Project third = setup.surfaces[2].project, first = setup.surfaces[0].project;
+        const double two_mm3 = 100 + nominalVolume_mm3(setup.surfaces[1].project);
+        wearWheel(third, setup.wear, removedMetal(third, two_mm3));
+        const double all_mm3 = two_mm3 + removedVolume_mm3(simulateUnchecked(third));
+        course.putWheel(first, 4);
+        QVERIFY(fixtures::close(first.wheel->dullness,
+                                setup.surfaces[0].project.wheel->dullness
+                                    + 2e-5 * 3 * all_mm3 / first.wheel->width_mm,
+                                1e-14));
     }
 
     void whatCannotBeSearchedTogetherIsRefused() {
@@ -389,7 +450,7 @@ private slots:
             project.optimisation->adaptive = false;
             const SurfaceWear wear = wearOf(project, seed);
             auto setup = std::make_shared<Setup>(plainSetup(project));
-            setup->wear = wear.wear;
+            setup->wear = wear.wear();
             for (const SearchObjective objective :
                  {SearchObjective::cost, SearchObjective::wheel_life}) {
                 project.optimisation->objective = objective;

@@ -98,6 +98,7 @@ inline Project smallCase(unsigned seed) {
     p.gauge->rule = static_cast<GaugeRule>(dice.integer(0, 2));
     if (dice.chance(0.25)) {
         p.gauge->control = Control::position;
+        p.wheel->radius_wear_um = 0.25 * (seed % 4);
     }
     p.gauge->commands = dice.integer(2, 5);
     Optimisation grid;

@@ -153,7 +153,7 @@ private slots:
         const ShopColumn& skipped = shop.stages[1];
         QCOMPARE(skipped.removedVolume_mm3, 0.0);
         QCOMPARE(skipped.energy_j, 0.0);
-        QCOMPARE(skipped.grindingTime_s, 0.0);
+        QCOMPARE(skipped.time_s, 0.0);
         QCOMPARE(skipped.meanPower_w, 0.0);
         QCOMPARE(skipped.meanRemovalRate_mm2_s, 0.0);
         QVERIFY(!skipped.energy_j_mm3);

@@ -142,6 +142,59 @@ private slots:
         }));
     }
 
+    // Thresholds that are crossed within one delay count each from its own reading: by the readings
+    // of the trace, whatever stage was running when the command came.
+    void severalThresholdsWithinOneDelayCountEachFromItsReading() {
+        int within = 0, skipped = 0;
+        for (int seed = 0; seed < 60; ++seed) {
+            Project p = fixtures::plunge();
+            const double second_mm = 0.002 + 0.0013 * (seed % 7), third_mm = 0.001 * (seed % 4);
+            p.cycle->stages = {fixtures::plungeStage(0.9, 0.2 - second_mm - third_mm - 0.03),
+                               fixtures::plungeStage(0.6, second_mm),
+                               fixtures::plungeStage(0.3, third_mm),
+                               fixtures::plungeStage(0.1, 0.03)};
+            const double turn_s = revolution_s(p);
+            const double gauge_s = turn_s * 0.37 * (seed % 5),
+                         change_s = turn_s * (seed % 6 + 0.21);
+            const fixtures::Traced run(delayed(p, gauge_s, change_s));
+            std::vector<double> left_mm; // after each revolution
+            for (const Pass& pass : run.trajectory.passes) {
+                double least_mm = 1e9;
+                for (int k = 0; k < 2; ++k) {
+                    least_mm = std::min(least_mm, run.visit(pass, k).radius_mm
+                                                      + run.visit(pass, k + 2).radius_mm);
+                }
+                left_mm.push_back(least_mm / 2 - targetRadius(*p.part));
+            }
+            double later_mm = 0.2;
+            int last = 0;
+            std::vector<int> counts;
+            for (std::size_t z = 0; z < 4; ++z) {
+                later_mm -= p.cycle->stages[z].stock_mm;
+                const double delay_s = z < 3 ? gauge_s + change_s : gauge_s;
+                const auto endsBy = [&](int step, double threshold_mm, double late_s) {
+                    for (int read = 1; read <= step; ++read) {
+                        if (left_mm[std::size_t(read - 1)] <= threshold_mm + 1e-9
+                            && read * turn_s + late_s <= step * turn_s + 1e-9) {
+                            return true;
+                        }
+                    }
+                    return false;
+                };
+                int end = std::max(last, 1);
+                while (!endsBy(end, later_mm, delay_s) && !endsBy(end, 0, gauge_s)) {
+                    ++end;
+                }
+                counts.push_back(end - last);
+                within += z == 1 && end - last < stepsOf(delay_s, turn_s) ? 1 : 0;
+                skipped += end == last ? 1 : 0;
+                last = end;
+            }
+            QVERIFY(run.result.countsByStage == counts);
+        }
+        QVERIFY(within > 10 && skipped > 5);
+    }
+
     // Drawing the wheel back is no change of feed: where the size is read while the change is
     // delayed, the cycle is that of the first feed alone.
     void theCommandAtSizeEndsAnyStage() {

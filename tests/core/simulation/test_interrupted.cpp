@@ -173,7 +173,7 @@ private slots:
             close(one.removedVolume_mm3 + other.removedVolume_mm3, whole.removedVolume_mm3, 1e-12));
         QVERIFY(close(one.energy_j + other.energy_j, whole.energy_j, 1e-12));
         QVERIFY(close(one.meanPower_w + other.meanPower_w, whole.meanPower_w, 1e-12));
-        QCOMPARE(one.grindingTime_s, whole.grindingTime_s);
+        QCOMPARE(one.time_s, whole.time_s);
     }
 
     // The gauge reads diameters with no end in a gap, by its rule.

@@ -295,6 +295,31 @@ private slots:
         QCOMPARE(plungeIns, 0); // the continuous infeed had come to the end by then
     }
 
+    /// Position control cuts the infeed of a double stroke short as a whole and shares what is
+    /// left: of 26 µm by 10 µm the last 6 are fed 3 and 3.
+    void positionControlHalvesWhatIsLeft() {
+        Project p = byHand(true);
+        p.machine->reversal_infeed = ReversalInfeed::both;
+        feed(p, 10, 0, 26);
+        const Traced run(p);
+        QCOMPARE(run.result.cycleCount, 3);
+        const auto last = [&run](Zone zone, Step step) {
+            std::vector<Pass> found;
+            for (const Pass& pass : run.trajectory.passes) {
+                if (pass.place.cycleCount == 3 && pass.place.zone == zone
+                    && pass.place.step == step) {
+                    found.push_back(pass);
+                }
+            }
+            return found;
+        };
+        const std::vector<Pass> entry = last(Zone::rz1, Step::e1), exit = last(Zone::rz2, Step::e4);
+        QCOMPARE(entry.size(), 1u); // ⌈60·0.003/0.24⌉ turns each, not two and one
+        QCOMPARE(exit.size(), 1u);
+        QVERIFY(within(run.visit(entry[0], 3).programmed_mm, 23 * um, 1e-12));
+        QVERIFY(within(run.visit(exit[0], 3).programmed_mm, 26 * um, 1e-12));
+    }
+
     void aStageThatFeedsContinuouslyMayDoWithoutAReversalInfeed() {
         Project p = byHand(false);
         feed(p, 0, 0.12, 92);

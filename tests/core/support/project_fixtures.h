@@ -179,10 +179,9 @@ inline std::vector<double> blankDepths(const Project& project) {
 }
 
 inline bool sameBits(const StageSums& a, const StageSums& b) {
-    return a.length_mm == b.length_mm && a.revolutions == b.revolutions
-           && a.removed_mm2 == b.removed_mm2 && a.rootLength_mm15 == b.rootLength_mm15
-           && a.depth_mm.value == b.depth_mm.value && a.normalForce_n.value == b.normalForce_n.value
-           && a.power_w.value == b.power_w.value;
+    return a.length_mm == b.length_mm && a.removed_mm2 == b.removed_mm2
+           && a.rootLength_mm15 == b.rootLength_mm15 && a.depth_mm.value == b.depth_mm.value
+           && a.normalForce_n.value == b.normalForce_n.value && a.power_w.value == b.power_w.value;
 }
 
 /// Whether two runs came out the same to the last bit.

@@ -542,6 +542,14 @@ json randomProject(std::uint64_t seed) {
     if (!plan.traverse && (plan.J != 4 || random.chance(0.5))) {
         project["sections"] = plan.J;
     }
+    Random worn(seed ^ 0x1c69b3f7U); // drawn apart, so that all else is as ever
+    if (worn.chance(0.3)) {
+        project["wheel"]["radius_wear_um"] = rounded(worn.uniform(0.5, 15), 2);
+    }
+    if (worn.chance(0.5)) {
+        project["machine"]["wheel_speed_control"] =
+            worn.oneOf({"constant_speed", "constant_revolutions"});
+    }
     addPractice(seed, plan.traverse, project);
     addGaps(seed, project);
     if (plan.traverse) {

@@ -274,6 +274,9 @@ Cycle readCycle(const json& project) {
         const Real touch = c.internal ? c.R_t - c.R_min0 : c.R_max0 - c.R_t;
         c.t_P = touch - number(gauge, "datum_mm");
     }
+    if (c.position_control) { // the gauge feeds from the touch, wherever the wheel's surface is
+        c.wear = number(part(project, "wheel"), "radius_wear_um", 0) / 1000;
+    }
     return c;
 }
 

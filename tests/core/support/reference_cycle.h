@@ -69,6 +69,7 @@ struct Cycle {
     int zone_sections = 1;
     Real entry_share = 1; // of S_t that is fed at the entry, the rest at the exit
     bool position_control = false;
+    Real wear = 0; // of the wheel's radius, which the position control does not know of [mm]
     std::string rule;
     Real geometric_runout_um = 0;
     std::vector<Stage> stages;

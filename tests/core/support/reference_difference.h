@@ -60,7 +60,7 @@ inline QString stageDifference(const SimulationResult& engine, const Result& sec
         const std::tuple<const char*, double, double, double> pairs[] = {
             {"volume", stage.removedVolume_mm3, other.volume_mm3, rate / turns_s * l},
             {"energy", stage.energy_j, other.energy_j, power / turns_s * l},
-            {"grinding time", stage.grindingTime_s / 60, other.grinding_min, 0},
+            {"grinding time", stage.time_s / 60, other.grinding_min, 0},
             {"largest depth", stage.depth_mm.value, other.largest_depth_mm, depth},
             {"normal force", stage.normalForce_n.value, other.peak_normal_force_n, force * B},
             {"power", stage.power_w.value, other.peak_power_w, power * B},

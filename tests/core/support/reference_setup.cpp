@@ -30,7 +30,7 @@ Real given(const json& object, const char* key, Real otherwise) {
 
 /// The wheel after so much was removed: blunter by what each millimetre of its width has removed,
 /// smaller by the ring that has worn off.
-json worn(const json& dressed, const json& wear, Real removed_mm3) {
+json worn(const json& dressed, const json& wear, Real removed_mm3, Real perContact_mm2) {
     json wheel = dressed;
     const Real B = dressed.at("width_mm").get<double>();
     const Real D = dressed.at("diameter_mm").get<double>();
@@ -40,8 +40,12 @@ json worn(const json& dressed, const json& wear, Real removed_mm3) {
     wheel["dullness"] = static_cast<double>(eta > 1 ? 1 : eta);
     if (const Real G = given(wear, "grinding_ratio", 0); G > 0) {
         const Real area = std::numbers::pi_v<Real> / 4 * D * D - removed_mm3 / G / B;
-        wheel["diameter_mm"] =
-            static_cast<double>(std::sqrt(area / (std::numbers::pi_v<Real> / 4)));
+        const Real smaller = std::sqrt(area / (std::numbers::pi_v<Real> / 4));
+        wheel["diameter_mm"] = static_cast<double>(smaller);
+        const Real ring = std::numbers::pi_v<Real> / 4 * D * D - perContact_mm2 / G;
+        const Real ground = std::sqrt(ring / (std::numbers::pi_v<Real> / 4)); // where it grinds
+        wheel["radius_wear_um"] =
+            static_cast<double>(given(dressed, "radius_wear_um", 0) + (D - ground) * 500);
     }
     return wheel;
 }
@@ -81,17 +85,27 @@ SetupResult simulateSetup(const json& file) {
     }
     SetupResult setup;
     setup.completed = true;
-    Real removed_mm3 = 0;
+    Real removed_mm3 = 0, perContact_mm2 = 0;
     for (const json& own : file.at("surfaces")) {
         SurfaceResult surface;
         surface.project = joined(shared, own);
-        surface.project["wheel"] =
-            worn(shared.at("wheel"), file.value("wear", json::object()), removed_mm3);
+        surface.project["wheel"] = worn(shared.at("wheel"), file.value("wear", json::object()),
+                                        removed_mm3, perContact_mm2);
+        json& machine = surface.project["machine"];
+        if (machine.value("wheel_speed_control", "constant_speed") == "constant_revolutions") {
+            const double of = shared.at("wheel").at("diameter_mm");
+            const double now = surface.project["wheel"].at("diameter_mm");
+            machine["wheel_speed_m_s"] = machine.at("wheel_speed_m_s").get<double>() / of * now;
+        }
         surface.result = simulate(surface.project);
         for (const StageSums& stage : surface.result.stages) {
             surface.removed_mm3 += stage.volume_mm3;
         }
         removed_mm3 += surface.removed_mm3;
+        const bool plunges = surface.project.at("operation") == "plunge";
+        const Real contact = plunges ? surface.project.at("part").at("length_mm").get<double>()
+                                     : shared.at("wheel").at("width_mm").get<double>();
+        perContact_mm2 += surface.removed_mm3 / contact;
         setup.completed = setup.completed && surface.result.status == "completed";
         setup.surfaces.push_back(surface);
     }

@@ -25,7 +25,6 @@ void addToStage(Sums& sums, const Cycle& c, const Body& body, Real b, Real a, Re
     const Real minutes = body.length / b / c.n / c.K;
     sums.volume += pi * c.d / c.K * a * body.length;
     sums.energy += P_z * c.V_k * minutes * 60; // N · m/s · s
-    sums.time += minutes;
     sums.ground += body.length / c.K;
     sums.a = std::max(sums.a, a);
     sums.P_y = std::max(sums.P_y, P_y);
@@ -37,7 +36,13 @@ bool counts(const Cycle& c, const Body& body) {
     return c.traverse ? body.counted : body.reported;
 }
 
-// One radius passes under the wheel, which has been fed to t.
+// A step of the cycle takes so long: the wheel grinds all the time.
+void spend(Cycle& c, Real minutes) {
+    c.time += minutes;
+    c.sums[c.z].time += minutes;
+}
+
+// One radius passes under the wheel, whose head has been fed to t.
 void visit(Cycle& c, Body& body, int k, Real b, Real t) {
     ++c.visits;
     if (c.gap[k]) { // the wheel turns on without a surface under it
@@ -47,7 +52,8 @@ void visit(Cycle& c, Body& body, int k, Real b, Real t) {
         return;
     }
     Real& R = body.radius[k];
-    const Real h = c.internal ? t - (R - c.R_min0) : t - (c.R_max0 - R);
+    const Real fed = t - c.wear; // of a worn wheel's surface
+    const Real h = c.internal ? fed - (R - c.R_min0) : fed - (c.R_max0 - R);
     const Real a = depthOfCut(h, body.gamma, b, c.k_s, c.k_r);
     R = c.internal ? R + a : R - a;
     c.largest_removal = std::max(c.largest_removal, a);
@@ -171,7 +177,7 @@ void doubleStroke(Cycle& c) {
 
     const Real travel = c.length - c.B + c.o1 + c.o2;
     const long long plunges = plungeInRevolutions(c, S_1) + plungeInRevolutions(c, S_2);
-    c.time += (plunges + 2 * c.N1 + c.N2) / c.n + 2 * travel / stage.axial_feed;
+    spend(c, (plunges + 2 * c.N1 + c.N2) / c.n + 2 * travel / stage.axial_feed);
 }
 
 void revolution(Cycle& c) {
@@ -182,7 +188,7 @@ void revolution(Cycle& c) {
         }
     }
     c.t_P += step;
-    c.time += 1 / c.n;
+    spend(c, 1 / c.n);
 }
 
 long long visitsOfNextPass(const Cycle& c) {

@@ -25,9 +25,9 @@ struct Place {
 struct StageSums {
     double volume_mm3 = 0; ///< Σ of (π·d/K)·a·(length of the zone, or of the section's slice)
     double energy_j = 0;   ///< Σ of P_z·V_k·(time of the visit)
-    double grinding_min = 0;     ///< Σ of the times of the visits; J sections share a revolution
-    double ground_mm = 0;        ///< Σ of the lengths of the passes
-    double largest_depth_mm = 0; ///< largest a
+    double grinding_min = 0;        ///< of its double strokes or revolutions
+    double ground_mm = 0;           ///< Σ of the lengths of the passes
+    double largest_depth_mm = 0;    ///< largest a
     double peak_normal_force_n = 0; ///< largest P_y
     double peak_power_w = 0;        ///< largest P_z·V_k
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/parts/part_sketch.h"
 
+#include "core/process/ground_stretch.h"
 #include "core/process/system_compliance.h"
 #include "core/project/gauge.h"
 #include "core/project/part.h"
@@ -46,19 +47,12 @@ struct Stretch {
 };
 
 std::vector<Stretch> stretches(const Outcome& outcome) {
-    const Project& project = outcome.result.project;
-    const ZoneLengths zones = zoneLengths(project);
+    const auto ends = groundStretches(outcome.result.project);
     const auto& sections = outcome.result.sections;
     std::vector<Stretch> all;
     for (std::size_t i = 0; i < sections.size(); ++i) {
         const Zone zone = sections[i].zone;
-        const double length = zone == Zone::rz1  ? zones.rz1
-                              : zone == Zone::nz ? zones.nz
-                              : zone == Zone::rz2
-                                  ? zones.rz2
-                                  : project.part->length_mm / static_cast<double>(sections.size());
-        const double middle = sections[i].position_mm;
-        all.push_back({middle - length / 2, middle + length / 2,
+        all.push_back({ends[i].from_mm, ends[i].to_mm,
                        zone == Zone::section ? QString::number(i + 1) : Names::zone(zone)});
     }
     return all;

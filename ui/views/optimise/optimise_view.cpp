@@ -192,16 +192,11 @@ void OptimiseView::noteStale() {
               || hasOtherWear();
 }
 
-/// What the surfaces before it remove shows in its wheel.
 bool OptimiseView::hasOtherWear() const {
     if (!m_search || !m_search->wear || !m_document) {
         return false;
     }
-    const Setup setup = m_document->setup();
-    return setup.wear != m_search->wear->wear
-           || (setup.wear.isGiven()
-               && surfaceWear(setup, m_document->surface(), 0).part_mm3
-                      != m_search->wear->part_mm3);
+    return !sameWear(SurfaceWear(m_document->setup(), m_document->surface()), *m_search->wear);
 }
 
 void OptimiseView::runSearch() {

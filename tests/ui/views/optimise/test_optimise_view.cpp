@@ -216,7 +216,7 @@ private slots:
         project.optimisation->cost = Cost{60, 30, 100, 8, {}};
         project.optimisation->objective = SearchObjective::cost;
         setup.wear.dulling_per_mm2 = 3e-5;
-        const IntervalSummary engine = searchInterval(project, surfaceWear(setup, 0, 0), {});
+        const IntervalSummary engine = searchInterval(project, SurfaceWear(setup, 0), {});
         const Desk desk(project);
         desk.bench.window->document().startUntitled(setup);
         desk.bench.settle();
