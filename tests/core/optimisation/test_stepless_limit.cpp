@@ -512,6 +512,7 @@ private slots:
                 p.part->tolerance.total_runout_um = dice.uniform(2, 5);
             }
             drawStages(p, dice);
+            p.gauge->commands = 100;
             if (plunge) {
                 addRetraction(p, dice);
             } else {
@@ -540,7 +541,7 @@ private slots:
                     QString("seed %1: %2 of %3 s").arg(seed).arg(limit.time_s).arg(result.time_s)));
         }
         qInfo("%d cycles, %d of the kind; the nearest at %.2f of its time", held, special, nearest);
-        QVERIFY2(nearest > 0.5, QByteArray::number(nearest));
+        QVERIFY2(nearest > 0.4, QByteArray::number(nearest));
     }
 
     // Cycles that trials found below the limit printed for their problem: with a continuous infeed,
@@ -548,7 +549,8 @@ private slots:
     void cyclesOfTrialsAreNoQuickerThanTheLimitThatCoversThem() {
         for (const char* name : {"broken-continuous-41-1.json", "broken-continuous-41-3.json",
                                  "broken-retract-95-1.json"}) {
-            const auto [p, printed_s] = trialOf(name);
+            auto [p, printed_s] = trialOf(name);
+            p.gauge->commands = 100; // it has 18 stages
             const SimulationResult result = simulateUnchecked(p);
             QVERIFY2(holdsAll(result) && result.time_s < printed_s, name);
             const SteplessLimit own = steplessLimitBounds(p);
