@@ -4,6 +4,8 @@
 #include "app/cli_optimise_report.h"
 #include "app/io/cli_io.h"
 #include "app/io/cli_surfaces.h"
+#include "app/io/exit_status.h"
+#include "app/io/stop_signals.h"
 #include "app/kept_search.h"
 #include "app/manual/command_line.h"
 #include "app/search_watch.h"
@@ -179,6 +181,15 @@ GridSearchReport search(const Project& project, const std::optional<SurfaceWear>
                   .stop = watch.token()});
 }
 
+/// A search that was stopped, or that ran out of rounds or ways, decided nothing.
+int statusWithoutAnswer(const GridSearchReport& report) {
+    if (report.search.status == SearchStatus::infeasible) {
+        return nothingFeasible;
+    }
+    const bool isStopped = report.search.status == SearchStatus::stopped;
+    return isStopped && caughtSignal() != 0 ? interrupted + caughtSignal() : undecided;
+}
+
 /// Searches for the cycle of one surface, and puts it into the set-up.
 int optimise(Project project, std::size_t surface, const std::string& name,
              const OptimiseOptions& options, Setup& answers) {
@@ -212,7 +223,7 @@ int optimise(Project project, std::size_t surface, const std::string& name,
     }
     if (!hasAnswer(report)) {
         print(stderr, printable(name) + ": " + noAnswerSentence(report) + '\n');
-        return nothingFeasible;
+        return statusWithoutAnswer(report);
     }
     const Project answer = withAnswer(report);
     answers.surfaces[surface].project.cycle = answer.cycle;

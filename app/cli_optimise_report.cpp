@@ -408,6 +408,49 @@ ordered_json limitBoundsJson(const SteplessLimit& limit) {
     return bounds;
 }
 
+/// Of what cycles the limit is: none of these is quicker.
+std::string limitCyclesText(const GridSearchReport& report) {
+    const Operation& operation = report.project.operation;
+    const LimitedCycles& cycles = report.limit.cycles;
+    std::string text = "limit of cycles     ";
+    if (operation->travels) {
+        text += cycles.continuousFeed_mm_min > 0
+                    ? " with a continuous infeed of up to "
+                          + numberText(cycles.continuousFeed_mm_min) + " mm/min,"
+                    : " without a continuous infeed,";
+    }
+    if (operation->mayRetract) {
+        text += cycles.drawBack ? " that may draw the wheel head back,"
+                                : " that never draw the wheel head back,";
+    }
+    return text
+           + (cycles.sparkOut ? " ended at size or by a number of steps without feed\n"
+                              : " ended at size\n");
+}
+
+/// Null: no limit is known.
+ordered_json limitCyclesJson(const GridSearchReport& report) {
+    if (!isKnownLimit(report.limit.time_s)) {
+        return nullptr;
+    }
+    const LimitedCycles& cycles = report.limit.cycles;
+    return {{"continuous_feed_mm_min", cycles.continuousFeed_mm_min},
+            {"draw_back", cycles.drawBack},
+            {"spark_out_by_count", cycles.sparkOut}};
+}
+
+/// Null: none is known, or no cycle holds.
+ordered_json limitJson(double limit_s) {
+    return isKnownLimit(limit_s) ? ordered_json(minutes(limit_s)) : ordered_json(nullptr);
+}
+
+std::string limitText(const GridSearchReport& report, double best_s) {
+    const auto gap = gapToLimit(best_s, report.limit_s);
+    return gap ? "stepless limit " + fixed(minutes(report.limit_s), 4) + " min, gap "
+                     + fixed(*gap * 100, 1) + " %\n" + limitCyclesText(report)
+               : std::string("stepless limit not known\n");
+}
+
 } // namespace
 
 std::string optimiseText(const GridSearchReport& report) {
@@ -415,9 +458,8 @@ std::string optimiseText(const GridSearchReport& report) {
     const double best_s = timeFound_s(report);
     std::string text = "status               " + statusText(report)
                        + (isRefined(report) ? "; refined off the grid, not proved\n" : "\n");
-    text += "machining time       " + fixed(minutes(best_s), 4) + " min; stepless limit "
-            + fixed(minutes(report.limit_s), 4) + " min, gap "
-            + fixed(gapToLimit(best_s, report.limit_s) * 100, 1) + " %\n";
+    text +=
+        "machining time       " + fixed(minutes(best_s), 4) + " min; " + limitText(report, best_s);
     const Cycle& cycle = cycleFound(report);
     for (std::size_t z = 0; z < cycle.stages.size(); ++z) {
         text += stageLine(report.project.operation, cycle.stages[z], z + 1);
@@ -454,7 +496,8 @@ std::string optimiseJson(const GridSearchReport& report) {
     root["cost_per_part"] = nullptr;
     root["dressing"] = dressingJson(report);
     root["evaluations"] = report.robust ? report.robust->evaluations : search.evaluations;
-    root["limit_time_min"] = minutes(report.limit_s);
+    root["limit_time_min"] = limitJson(report.limit_s);
+    root["limit_cycles"] = limitCyclesJson(report);
     root["limit_by"] = limitByKey(report.limit.by);
     root["limit_bounds"] = limitBoundsJson(report.limit);
     root["gap"] = nullptr;
@@ -468,7 +511,8 @@ std::string optimiseJson(const GridSearchReport& report) {
         }
         root["cycle_time_min"] = minutes(best_s);
         root["cost_per_part"] = costJson(costOf(report, best_s));
-        root["gap"] = gapToLimit(best_s, report.limit_s);
+        const auto gap = gapToLimit(best_s, report.limit_s);
+        root["gap"] = gap ? ordered_json(*gap) : ordered_json(nullptr);
         root["least_relative_margin"] = leastMargin(report);
     }
     root["bound_time_min"] = minutes(search.bound_s);

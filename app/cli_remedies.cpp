@@ -6,6 +6,7 @@
 #include "app/io/cli_surfaces.h"
 #include "app/io/stop_signals.h"
 #include "core/format/project_file.h"
+#include "core/phases/sampled_phases.h"
 #include "core/quality/light.h"
 #include "core/quality/result_names.h"
 #include "core/remedies/remedies.h"
@@ -49,18 +50,33 @@ ordered_json valueJson(const std::optional<double>& value) {
     return value ? ordered_json(*value) : ordered_json();
 }
 
+/// Null: its stocks are decided.
+ordered_json phasesJson(const Remedy& remedy) {
+    constexpr double confidence = 0.95;
+    return remedy.stocks ? ordered_json()
+                         : ordered_json{{"tried", remedy.phases},
+                                        {"candidate", remedy.candidate},
+                                        {"failing_share_at_most",
+                                         mostFailing(remedy.phases, remedy.candidate)},
+                                        {"confidence", confidence}};
+}
+
 ordered_json remedyJson(const Project& project, const Remedy& remedy) {
-    ordered_json json = {{"path", remedy.setting.path(project)},
-                         {"before", valueJson(remedy.before())},
-                         {"value", remedy.value},
-                         {"failing", valueJson(remedy.failing)},
-                         {"holds_beyond", remedy.holdsBeyond},
-                         {"time_min", remedy.time_s / units::secondsPerMinute},
-                         {"time_change_min", remedy.timeChange_s ? ordered_json(
-                                                 *remedy.timeChange_s / units::secondsPerMinute)
-                                                                 : ordered_json()},
-                         {"patch", patchOf(project, remedy.applied(project))},
-                         {"requirements", ordered_json::array()}};
+    ordered_json json = {
+        {"path", remedy.setting.path(project)},
+        {"before", valueJson(remedy.before())},
+        {"value", remedy.value},
+        {"failing", valueJson(remedy.failing)},
+        {"holds_beyond", remedy.holdsBeyond},
+        {"time_min", remedy.time_s / units::secondsPerMinute},
+        {"time_change_min", remedy.timeChange_s
+                                ? ordered_json(*remedy.timeChange_s / units::secondsPerMinute)
+                                : ordered_json()},
+        {"stock_mm", remedy.stocks ? ordered_json{remedy.stocks->from_mm, remedy.stocks->to_mm}
+                                   : ordered_json()},
+        {"phases", phasesJson(remedy)},
+        {"patch", patchOf(project, remedy.applied(project))},
+        {"requirements", ordered_json::array()}};
     for (const ConstraintResult& each : remedy.requirements) {
         json["requirements"].push_back(requirementJson(each));
     }
@@ -72,7 +88,8 @@ ordered_json conflictJson(const Project& project, const RemedyConflict& conflict
                          {"first", nullptr},
                          {"second", nullptr},
                          {"path", nullptr},
-                         {"value", nullptr}};
+                         {"value", nullptr},
+                         {"stock_mm", nullptr}};
     if (conflict.first) {
         json["first"] = requirementOf(conflict.first->kind).key;
     }
@@ -82,6 +99,9 @@ ordered_json conflictJson(const Project& project, const RemedyConflict& conflict
     if (conflict.setting) {
         json["path"] = conflict.setting->path(project);
         json["value"] = conflict.value;
+    }
+    if (conflict.kind == RemedyConflict::Kind::stocks) {
+        json["stock_mm"] = conflict.stock_mm;
     }
     return json;
 }
@@ -127,6 +147,9 @@ std::string remediesText(const Project& project, const RemedyResult& found) {
     for (const Remedy& remedy : found.remedies) {
         text += "  " + wording.line(project, remedy) + '\n';
         text += "    " + wording.proof(project, found.goal, remedy) + '\n';
+    }
+    if (const std::string scope = wording.scope(found); !scope.empty()) {
+        text += "  " + scope + '\n';
     }
     if (found.conflict) {
         text += "  " + wording.conflict(project, found.goal, *found.conflict) + '\n';

@@ -26,6 +26,10 @@ std::string refusalOf(const ReadSearchState& read, const SearchQuestion& asked) 
         return "is the progress of a search by another version of this program";
     case SearchStateFault::changed:
         return "is damaged: its checksum is not that of its contents; delete it to begin anew";
+    case SearchStateFault::badValue:
+        return "is damaged: " + printable(read.value.path) + ": " + printable(read.value.found)
+               + "; allowed: " + read.value.least + "…" + read.value.most
+               + "; delete it to begin anew";
     case SearchStateFault::otherEngine:
         return "is the progress of a search by another build of this program, "
                + printable(read.question.engine) + "; this one is " + asked.engine;
@@ -83,6 +87,11 @@ void KeptSearch::write(const SearchRecord& record) {
 }
 
 void KeptSearch::close() {
+    if (m_journal && m_journal->hasRefused()) {
+        print(stderr, printable(m_file)
+                          + ": a cycle in it is not of this search, or does not take the time "
+                            "that stands there; that search was made anew\n");
+    }
     if (m_journal) {
         write(m_journal->record());
     }

@@ -111,7 +111,7 @@ int ranSearch(const Project& project, const SearchWish& wish, Study& study) {
     if (cli::caughtSignal() == 0 && !study.search->best()) {
         say(stderr, QStringLiteral("sparkout: %1")
                         .arg(OptimiseText::answer(*study.search, study.before_s)));
-        return exitNothingFeasible;
+        return study.search->unresolved() ? exitUndecided : exitNothingFeasible;
     }
     return 0;
 }

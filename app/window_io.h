@@ -17,7 +17,7 @@ class Document;
 
 /// Exit status of the program; `exitInterrupted` plus the signal, as a shell tells Ctrl+C.
 inline constexpr int exitRefused = 1, exitUsage = 2, exitCannotReachSize = 3,
-                     exitNothingFeasible = 5, exitInterrupted = 128;
+                     exitNothingFeasible = 5, exitUndecided = 6, exitInterrupted = 128;
 
 void say(std::FILE* stream, const QString& text); ///< a line
 

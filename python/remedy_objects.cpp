@@ -12,6 +12,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sparkout::python {
@@ -84,6 +85,15 @@ void bindRemedy(py::module_& module) {
             "time_change_s", [](const FoundRemedy& self) { return self.remedy.timeChange_s; },
             "None where the cycle as it is does not end by itself")
         .def_property_readonly(
+            "stock_mm",
+            [](const FoundRemedy& self) -> std::optional<std::pair<double, double>> {
+                const std::optional<StockRange>& stocks = self.remedy.stocks;
+                return stocks ? std::optional(std::pair(stocks->from_mm, stocks->to_mm))
+                              : std::nullopt;
+            },
+            "stocks per side, for each of which it holds; None under position control, where it "
+            "holds for stocks drawn at random")
+        .def_property_readonly(
             "requirements",
             [](const FoundRemedy& self) { return requirementList(self.remedy.requirements); },
             "the worst of each kind")
@@ -103,7 +113,7 @@ void bindConflict(py::module_& module) {
                               "Why none of the values that were tried helps.")
         .def_property_readonly(
             "kind", [](const FoundConflict& self) { return conflictKey(self.conflict.kind); },
-            "warned, idle, opposed, several or unmended")
+            "stocks, warned, idle, opposed, several or unmended")
         .def_property_readonly(
             "first", [](const FoundConflict& self) { return nameOf(self.conflict.first); },
             "the requirement that fails most; None where the cycle does not end by itself")

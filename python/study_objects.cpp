@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "python/study_objects.h"
 
+#include "core/deadline_stop.h"
 #include "core/optimisation/search_names.h"
 #include "core/project/part.h"
 #include "core/quality/result_names.h"
@@ -14,14 +15,10 @@
 #include <pybind11/stl.h>
 
 #include <array>
-#include <chrono>
-#include <condition_variable>
 #include <limits>
-#include <mutex>
 #include <optional>
 #include <stop_token>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace sparkout::python {
@@ -338,26 +335,6 @@ void bindSweep(py::module_& module) {
 
 // --- search -------------------------------------------------------------------------------------
 
-/// A timer that asks a search to stop.
-class TimeLimit {
-public:
-    TimeLimit(std::stop_source stop, std::optional<double> limit_s)
-        : m_thread([stop = std::move(stop), limit_s](const std::stop_token& ended) mutable {
-            if (limit_s && *limit_s < longest_s) {
-                std::mutex mutex;
-                std::unique_lock lock(mutex);
-                std::condition_variable_any never;
-                never.wait_for(lock, ended, std::chrono::duration<double>(*limit_s),
-                               [] { return false; });
-                stop.request_stop();
-            }
-        }) {}
-
-private:
-    static constexpr double longest_s = 1e9; ///< longer is none
-    std::jthread m_thread;
-};
-
 GridSearchReport runSearchOf(const ValidProject& project, bool robust, bool refine,
                              std::optional<double> timeLimit_s) {
     if (timeLimit_s && !(*timeLimit_s >= 0)) {
@@ -365,13 +342,12 @@ GridSearchReport runSearchOf(const ValidProject& project, bool robust, bool refi
                               + " s; allowed: ≥ 0 s");
     }
     GridSearchReport report = interruptible([&](const std::stop_token& stop) {
-        std::stop_source either;
-        const std::stop_callback asked(stop, [&either] { either.request_stop(); });
-        const TimeLimit limit(either, timeLimit_s);
+        const DeadlineStop limit(
+            stop, timeLimit_s ? std::optional<DeadlineStop::Duration>(*timeLimit_s) : std::nullopt);
         GridSearchOptions options;
         options.robust = robust;
         options.refine = refine;
-        options.stop = either.get_token();
+        options.stop = limit.token();
         return searchGrid(project.project, options);
     });
     if (!report.issues.empty()) {
@@ -410,8 +386,23 @@ void bindSearch(py::module_& module) {
             "bound_s", [](const GridSearchReport& self) { return self.search.bound_s; },
             "no cycle of the grid that holds is quicker; for the maximum margin the limit")
         .def_property_readonly(
-            "limit_s", [](const GridSearchReport& self) { return self.limit_s; },
-            "of the stepless cycle")
+            "limit_s",
+            [](const GridSearchReport& self) {
+                return isKnownLimit(self.limit_s) ? std::optional(self.limit_s) : std::nullopt;
+            },
+            "of the stepless cycle: no cycle of those that limit_cycles names is quicker; None "
+            "where none is known")
+        .def_property_readonly(
+            "limit_cycles",
+            [](const GridSearchReport& self) {
+                const LimitedCycles& cycles = self.limit.cycles;
+                py::dict names;
+                names["continuous_feed_mm_min"] = cycles.continuousFeed_mm_min;
+                names["draw_back"] = cycles.drawBack;
+                names["spark_out_by_count"] = cycles.sparkOut;
+                return names;
+            },
+            "which cycles limit_s is of, as in the JSON of optimize")
         .def_property_readonly(
             "binding",
             [](const GridSearchReport& self) -> std::optional<std::vector<std::string>> {

@@ -3726,6 +3726,14 @@ With another name both versions stay as they are.</source>
             <translation>Диапазон врезной подачи</translation>
         </message>
         <message>
+            <source>Range of the continuous infeed</source>
+            <translation>Диапазон непрерывной подачи</translation>
+        </message>
+        <message>
+            <source>Minimum, maximum and step of the radial infeed while the table travels; [0, 0, 0] for a machine without it.</source>
+            <translation>Наименьшее, наибольшее и шаг радиальной подачи во время хода стола; [0, 0, 0] — у станка её нет.</translation>
+        </message>
+        <message>
             <source>Range of the work speed</source>
             <translation>Диапазон частоты вращения заготовки</translation>
         </message>
@@ -7109,6 +7117,26 @@ With another name both versions stay as they are.</source>
             <translation>Бесступенчатый предел %1 мин, на %2 % меньше.</translation>
         </message>
         <message>
+            <source>Margins by time are being looked for.</source>
+            <translation>Запасы по времени ещё ищутся.</translation>
+        </message>
+        <message>
+            <source>It is that of cycles with a continuous infeed of up to %1 mm/min.</source>
+            <translation>Это предел циклов с непрерывной подачей до %1 мм/мин.</translation>
+        </message>
+        <message>
+            <source>It is that of cycles without a continuous infeed.</source>
+            <translation>Это предел циклов без непрерывной подачи.</translation>
+        </message>
+        <message>
+            <source>It is also that of cycles that draw the wheel head back.</source>
+            <translation>Он верен и для циклов с отводом шлифовальной бабки.</translation>
+        </message>
+        <message>
+            <source>It is that of cycles that never draw the wheel head back.</source>
+            <translation>Это предел циклов без отвода шлифовальной бабки.</translation>
+        </message>
+        <message>
             <source>What keeps it from being quicker: %1.</source>
             <translation>Быстрее не даёт: %1.</translation>
         </message>
@@ -8361,6 +8389,10 @@ With another name both versions stay as they are.</source>
             <translation>Врезная подача в диапазоне</translation>
         </message>
         <message>
+            <source>Continuous infeed in range</source>
+            <translation>Непрерывная подача в диапазоне</translation>
+        </message>
+        <message>
             <source>Work speed in range</source>
             <translation>Частота вращения заготовки в диапазоне</translation>
         </message>
@@ -8462,6 +8494,10 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Plunge feed</source>
             <translation>Врезание</translation>
+        </message>
+        <message>
+            <source>Cont. infeed</source>
+            <translation>Непр. подача</translation>
         </message>
         <message>
             <source>Work speed</source>
@@ -16194,6 +16230,38 @@ target, µm</source>
         <message>
             <source>Found among the values that were tried; between them others may hold, too.</source>
             <translation>Найдено среди проверенных значений; между ними могут подойти и другие.</translation>
+        </message>
+        <message>
+            <source>It holds for every stock per side of {from}…{to} mm: decided, not sampled.</source>
+            <translation>Годен для всех припусков на сторону {from}…{to} мм: решено точно, а не по выборке.</translation>
+        </message>
+        <message>
+            <source>It holds for all of {phases} stocks drawn at random within one infeed: with 95 % confidence at most {share} % of them fail.</source>
+            <translation>Годен для всех {phases} случайных припусков в пределах одной подачи: с вероятностью 95 % не годен не более чем для {share} % из них.</translation>
+        </message>
+        <message>
+            <source>Each holds for every stock within half an infeed of the stated one.</source>
+            <translation>Каждое годно для всех припусков в пределах половины подачи от заданного.</translation>
+        </message>
+        <message>
+            <source>Each holds for the stocks tried within half an infeed of the stated one; under position control that is sampled, not decided.</source>
+            <translation>Каждое годно для проверенных припусков в пределах половины подачи от заданного; при управлении по положению это проверено выборкой, а не решено.</translation>
+        </message>
+        <message>
+            <source>Among the values tried, no single setting gives room: with {change}, nothing is close to its limit for the stated stock, but with a stock of {stock} mm the cycle does not end by itself.</source>
+            <translation>Среди проверенных значений ни одна настройка не даёт запаса: при «{change}» для заданного припуска ничто не близко к пределу, но при припуске {stock} мм цикл сам не завершается.</translation>
+        </message>
+        <message>
+            <source>Among the values tried, no single setting helps: with {change}, everything holds for the stated stock, but with a stock of {stock} mm the cycle does not end by itself.</source>
+            <translation>Среди проверенных значений не помогает ни одна настройка: при «{change}» для заданного припуска всё выполнено, но при припуске {stock} мм цикл сам не завершается.</translation>
+        </message>
+        <message>
+            <source>Among the values tried, no single setting gives room: with {change}, nothing is close to its limit for the stated stock, but with a stock of {stock} mm “{second}” fails.</source>
+            <translation>Среди проверенных значений ни одна настройка не даёт запаса: при «{change}» для заданного припуска ничто не близко к пределу, но при припуске {stock} мм нарушено «{second}».</translation>
+        </message>
+        <message>
+            <source>Among the values tried, no single setting helps: with {change}, everything holds for the stated stock, but with a stock of {stock} mm “{second}” fails.</source>
+            <translation>Среди проверенных значений не помогает ни одна настройка: при «{change}» для заданного припуска всё выполнено, но при припуске {stock} мм нарушено «{second}».</translation>
         </message>
         <message>
             <source>Among the values tried, no single setting lets the cycle end by itself.</source>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "words/remedy_words.h"
 
+#include "core/phases/sampled_phases.h"
 #include "core/project/cycle.h"
 #include "core/project/member.h"
 #include "core/project/validate.h"
@@ -71,6 +72,29 @@ const char* nearerValue(bool room, const Remedy& remedy) {
     }
     return room ? SPARKOUT_NOOP("Remedy", "The present value leaves too little room.")
                 : SPARKOUT_NOOP("Remedy", "The present value fails.");
+}
+
+/// Where a setting helps for the stated stock alone.
+const char* whereAnotherStockFails(bool room, const RemedyConflict& conflict) {
+    if (!conflict.second) {
+        return room ? SPARKOUT_NOOP("Remedy",
+                                    "Among the values tried, no single setting gives room: with "
+                                    "{change}, nothing is close to its limit for the stated stock, "
+                                    "but with a stock of {stock} mm the cycle does not end by "
+                                    "itself.")
+                    : SPARKOUT_NOOP("Remedy",
+                                    "Among the values tried, no single setting helps: with "
+                                    "{change}, everything holds for the stated stock, but with a "
+                                    "stock of {stock} mm the cycle does not end by itself.");
+    }
+    return room ? SPARKOUT_NOOP("Remedy",
+                                "Among the values tried, no single setting gives room: with "
+                                "{change}, nothing is close to its limit for the stated stock, but "
+                                "with a stock of {stock} mm “{second}” fails.")
+                : SPARKOUT_NOOP("Remedy",
+                                "Among the values tried, no single setting helps: with {change}, "
+                                "everything holds for the stated stock, but with a stock of "
+                                "{stock} mm “{second}” fails.");
 }
 
 /// Where nothing mends the first.
@@ -262,23 +286,58 @@ std::string RemedyWording::proof(const Project& project, RemedyGoal goal,
                                                       remedy.failing.value_or(setting.before))},
                                   {"before", valueText(project, setting, setting.before)}});
     }
+    text += ' ' + heldStocks(remedy);
     return text + ' '
            + translated(SPARKOUT_NOOP("Remedy", "Found among the values that were tried; between "
                                                 "them others may hold, too."));
 }
 
+std::string RemedyWording::heldStocks(const Remedy& remedy) const {
+    constexpr int digits = 5;
+    constexpr double percent = 100;
+    if (remedy.stocks) {
+        return filled(SPARKOUT_NOOP("Remedy", "It holds for every stock per side of {from}…{to} "
+                                              "mm: decided, not sampled."),
+                      {{"from", number(rounded(remedy.stocks->from_mm, digits))},
+                       {"to", number(rounded(remedy.stocks->to_mm, digits))}});
+    }
+    return filled(SPARKOUT_NOOP("Remedy", "It holds for all of {phases} stocks drawn at random "
+                                          "within one infeed: with 95 % confidence at most "
+                                          "{share} % of them fail."),
+                  {{"phases", number(remedy.phases)},
+                   {"share", number(std::ceil(percent * percent
+                                              * mostFailing(remedy.phases, remedy.candidate))
+                                    / percent)}});
+}
+
+std::string RemedyWording::scope(const RemedyResult& result) const {
+    if (result.remedies.empty()) {
+        return {};
+    }
+    return translated(
+        result.remedies.front().stocks
+            ? SPARKOUT_NOOP("Remedy", "Each holds for every stock within half an infeed of the "
+                                      "stated one.")
+            : SPARKOUT_NOOP("Remedy", "Each holds for the stocks tried within half an infeed of "
+                                      "the stated one; under position control that is sampled, "
+                                      "not decided."));
+}
+
 std::string RemedyWording::conflict(const Project& project, RemedyGoal goal,
                                     const RemedyConflict& conflict) const {
     using enum RemedyConflict::Kind;
+    constexpr int stockDigits = 5;
     const bool room = goal == RemedyGoal::room;
     const char* const sentence =
-        conflict.kind == warned || conflict.kind == idle ? notOffered(room, conflict.kind)
-        : conflict.kind == unmended                      ? whereNothingMends(room, conflict)
-                                                         : whereTheFirstIsMended(room, conflict);
+        conflict.kind == stocks                            ? whereAnotherStockFails(room, conflict)
+        : conflict.kind == warned || conflict.kind == idle ? notOffered(room, conflict.kind)
+        : conflict.kind == unmended                        ? whereNothingMends(room, conflict)
+                                                           : whereTheFirstIsMended(room, conflict);
     return filled(
         sentence,
         {{"first", conflict.first ? requirement(conflict.first->kind) : std::string()},
          {"second", conflict.second ? requirement(conflict.second->kind) : std::string()},
+         {"stock", number(rounded(conflict.stock_mm, stockDigits))},
          {"change", conflict.setting ? withSign(project, *conflict.setting, "=", conflict.value)
                                      : std::string()}});
 }

@@ -32,6 +32,8 @@ public:
     /// Why none of the values tried helps, with the requirements that fail.
     [[nodiscard]] std::string conflict(const Project& project, RemedyGoal goal,
                                        const RemedyConflict& conflict) const;
+    /// For which stocks the remedies hold, and how sure that is; empty without any.
+    [[nodiscard]] std::string scope(const RemedyResult& result) const;
     /// What was tried, where not all was: "Stopped after 5 of 14 settings." Else empty.
     [[nodiscard]] std::string extent(const RemedyResult& result) const;
 
@@ -50,6 +52,7 @@ private:
                                        const char* sign, double value) const;
     [[nodiscard]] std::string valueText(const Project& project, const RemedySetting& setting,
                                         double value) const;
+    [[nodiscard]] std::string heldStocks(const Remedy& remedy) const;
     [[nodiscard]] std::string time(double time_s) const;
 };
 

@@ -104,17 +104,25 @@ int checkWorkFile(const std::string& file, const std::string& content, bool json
     return broken ? static_cast<int>(requirementFails) : status;
 }
 
-int checkProjectFile(const std::string& file) {
+int checkProjectFile(const std::string& file, bool json) {
     const auto setup = loadSetup(file);
     if (!setup) {
         return refused;
     }
-    int untrue = 0;
+    bool isTrue = true;
+    ordered_json surfaces = ordered_json::array();
     for (const GroundSurface& surface : setup->surfaces) {
-        untrue += printUntrueRuns(surface.name.empty() ? file : file + ": surface " + surface.name,
-                                  surface.project);
+        const std::vector<std::string> untrue = printUntrueRuns(
+            surface.name.empty() ? file : file + ": surface " + surface.name, surface.project);
+        surfaces.push_back({{"name", surface.name},
+                            {"kept_runs", surface.project.runs.size()},
+                            {"untrue_runs", untrue}});
+        isTrue = isTrue && untrue.empty();
     }
-    return untrue > 0 ? requirementFails : done;
+    if (json) {
+        print(stdout, ordered_json{{"surfaces", std::move(surfaces)}}.dump(2) + '\n');
+    }
+    return isTrue ? done : requirementFails;
 }
 
 bool endsAs(std::string_view file, std::string_view extension) {
@@ -128,7 +136,7 @@ int runCourseCheck(const CourseOptions& options) {
     const std::string& file = options.operands.front();
     const bool isLesson = endsAs(file, ".sparkout-lesson"), isWork = endsAs(file, ".sparkout-work");
     if (!isLesson && !isWork) {
-        return checkProjectFile(file);
+        return checkProjectFile(file, options.json);
     }
     const auto content = readOrSay(file, limits::fileBytes);
     if (!content) {

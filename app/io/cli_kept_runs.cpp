@@ -8,15 +8,15 @@
 
 namespace sparkout::cli {
 
-int printUntrueRuns(const std::string& file, const Project& project) {
-    int count = 0;
+std::vector<std::string> printUntrueRuns(const std::string& file, const Project& project) {
+    std::vector<std::string> names;
     for (const KeptRunCheck& check : untrueRuns(project)) {
         print(stderr,
               printable(file + ": kept run \"" + check.name + "\": " + keptRunSentence(check))
                   + '\n');
-        ++count;
+        names.push_back(check.name);
     }
-    return count;
+    return names;
 }
 
 } // namespace sparkout::cli

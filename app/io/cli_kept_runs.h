@@ -4,11 +4,12 @@
 #include "core/project/project.h"
 
 #include <string>
+#include <vector>
 
 namespace sparkout::cli {
 
 /// Names the kept runs of a project whose numbers are not the engine's, on stderr, one a line;
-/// returns how many there are.
-int printUntrueRuns(const std::string& file, const Project& project);
+/// returns their names.
+std::vector<std::string> printUntrueRuns(const std::string& file, const Project& project);
 
 } // namespace sparkout::cli

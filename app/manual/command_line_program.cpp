@@ -567,11 +567,15 @@ const Program& commandLineProgram() {
          {"3", {"the cycle cannot reach size", "цикл не выходит на размер"}},
          {"4", {"a requirement fails (--check)", "требование нарушено (--check)"}},
          {"5", {"no cycle of the grid is feasible", "подходящего цикла в сетке нет"}},
+         {"6",
+          {"optimize found no cycle, but one may hold: its time was up, or it has no proof",
+           "optimize не нашёл цикла, но он может существовать: истекло время или метод ничего не "
+           "доказывает"}},
          {"130, 143",
-          {"a batch, sweep or search for remedies ended by Ctrl+C or SIGTERM, or a decision on "
-           "phases, or parts between dressings",
-           "партия, варьирование, поиск исправлений, решение о припусках или расчёт деталей между "
-           "правками прерваны Ctrl+C или SIGTERM"}}}};
+          {"ended by Ctrl+C or SIGTERM before its end; optimize with a cycle found ends with 0 and "
+           "gives it",
+           "прервано Ctrl+C или SIGTERM до конца; optimize с найденным циклом завершается с кодом "
+           "0 и выдаёт его"}}}};
     return program;
 }
 

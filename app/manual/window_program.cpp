@@ -207,6 +207,10 @@ const Program& windowProgram() {
          {"5",
           {"no cycle of the search is feasible (nothing is written)",
            "подходящего цикла в сетке нет (ничего не записано)"}},
+         {"6",
+          {"the search found no cycle for all scenarios, but one may hold (nothing is written)",
+           "поиск не нашёл цикла для всех сценариев, но он может существовать (ничего не "
+           "записано)"}},
          {"130",
           {"ended by Ctrl+C (nothing is written). With -d it is the first of the files that is not "
            "0, "

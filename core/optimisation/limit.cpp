@@ -53,6 +53,22 @@ double greatest(const Project& project, const StageFeed& feed) {
     return most;
 }
 
+/// The greatest continuous infeed likewise [mm/min]; a grid has none.
+double greatestContinuous(const Project& project) {
+    if (!project.operation->travels) {
+        return 0;
+    }
+    if (const auto& range = project.machine->limits.continuous_feed_mm_min;
+        range && range->size() == 3) {
+        return (*range)[1];
+    }
+    double most = 0;
+    for (const Stage& stage : project.cycle->stages) {
+        most = std::max(most, stage.continuousFeed_mm_min());
+    }
+    return most;
+}
+
 /// The greatest cut, and what keeps it from being greater.
 struct BoundCut {
     double depth_mm = 0;
@@ -95,8 +111,9 @@ private:
 /// The steps of a cycle as far as their time goes.
 class StepTimes {
 public:
-    explicit StepTimes(const Project& project)
+    StepTimes(const Project& project, double continuousFeed_mm_min)
         : m_project(project)
+        , m_continuous_mm_s(continuousFeed_mm_min / units::secondsPerMinute)
         , m_revolution_s(units::secondsPerMinute / project.machine->work_speed_rpm) {
         const Machine& machine = *project.machine;
         infeed_mm = project.operation.infeed_mm(greatest(project, project.operation->radial()),
@@ -116,16 +133,42 @@ public:
     /// Least time of a step beside that of plunging in [s].
     [[nodiscard]] double least_s() const { return travels() ? step_s(m_fastest) : m_revolution_s; }
 
-    /// Least time of all plunging in for so much infeed [s].
-    [[nodiscard]] double plungeIn_s(double fed_mm) const {
-        if (!travels() || feedsContinuously(m_project)) {
-            return 0;
+    /// Least time of so much infeed by steps alone, and of `further` ones without any [s].
+    [[nodiscard]] double feeding_s(double fed_mm, int further) const {
+        const double steps_s = least_s(), rest_s = further * steps_s;
+        if (!(m_continuous_mm_s > 0)) {
+            const double steps = std::max(std::ceil(fed_mm / infeed_mm - 1e-9), 1.0);
+            return withPlungeIn_s(steps * steps_s, fed_mm) + rest_s;
+        }
+        // the least over N, of which more take longer and leave less to the continuous infeed
+        const auto by = [&](double steps) { return withPlungeIn_s(steps * steps_s, fed_mm); };
+        const auto continuous_s = [&](double steps) {
+            return (fed_mm - steps * infeed_mm) / m_continuous_mm_s;
+        };
+        double low = 0, high = infeed_mm > 0 ? std::ceil(std::max(fed_mm / infeed_mm, 1.0)) : 1;
+        while (high - low > 1) { // by(high) ≥ continuous_s(high), but not those of low
+            const double middle = std::floor((low + high) / 2);
+            (by(middle) >= continuous_s(middle) ? high : low) = middle;
+        }
+        const double there_s = std::max(by(high), continuous_s(high));
+        return (low > 0 ? std::min(there_s, continuous_s(low)) : there_s) + rest_s;
+    }
+
+    /// The same of what the passes of strokes and dwells take at least, with all plunging in.
+    [[nodiscard]] double withPlungeIn_s(double passes_s, double fed_mm) const {
+        if (!travels()) {
+            return passes_s;
+        }
+        const Machine& machine = *m_project.machine;
+        if (m_continuous_mm_s > 0) {
+            const double plunge_mm_s = machine.plunge_feed_mm_min / units::secondsPerMinute;
+            return std::max(passes_s,
+                            (fed_mm + plunge_mm_s * passes_s) / (m_continuous_mm_s + plunge_mm_s));
         }
         // each may be rounded down by 1e-9 of a revolution; no run has a million of them
         constexpr double rounding = 1e-3;
-        const Machine& machine = *m_project.machine;
         const double turns = machine.work_speed_rpm * fed_mm / machine.plunge_feed_mm_min;
-        return std::max(std::ceil(turns - rounding), 0.0) * m_revolution_s;
+        return passes_s + std::max(std::ceil(turns - rounding), 0.0) * m_revolution_s;
     }
 
     /// ρ(s), or more [mm/s], with the cut that it is by.
@@ -160,6 +203,7 @@ private:
     }
 
     const Project& m_project;
+    double m_continuous_mm_s; ///< S_c
     double m_revolution_s, m_dwells_s = 0, m_travel_mm = 0;
     double m_fastest = 0; ///< S_ax [mm/min]
 };
@@ -228,7 +272,7 @@ std::vector<Loss> lossesOf(const Project& project, const Blank& blank, double le
 /// The least number of passes in which a radius of a plunge loses its stock.
 class LeastPasses {
 public:
-    LeastPasses(const Project& project, double infeed_mm, const Loss& loss,
+    LeastPasses(const Project& project, double infeed_mm, bool mayDrawBack, const Loss& loss,
                 const std::stop_token& stop)
         : m_law(forceLaw(project))
         , m_b(project.part->length_mm)
@@ -239,7 +283,7 @@ public:
         m_gamma = points[loss.section].gamma_mm_n;
         const double lastCut_mm = provedLastCut_mm(project, m_b, m_gamma, loss.spread);
         LimitPoints release;
-        if (std::isfinite(lastCut_mm)) {
+        if (std::isfinite(lastCut_mm) && !mayDrawBack) {
             release = releaseCurve(m_law, m_b, m_gamma, lastCut_mm, loss.stock_mm);
         }
         auto next = release.begin();
@@ -258,7 +302,7 @@ public:
         const double stiffest =
             std::ranges::min_element(points, {}, &CompliantPoint::gamma_mm_n)->gamma_mm_n;
         const double spread_mm = provedSpread_mm(project, loss.spread) + 2 * diameterSlack_mm;
-        if (stiffest > 0 && m_gamma > stiffest && std::isfinite(spread_mm)) {
+        if (!mayDrawBack && stiffest > 0 && m_gamma > stiffest && std::isfinite(spread_mm)) {
             boundLastCuts(stiffest, spread_mm, stop);
         }
     }
@@ -373,12 +417,13 @@ void takeGreater(SteplessLimit& limit, double time_s, LimitBy by, const Pieces& 
     }
 }
 
-/// Of one variant.
-SteplessLimit limitOf(const Project& project, bool sparksOut, const std::stop_token& stop) {
+/// Of one variant, whose cycles spark out by count in the end or do not.
+SteplessLimit limitOf(const Project& project, const LimitedCycles& cycles, bool sparksOut,
+                      const std::stop_token& stop) {
     const Blank blank = makeBlank(*project.part);
-    const StepTimes times(project);
+    const StepTimes times(project, cycles.continuousFeed_mm_min);
     SteplessLimit limit;
-    if (times.infeed_mm <= 0 && !feedsContinuously(project)) {
+    if (times.infeed_mm <= 0 && cycles.continuousFeed_mm_min <= 0) {
         return limit;
     }
     const double left = sparksOut ? leftByField_mm(*project.part) : 0;
@@ -388,14 +433,12 @@ SteplessLimit limitOf(const Project& project, bool sparksOut, const std::stop_to
     // moves the first and the last of the feed alike
     const double datum = firstFeed(project, blank.totalInfeed_mm) + standsBack_mm(project);
     const double fed = all - std::max(datum, 0.0);
-    const double steps = feedsContinuously(project)
-                             ? 1 // what a step feeds grows with the time it takes
-                             : std::max(std::ceil(fed / times.infeed_mm - 1e-9), 1.0);
-    const double plungeIn_s = times.plungeIn_s(fed);
     // a last step cut short still takes its dwells and strokes
-    const double steps_s = (steps + (sparksOut ? 1 : 0)) * times.least_s() + plungeIn_s;
+    const double steps_s = times.feeding_s(fed, sparksOut ? 1 : 0);
+    const double most_mm =
+        times.infeed_mm + cycles.continuousFeed_mm_min / units::secondsPerMinute * times.least_s();
     Pieces bySteps;
-    bySteps.add(end + all, end, {times.infeed_mm, LimitBound::feed}, steps_s);
+    bySteps.add(end + all, end, {most_mm, LimitBound::feed}, steps_s);
     takeGreater(limit, steps_s, LimitBy::steps, bySteps);
     if (project.gauge->control == Control::gauge && !project.gauge->position_mm) {
         const std::vector<Loss> losses = lossesOf(project, blank, end);
@@ -407,20 +450,21 @@ SteplessLimit limitOf(const Project& project, bool sparksOut, const std::stop_to
             rates.push_back(times.rate(end + i * cell));
             sum_s += cell / rates.back().first; // each cell adds to it
         }
+        const double rates_s = times.withPlungeIn_s(sum_s, fed);
         Pieces byRates;
         for (std::size_t i = rates.size(); i > 0; --i) {
             const auto& [rate, cut] = rates[i - 1];
             const auto above = static_cast<double>(i);
             byRates.add(end + above * cell, end + (above - 1) * cell, cut,
-                        cell / rate + plungeIn_s / stockCells);
+                        cell / rate + (rates_s - sum_s) / stockCells);
         }
-        takeGreater(limit, sum_s + plungeIn_s, LimitBy::rates, byRates);
+        takeGreater(limit, rates_s, LimitBy::rates, byRates);
         for (const Loss& loss : losses) {
             if (!(loss.stock_mm > 0) || !countsPasses(project)) {
                 continue;
             }
             Pieces byPasses;
-            const LeastPasses passes(project, times.infeed_mm, loss, stop);
+            const LeastPasses passes(project, times.infeed_mm, cycles.drawBack, loss, stop);
             CountedRadius counted{loss.section, loss.spread};
             const int count =
                 passes.count(stop, times.least_s(), byPasses, counted.together).value_or(0);
@@ -448,23 +492,27 @@ SteplessLimit steplessLimitBounds(const Project& project, const std::stop_token&
     if (variants.isCutShort()) {
         return {};
     }
-    if (variants.count() == 0) {
-        return limitOf(plain, false, stop);
-    }
+    LimitedCycles cycles{greatestContinuous(plain), drawsBack(plain), false};
     std::vector<std::pair<MachineSettings, bool>> met; // the counts of spark-outs do not matter
     SteplessLimit least{std::numeric_limits<double>::infinity(), LimitBy::steps, {}, {}};
-    for (std::size_t v = 0; v < variants.count(); ++v) {
-        const Project& variant = variants.project(v);
-        const std::pair each(machineSettings(variant), variants.grid(v).sparkOut() > 0);
-        if (variants.grid(v).fault() == GridFault::none
-            && std::find(met.begin(), met.end(), each) == met.end()) {
+    const auto take = [&](const Project& variant, bool sparksOut) {
+        const std::pair each(machineSettings(variant), sparksOut);
+        if (std::ranges::find(met, each) == met.end()) {
             met.push_back(each);
-            SteplessLimit limit = limitOf(variant, each.second, stop);
+            SteplessLimit limit = limitOf(variant, cycles, sparksOut, stop);
             if (limit.time_s < least.time_s || met.size() == 1) {
                 least = std::move(limit);
             }
         }
+    };
+    for (std::size_t v = 0; v < variants.count(); ++v) {
+        if (variants.grid(v).fault() == GridFault::none) {
+            take(variants.project(v), variants.grid(v).sparkOut() > 0);
+        }
     }
+    take(plain, plain.cycle->stages.back().sparkOutSteps().has_value()); // the project's own cycle
+    cycles.sparkOut = std::ranges::any_of(met, [](const auto& each) { return each.second; });
+    least.cycles = cycles;
     return least;
 }
 

@@ -5,7 +5,9 @@
 #include "core/quality/accuracy_limit.h"
 #include "core/quality/depth_limits.h"
 
+#include <cmath>
 #include <cstddef>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -34,6 +36,13 @@ struct CountedRadius {
     int together = 0;                       ///< so many last ones by their sum
 };
 
+/// Which cycles a limit is of, beside what holds for all of them.
+struct LimitedCycles {
+    double continuousFeed_mm_min = 0; ///< the greatest S_c that they have; 0: none
+    bool drawBack = false;            ///< those that draw the wheel head back are among them
+    bool sparkOut = false;            ///< those that end by a number of steps without feed, too
+};
+
 struct SteplessLimit {
     double time_s = 0; ///< steplessLimit_s()
     LimitBy by = LimitBy::steps;
@@ -41,6 +50,7 @@ struct SteplessLimit {
     /// By falling stock, next to each other, none of the bound of its neighbour; their times add up
     /// to the limit. None where it is 0 or a stop cut it short.
     std::vector<LimitPiece> pieces;
+    LimitedCycles cycles{};
 };
 
 /// The stepless limit with what makes it, piece by piece: the bound of a piece is the least at each
@@ -57,9 +67,15 @@ struct SteplessLimit {
 
 [[nodiscard]] const char* limitByKey(LimitBy by); ///< steps, rates or passes
 
-/// The stepless limit: no cycle that ends by the gauge, never draws the wheel head back and holds
-/// the requirements on burn, power, self-sharpening and, in a plunge, accuracy is quicker, however
-/// many stages it has and whatever their feeds [MODEL-8].
+/// The stepless limit: no cycle that ends by the gauge and holds the requirements on burn, power,
+/// self-sharpening and, in a plunge, accuracy is quicker, however many stages it has and whatever
+/// their feeds [MODEL-8]. Which cycles are meant beside those of the grid follows from the project,
+/// so that its own cycle is always one of them:
+///
+/// * a continuous infeed S_c goes up to the end of the machine's range, without one up to the
+///   greatest of the project's cycle, which may be none;
+/// * the wheel head draws back where the project's cycle does: its grid never does;
+/// * work speed, dwells and a spark-out by count are those of the grid or of the project's cycle.
 ///
 /// When the gauge ends the cycle, Π_rem ≤ slack. Π_rem is |R_first − R_t| less a mean of depths of
 /// the gauged section, so one of its radii stands within the slack of target or beyond. It came
@@ -91,7 +107,18 @@ struct SteplessLimit {
 ///
 ///     Σ⌈n·x_i/S_rad⌉ ≥ ⌈n·Σx_i/S_rad⌉ ≥ ⌈n·|R_first − R_t|/S_rad⌉
 ///
-/// revolutions. A continuous infeed takes none.
+/// revolutions.
+///
+/// A continuous infeed goes on all the time, in plunging in too. With all strokes and dwells taking
+/// τ and all plunging in τ_p, what is fed is at most S_c·(τ + τ_p) and what the reversals feed:
+/// S_rad·τ_p at most, and N·f in N double strokes, of which each takes c. So a time T = τ + τ_p has
+///
+///     T ≥ τ,   S_c·T + S_rad·(T − τ) ≥ |R_first − R_t|,   S_c·T + N·f ≥ |R_first − R_t|,   τ ≥
+///     N·c.
+///
+/// The first two add to the bound of the integral, which is one of τ; all four are the second
+/// bound, the least over N. Its third side falls with N, the others rise, so the least T is at the
+/// first N where they meet or the one before.
 ///
 /// In a plunge of uncoupled sections without wheel contact passes are whole, and counted [MODEL-8].
 /// A radius makes one in each revolution. With the allowance r of the radial runout, less the
@@ -103,12 +130,12 @@ struct SteplessLimit {
 /// (3) in the gauged section each of these two, κ = r beside the slack: all are so near to (1);
 /// (4) in every section each of these two, κ = δ + r/2, as their mean is δ at the most.
 ///
-/// For (2) and (4) the gauged and the most compliant section are taken. Where the wheel head never
-/// draws back, each pass of such a radius keeps a + γ·P(a) = γ·P(a_before) + Δt, 0 ≤ Δt ≤ f, from
-/// no deflection on. So
+/// For (2) and (4) the gauged and the most compliant section are taken. Each pass of such a radius
+/// keeps a + γ·P(a) = γ·P(a_before) + Δt, Δt ≤ f, from no deflection on, or it cuts nothing. So
 ///
 /// * build-up: the i-th cut is A_i at most, A_i + γ·P(A_i) = γ·P(A_{i−1}) + f, A_0 = 0;
-/// * release: a cut after which S is still lost is at most the release curve of
+/// * release, where the wheel head never draws back and so 0 ≤ Δt: a cut after which S is still
+/// lost is at most the release curve of
 ///   core/quality/accuracy_limit.h at S, for the last cut that is proved there: of (1) and (2) for
 ///   every radius, of (3) and (4), which two opposite radii share, for one of two;
 /// * burn, power and self-sharpening: at most L(S + κ).
@@ -118,25 +145,24 @@ struct SteplessLimit {
 /// more. So the cuts that are greatest throughout need the least passes N, and T ≥ N/n. M is taken
 /// at the upper end of each of its cells. A radius that loses more than S needs no fewer.
 ///
-/// The last m cuts take together B_m at the most (lastCutsOfSpread() there, each of them f and M at
-/// the most). Where S > B_m there are more than m, and before them S comes down to B_m, which needs
-/// N_m passes of the same greatest cuts, so N ≥ N_m + m; of m = 2 and 3 and of all radii (1) to (4)
-/// the greatest N is taken.
+/// Where the wheel head never draws back, the last m cuts take together B_m at the most
+/// (lastCutsOfSpread() there, each of them f and M at the most). Where S > B_m there are more than
+/// m, and before them S comes down to B_m, which needs N_m passes of the same greatest cuts, so N ≥
+/// N_m + m; of m = 2 and 3 and of all radii (1) to (4) the greatest N is taken.
 ///
 /// In traverse only the first two bounds are taken. The release does not follow there: γ·P_b(a)
 /// grows with the width b of a pass, so one at a smaller axial feed may cut more than the one
 /// before though nothing is fed [MODEL-8].
 ///
-/// Work speeds and dwells are those the grid lists: the least over its variants is returned, whose
-/// n and dwells are in τ and in L_b.
+/// Work speeds and dwells are those that the grid lists and those of the project: the least over
+/// these variants is returned, whose n and dwells are in τ and in L_b.
 ///
-/// A cycle that sparks out in the end by a count of the grid is not ended by the gauge. But where
+/// A cycle that sparks out in the end by a count is not ended by the gauge. But where
 /// it holds, every diameter of the gauged section is within the drawing's field, so the two radii
 /// of one stand, in the mean, no more than δ before target, the distance from R_t to the field's
 /// edge on the side of the stock: the integral is taken from δ, and the infeed is at least |R_first
-/// − R_t| − δ, in steps beside which at least one sparks out. Other cycles that end by a count are
-/// not meant. With sections coupled the drive has the power of all sections, of which one has at
-/// least its slice's.
+/// − R_t| − δ, in steps beside which at least one sparks out. With sections coupled the drive has
+/// the power of all sections, of which one has at least its slice's.
 ///
 /// [s]; infinite where a requirement is not met at any depth. The gauge must stand on a section
 /// that the requirements are held against: for a free position the second bound alone is taken.
@@ -145,9 +171,15 @@ struct SteplessLimit {
 /// bound still, 0 at the least.
 [[nodiscard]] double steplessLimit_s(const Project& project, const std::stop_token& stop = {});
 
-/// The share of a cycle's time that a stepless one might at most save: 1 − T_lim/T.
-[[nodiscard]] inline double gapToLimit(double time_s, double limit_s) {
-    return time_s > 0 ? 1 - limit_s / time_s : 0;
+/// Whether a limit says something: 0 is none that is known, and infinite that no cycle holds.
+[[nodiscard]] inline bool isKnownLimit(double limit_s) {
+    return limit_s > 0 && std::isfinite(limit_s);
+}
+
+/// The share of a cycle's time that a stepless one might at most save: 1 − T_lim/T. Nothing without
+/// a known limit.
+[[nodiscard]] inline std::optional<double> gapToLimit(double time_s, double limit_s) {
+    return time_s > 0 && isKnownLimit(limit_s) ? std::optional(1 - limit_s / time_s) : std::nullopt;
 }
 
 } // namespace sparkout

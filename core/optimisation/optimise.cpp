@@ -173,6 +173,39 @@ private:
     SearchSummary m_sum;
 };
 
+SearchSummary searchOnce(const Project& project, const SearchOptions& options) {
+    return options.journal ? options.journal->search(project, options)
+                           : searchVariants(project, options);
+}
+
+/// The quickest cycle whose margin is equal to that of the one found, which is the greatest.
+SearchSummary quickestOfMargin(const Project& project, const SearchOptions& options,
+                               const SearchSummary& widest) {
+    SearchOptions search = options;
+    search.marginWithin_us.reset();
+    search.resume.reset();
+    search.incumbent = widest.best;
+    search.beyondMargin = widest.best->leastRelativeMargin - equalMargins;
+    if (options.onProgress) {
+        search.onProgress = [&](SearchProgress progress) {
+            progress.bound_s = 0;
+            progress.evaluations += widest.evaluations;
+            progress.share = 1;
+            progress.checkpoint.reset(); // of the first search alone one goes on
+            options.onProgress(progress);
+        };
+    }
+    SearchSummary found = searchOnce(project, search);
+    found.bound_s = 0;
+    found.evaluations += widest.evaluations;
+    found.visits += widest.visits;
+    for (std::size_t kind = 0; kind < found.cuts.size(); ++kind) {
+        found.cuts[kind] += widest.cuts[kind];
+    }
+    found.checkpoint = widest.checkpoint;
+    return found;
+}
+
 } // namespace
 
 std::optional<std::int64_t> marginWithinOf(const Project& project) {
@@ -182,9 +215,15 @@ std::optional<std::int64_t> marginWithinOf(const Project& project) {
                       : std::nullopt;
 }
 
+SearchSummary searchVariants(const Project& project, const SearchOptions& options) {
+    return VariantSearch(project, options).run();
+}
+
 SearchSummary optimise(const Project& project, const SearchOptions& options) {
-    return options.journal ? options.journal->search(project, options)
-                           : VariantSearch(project, options).run();
+    const SearchSummary found = searchOnce(project, options);
+    return options.marginWithin_us && found.best && found.status == SearchStatus::proved
+               ? quickestOfMargin(project, options, found)
+               : found;
 }
 
 Project withBest(Project project, const SearchSummary& summary) {

@@ -29,10 +29,17 @@
 /// is left out.
 ///
 /// Or, where a most time is given (`marginWithin_us`), the cycle of the greatest least relative
-/// margin among those that hold and take no longer; among equal margins the quickest, then as
-/// above. So a longer time never has a smaller margin, and with the least time of the grid the
-/// answer is that of the search for it.
+/// margin among those that hold and take no longer. Margins that differ by no more than
+/// equalMargins are one and the same to whoever sets the machine, and which of them is the greater
+/// is a matter of last bits. So the answer is the quickest, then as above, of the cycles whose
+/// margin is within equalMargins of the greatest: it is looked for in a search of its own once the
+/// greatest is proved, for "equal" in this sense is not transitive, and no comparison of two cycles
+/// after another finds it. A longer time never has a smaller margin by more than that, and with the
+/// least time of the grid the answer is that of the search for it.
 namespace sparkout {
+
+/// Relative margins that differ by no more count as equal.
+inline constexpr double equalMargins = 1e-9;
 
 enum class SearchMethod {
     full,      ///< runs every cycle of the grid from the blank, until it is decided
@@ -176,6 +183,10 @@ struct SearchSummary {
 /// Searches the grid of a valid project. An empty grid is infeasible. What the project's search
 /// aims at does not count here, but what the options do.
 [[nodiscard]] SearchSummary optimise(const Project& project, const SearchOptions& options = {});
+
+/// One search of those that optimise() makes: for the greatest margin the first of its two. Without
+/// a journal.
+[[nodiscard]] SearchSummary searchVariants(const Project& project, const SearchOptions& options);
 
 /// The project with the best cycle and its machine in place; a summary with a best.
 [[nodiscard]] Project withBest(Project project, const SearchSummary& summary);

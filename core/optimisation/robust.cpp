@@ -5,9 +5,6 @@
 #include "core/phases/cycle_trial.h"
 #include "core/project/batch.h"
 #include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/simulation/stage_control.h"
-#include "core/statistics/philox.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,13 +54,6 @@ public:
 private:
     std::vector<std::size_t> m_order;
 };
-
-/// Puts the stock at a share of an infeed around what it is.
-void addPhase(Project& project, double infeed_mm, double share) {
-    constexpr double leastShare = 0.01; // of the stock: a blank has some
-    double& stock_mm = project.part->stock_mm;
-    stock_mm = std::max(stock_mm + infeed_mm * (share - 0.5), leastShare * stock_mm);
-}
 
 /// Of a draw: all corners of the project's batch, or its parts with another seed each round.
 std::vector<Project> partsOfBatch(Project sampled, OptimisationScenarios asked, int round,
@@ -298,43 +288,6 @@ TradeOff tradeOffRobustly(const Project& asked, const FreshScenarios& source, Se
     return quickest.status == SearchStatus::proved
                ? tradeOff(project, quickest, std::move(search), most)
                : TradeOff{};
-}
-
-std::vector<Project> stockPhases(const Project& project, int phases, double from) {
-    std::vector<Project> spread;
-    for (const double infeed_mm : infeedsOfStages(project)) {
-        for (int i = 0; i < phases && infeed_mm > 0; ++i) {
-            spread.push_back(project);
-            addPhase(spread.back(), infeed_mm, (i + from) / phases);
-        }
-    }
-    return spread;
-}
-
-std::optional<Project> failingPhase(const Project& best, std::uint32_t draw,
-                                    const std::stop_token& stop, int count) {
-    std::vector<double> infeeds_mm = infeedsOfStages(best);
-    std::erase_if(infeeds_mm, [](double infeed_mm) { return infeed_mm <= 0; });
-    Project drawn = best;
-    drawn.runs.clear();
-    std::optional<Project> worst;
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < count && !infeeds_mm.empty() && !stop.stop_requested(); ++i) {
-        const auto unit = [&](std::uint32_t factor) {
-            return openUnit(
-                randomBits(draw, RandomStream::plain, static_cast<std::uint64_t>(i), factor));
-        };
-        const auto stage =
-            static_cast<std::size_t>(unit(0) * static_cast<double>(infeeds_mm.size()));
-        drawn.part->stock_mm = best.part->stock_mm;
-        addPhase(drawn, infeeds_mm[stage], unit(1));
-        const std::optional<CycleTrial> trial = tried(drawn, stop);
-        if (trial && !trial->holds && (!worst || trial->leastMargin < least)) {
-            worst = drawn;
-            least = trial->leastMargin;
-        }
-    }
-    return worst;
 }
 
 FreshScenarios scenariosAskedFor(const Project& project, const std::stop_token& stop) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/search_journal.h"
 
+#include "core/optimisation/cycle_runner.h"
+#include "core/optimisation/judge.h"
 #include "core/optimisation/variants.h"
 
 namespace sparkout {
@@ -16,6 +18,40 @@ bool isOf(const Variants& variants, const SearchCheckpoint& at) {
     return at.variant < variants.count()
            && (at.last.empty() || isCycleOf(variants, at.variant, at.last))
            && (!at.best || isCycleOf(variants, at.best->variant, at.best->cycle));
+}
+
+enum class Trust { given, refused, stopped };
+
+/// Whether the best cycle holds, and comes out as it was kept.
+Trust trustIn(const Variants& variants, const SearchCheckpoint& at, const SearchOptions& options) {
+    if (!isOf(variants, at)) {
+        return Trust::refused;
+    }
+    if (!at.best) {
+        return Trust::given;
+    }
+    const FeasibleCycle& kept = *at.best;
+    const Project& project = variants.project(kept.variant);
+    const Grid& grid = variants.grid(kept.variant);
+    SearchOptions alone = options;
+    alone.incumbent.reset();
+    alone.wholeMargin = nullptr; // which counts the cycles that it is asked for
+    alone.variant = kept.variant;
+    for (Project& scenario : alone.scenarios) {
+        setMachine(scenario, machineSettings(project));
+    }
+    Judge judge(grid, alone);
+    CycleRunner runner(project, grid, options.stop);
+    judge.decide(kept.cycle, runner);
+    if (options.stop.stop_requested()) {
+        return Trust::stopped;
+    }
+    const std::optional<FeasibleCycle>& found = judge.best();
+    const bool isSame =
+        found && found->time_us == kept.time_us && found->time_s == kept.time_s
+        && (options.wholeMargin ? kept.leastRelativeMargin <= found->leastRelativeMargin
+                                : kept.leastRelativeMargin == found->leastRelativeMargin);
+    return isSame ? Trust::given : Trust::refused;
 }
 
 SearchCheckpoint sumOf(SearchCheckpoint at, const SearchCheckpoint& before) {
@@ -51,15 +87,29 @@ SearchSummary summaryOf(const Variants& variants, const SearchCheckpoint& found,
 SearchSummary SearchJournal::search(const Project& project, const SearchOptions& options) {
     const Variants variants(project, options.stop);
     const std::size_t number = m_asked++;
+    const auto trust = [&](const SearchCheckpoint& at) {
+        const Trust found = trustIn(variants, at, options);
+        m_hasRefused = m_hasRefused || found == Trust::refused;
+        return found;
+    };
+    SearchSummary stopped;
+    stopped.status = SearchStatus::stopped;
+    stopped.gridSize = variants.size();
     if (number < m_record.finished.size()) {
-        if (isOf(variants, m_record.finished[number])) {
-            return summaryOf(variants, m_record.finished[number], options);
+        switch (trust(m_record.finished[number])) {
+        case Trust::given: return summaryOf(variants, m_record.finished[number], options);
+        case Trust::stopped: return stopped; // the record stays
+        case Trust::refused: break;
         }
         m_record.finished.resize(number);
         m_record.begun.reset();
     }
-    if (m_record.begun && !isOf(variants, *m_record.begun)) {
-        m_record.begun.reset();
+    if (m_record.begun) {
+        switch (trust(*m_record.begun)) {
+        case Trust::given: break;
+        case Trust::stopped: return stopped;
+        case Trust::refused: m_record.begun.reset();
+        }
     }
     SearchOptions own = options;
     own.journal = nullptr;
@@ -78,7 +128,7 @@ SearchSummary SearchJournal::search(const Project& project, const SearchOptions&
             options.onProgress(progress);
         }
     };
-    SearchSummary found = optimise(project, own);
+    SearchSummary found = searchVariants(project, own);
     const SearchCheckpoint whole = sumOf(found.checkpoint, before);
     found.evaluations = whole.evaluations;
     found.visits = whole.visits;

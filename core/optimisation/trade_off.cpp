@@ -10,7 +10,7 @@ TradeOff tradeOff(const Project& project, const SearchSummary& quickest, SearchO
     TradeOff found{{quickest}};
     while (found.cycles.size() < most) {
         const FeasibleCycle& last = *found.cycles.back().best;
-        options.beyondMargin = last.leastRelativeMargin;
+        options.beyondMargin = last.leastRelativeMargin + equalMargins;
         options.quickest_us = last.time_us + 1; // of equal times it has the greatest margin
         SearchSummary next = optimise(project, options);
         if (next.status != SearchStatus::proved) {

@@ -8,7 +8,7 @@
 namespace sparkout {
 
 /// Time against margin: the cycles of a grid of which none is both as quick and of as great a least
-/// relative margin as another.
+/// relative margin as another. Margins within equalMargins count as as great.
 struct TradeOff {
     std::vector<SearchSummary> cycles; ///< each with a best, the quickest first
     bool isWhole = false;              ///< there are no more

@@ -38,6 +38,13 @@ bool feedsContinuously(const Project& project) {
               });
 }
 
+bool drawsBack(const Project& project) {
+    const StageFeed& radial = project.operation->radial();
+    return std::ranges::any_of(project.cycle->stages, [&](const Stage& stage) {
+        return (stage.*radial.value).value_or(0) < 0;
+    });
+}
+
 bool mayRetract(const Project& project, const Stage& stage) {
     const auto& stages = project.cycle->stages;
     return project.operation->mayRetract && project.gauge->control == Control::gauge

@@ -47,6 +47,9 @@ struct Cycle {
 /// Whether a stage feeds while the table travels.
 [[nodiscard]] bool feedsContinuously(const Project& project);
 
+/// Whether a stage draws the wheel head back.
+[[nodiscard]] bool drawsBack(const Project& project);
+
 /// The wheel head may be drawn back between stages that feed, where the gauge ends stages. The
 /// stage is one of the project's.
 [[nodiscard]] bool mayRetract(const Project& project, const Stage& stage);

@@ -115,6 +115,14 @@ const StructInfo& tableOf<MachineLimits>() {
             .label = SPARKOUT_NOOP("Input", "Range of the plunge feed"), .unit = "mm/min",
             .hard = {0, 1000}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 3,
             .page = Page::machine, .hint = SPARKOUT_NOOP("Input", "Minimum, maximum and step.")),
+        SPARKOUT_FIELD(MachineLimits, continuous_feed_mm_min,
+                       .label = SPARKOUT_NOOP("Input", "Range of the continuous infeed"),
+                       .unit = "mm/min", .hard = {0, 1000},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 3,
+                       .page = Page::machine,
+                       .hint = SPARKOUT_NOOP("Input", "Minimum, maximum and step of the radial "
+                                                      "infeed while the table travels; [0, 0, 0] "
+                                                      "for a machine without it.")),
         SPARKOUT_FIELD(
             MachineLimits, work_speed_rpm,
             .label = SPARKOUT_NOOP("Input", "Range of the work speed"), .unit = "rev/min",

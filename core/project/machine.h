@@ -30,6 +30,7 @@ struct MachineLimits {
     std::optional<std::vector<double>> radial_feed_mm;
     std::optional<std::vector<double>> axial_feed_mm_min;
     std::optional<std::vector<double>> plunge_feed_mm_min;
+    std::optional<std::vector<double>> continuous_feed_mm_min;
     std::optional<std::vector<double>> work_speed_rpm;
     std::optional<double> part_diameter_mm; ///< largest; not given: not limited [mm]
     std::optional<double> part_length_mm;   ///< largest; not given: not limited [mm]

@@ -35,13 +35,6 @@ double forceAt(const ForceLaw& law, double b, double a) {
     return law.normal(b, std::sqrt(a));
 }
 
-bool retracts(const Project& project) {
-    const StageFeed& radial = project.operation->radial();
-    return std::ranges::any_of(project.cycle->stages, [&](const Stage& stage) {
-        return (stage.*radial.value).value_or(0) < 0;
-    });
-}
-
 /// How far the radii of two lanes may stand apart at the end [mm].
 double greatestSpread(const Part& part, double geometricRunout_mm, SpreadOf of) {
     double s = (part.upper_deviation_um - part.lower_deviation_um) / units::umPerMm;
@@ -230,7 +223,7 @@ std::optional<AccuracyLimit> accuracyLimit(const SimulationResult& result,
                                            const LimitSeries& series, const LimitGroup& group,
                                            AccuracyProof proof) {
     const Project& project = result.project;
-    if (retracts(project) || group.stages.empty()
+    if (drawsBack(project) || group.stages.empty()
         || (proof == AccuracyProof::proved && !isProvable(project))) {
         return std::nullopt;
     }

@@ -90,6 +90,12 @@ std::vector<MachineRange> checkMachineRanges(const Project& project,
     if (project.operation->travels) {
         checks.add(ConstraintKind::rangePlungeFeed, limits.plunge_feed_mm_min, 0,
                    project.machine->plunge_feed_mm_min);
+        int number = 0;
+        for (const Stage& stage : project.cycle->stages) {
+            const double feed = stage.continuousFeed_mm_min();
+            checks.add(ConstraintKind::rangeContinuousFeed, limits.continuous_feed_mm_min, ++number,
+                       feed > 0 ? std::optional(feed) : std::nullopt); // 0: there is none
+        }
     }
     checks.add(ConstraintKind::rangeWorkSpeed, limits.work_speed_rpm, 0,
                project.machine->work_speed_rpm);

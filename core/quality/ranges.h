@@ -21,8 +21,9 @@ struct MachineRange {
 };
 
 /// Every feed and speed that the cycle sets and the machine limits, in the order of the kinds:
-/// traverse S_t and S_ax of each stage and S_rad; plunge S_p of each stage; n. A stage that only
-/// sparks out sets no infeed. Of one kind, where only that is asked for.
+/// traverse S_t and S_ax of each stage, S_rad and S_c of each stage that has one; plunge S_p of
+/// each stage; n. A stage that only sparks out sets no infeed. Of one kind, where only that is
+/// asked for.
 [[nodiscard]] std::vector<MachineRange> checkMachineRanges(const Project& project,
                                                            std::optional<ConstraintKind> only = {});
 

@@ -30,6 +30,7 @@ enum class ConstraintKind {
     rangeRadialFeed,
     rangeAxialFeed,
     rangePlungeFeed,
+    rangeContinuousFeed,
     rangeWorkSpeed,
     gaugeCommands,
     overlap,

@@ -15,7 +15,8 @@ double usageOf(const ConstraintResult& requirement) {
         return std::max(1 - requirement.relativeMargin, 0.0);
     }
     const double end = requirement.limit, value = requirement.value;
-    return end <= 0 ? 0 : requirement.isLeast ? end / std::max(value, leastDivisor) : value / end;
+    return requirement.isLeast ? std::max(end, 0.0) / std::max(value, leastDivisor)
+                               : value / std::max(end, leastDivisor);
 }
 
 std::optional<double> placeInRange(const ConstraintResult& requirement) {

@@ -214,7 +214,7 @@ private:
             remedy.timeChange_s = trial.time_s - *m_time_s;
         }
         remedy.requirements = std::move(trial.worst);
-        return remedy;
+        return m_trials.confirm(remedy) ? std::optional(std::move(remedy)) : std::nullopt;
     }
 
     void keep(Remedy remedy) {
@@ -244,7 +244,7 @@ const char* goalKey(RemedyGoal goal) {
 }
 
 const char* conflictKey(RemedyConflict::Kind kind) {
-    constexpr std::array keys{"warned", "idle", "opposed", "several", "unmended"};
+    constexpr std::array keys{"stocks", "warned", "idle", "opposed", "several", "unmended"};
     return keys[static_cast<std::size_t>(kind)];
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/phases/phase_decision.h"
 #include "core/quality/constraints.h"
 #include "core/remedies/remedy_setting.h"
 #include "core/simulation/result.h"
@@ -14,7 +15,13 @@
 #include <vector>
 
 /// Changes of one setting after which a cycle that fails holds everything, or one that is close to
-/// a limit has room.
+/// a limit has room, and which hold whatever the stock of the blank within one phase: where the
+/// last step of a stage falls changes with it, and the size too.
+///
+/// Under gauge control each cycle that is offered holds for every stock within half its largest
+/// infeed of the stated one, usualPhases(): that is decided. Under position control it holds for
+/// sixteen stocks a stage, stockPhases(), and then for those drawn afresh, failingPhase(): there is
+/// no more than a confidence, mostFailing().
 ///
 /// Each setting is tried at values ever farther from where it is and to both sides, until all
 /// holds: one by one where there are few and, of a count, near by, else each half as far again as
@@ -48,6 +55,9 @@ struct Remedy {
     double time_s = 0;        ///< of the cycle
     std::optional<double> timeChange_s{}; ///< against the cycle as it is, if that ends by itself
     std::vector<ConstraintResult> requirements{}; ///< the worst of each kind
+    std::optional<StockRange> stocks{}; ///< per side, for each of which it was decided to hold
+    int phases = 0;                     ///< else stocks drawn afresh for it that it holds for
+    int candidate = 0; ///< its number among the changes that were tried on such, from 1
 
     [[nodiscard]] Project applied(Project project) const {
         return setting.applied(std::move(project), value);
@@ -61,6 +71,7 @@ struct Remedy {
 /// Why no single setting helps, of the values that were tried.
 struct RemedyConflict {
     enum class Kind {
+        stocks,   ///< all holds with the setting below, but not for another stock of the phase
         warned,   ///< all holds with the setting below, which brings a warning
         idle,     ///< all holds with the setting below, but one more stage is run over
         opposed,  ///< what mends the first breaks the second, which holds as it is
@@ -73,6 +84,7 @@ struct RemedyConflict {
     std::optional<ConstraintResult> second; ///< what fails most with the setting below, if any does
     std::optional<RemedySetting> setting;   ///< with which that is so
     double value = 0;                       ///< of the setting
+    double stock_mm = 0;                    ///< per side, for which it fails with the setting
 };
 
 /// Its name in files and on the command line: "opposed".

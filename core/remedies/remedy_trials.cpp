@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/remedies/remedy_trials.h"
 
+#include "core/phases/cycle_trial.h"
+#include "core/phases/failing_stock.h"
+#include "core/phases/sampled_phases.h"
+#include "core/project/part.h"
 #include "core/quality/light.h"
 #include "core/simulation/simulate.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace sparkout {
@@ -36,6 +42,7 @@ RemedyTrials::RemedyTrials(const SimulationResult& result,
                            const std::vector<ConstraintResult>& constraints,
                            const RemedyOptions& options)
     : m_options(options)
+    , m_end(options.stop, options.budget)
     , m_project(bare(result.project))
     , m_goal(remedyGoal(result, constraints))
     , m_idle(idleStages(result)) {
@@ -50,10 +57,6 @@ RemedyTrials::RemedyTrials(const SimulationResult& result,
     }
 }
 
-bool RemedyTrials::isOutOfTime() const {
-    return m_options.budget && std::chrono::steady_clock::now() - m_begin >= *m_options.budget;
-}
-
 bool RemedyTrials::isMet(const ConstraintResult& constraint) const {
     return constraint.holds && (m_goal != RemedyGoal::room || !isClose(constraint));
 }
@@ -63,9 +66,9 @@ std::optional<RemedyTrial> RemedyTrials::run(const RemedySetting& setting, doubl
         return {};
     }
     ++m_runs;
-    const SimulationResult result =
-        simulateUnchecked(setting.applied(m_project, value), nullptr, m_options.stop);
-    if (isStopped()) {
+    const Project changed = setting.applied(m_project, value);
+    const SimulationResult result = simulateUnchecked(changed, nullptr, m_end.token());
+    if (isOver()) {
         return {};
     }
     RemedyTrial trial;
@@ -82,8 +85,73 @@ std::optional<RemedyTrial> RemedyTrials::run(const RemedySetting& setting, doubl
         learn(setting, value, trial);
     } else if (!trial.holds && !m_idleTrial) {
         m_idleTrial.emplace(Nearest{setting, value, std::nullopt, 0});
+    } else if (trial.holds) {
+        std::optional<Project> fails = failingStock(changed);
+        if (isOver()) {
+            return {}; // perhaps within it
+        }
+        trial.holds = !fails;
+        if (fails) {
+            learnStock(setting, value, *std::move(fails));
+        }
     }
     return trial;
+}
+
+/// The changed project with another stock of the phase for which it fails; nothing: none is known,
+/// or it is over. Most that fail do so for one of a few stocks, which are tried first: a cycle that
+/// comes to no end for some takes long.
+std::optional<Project> RemedyTrials::failingStock(const Project& changed) const {
+    constexpr int few = 4, usual = 16; // stocks a stage
+    const bool canDecide = canDecidePhases(changed);
+    for (Project& phase : stockPhases(changed, canDecide ? few : usual)) {
+        const std::optional<CycleTrial> trial = tried(phase, m_end.token());
+        if (!trial || !trial->holds) {
+            return trial ? std::optional(std::move(phase)) : std::nullopt;
+        }
+    }
+    const std::optional<double> stock_mm =
+        canDecide ? failingStock_mm(changed, usualPhases(changed), m_end.token()) : std::nullopt;
+    std::optional<Project> fails;
+    if (stock_mm) {
+        fails = changed;
+        fails->part->stock_mm = *stock_mm;
+    }
+    return fails;
+}
+
+bool RemedyTrials::confirm(Remedy& remedy) {
+    const Project changed = remedy.applied(m_project);
+    if (canDecidePhases(changed)) {
+        remedy.stocks = usualPhases(changed);
+        return true;
+    }
+    remedy.candidate = ++m_candidates;
+    remedy.phases = freshPhaseCount;
+    std::optional<Project> fails =
+        failingPhase(changed, static_cast<std::uint32_t>(m_candidates), m_end.token());
+    if (fails) {
+        learnStock(remedy.setting, remedy.value, *std::move(fails));
+    }
+    return !fails && !isOver();
+}
+
+void RemedyTrials::learnStock(const RemedySetting& setting, double value, Project fails) {
+    const SimulationResult result = simulateUnchecked(fails, nullptr, m_end.token());
+    std::optional<ConstraintResult> worst;
+    double margin = -std::numeric_limits<double>::infinity();
+    if (result.status == RunStatus::completed) {
+        margin = std::numeric_limits<double>::infinity();
+        for (const ConstraintResult& each : evaluateConstraints(result)) {
+            if (!each.holds && each.relativeMargin < margin) {
+                worst = each;
+                margin = each.relativeMargin;
+            }
+        }
+    }
+    if (!m_stocks || margin > m_stocks->margin) {
+        m_stocks.emplace(Nearest{setting, value, worst, margin, fails.part->stock_mm});
+    }
 }
 
 void RemedyTrials::learn(const RemedySetting& setting, double value, const RemedyTrial& trial) {
@@ -126,7 +194,11 @@ RemedyConflict RemedyTrials::conflict() const {
     found.first = m_first;
     using enum RemedyConflict::Kind;
     const std::pair<const std::optional<Nearest>&, RemedyConflict::Kind> inOrder[] = {
-        {m_idleTrial, idle}, {m_opposed, opposed}, {m_several, several}, {m_closest, unmended}};
+        {m_stocks, stocks},
+        {m_idleTrial, idle},
+        {m_opposed, opposed},
+        {m_several, several},
+        {m_closest, unmended}};
     for (const auto& [nearest, kind] : inOrder) {
         if (!nearest) {
             continue;
@@ -135,6 +207,7 @@ RemedyConflict RemedyTrials::conflict() const {
         found.second = nearest->second;
         found.setting = nearest->setting;
         found.value = nearest->value;
+        found.stock_mm = nearest->stock_mm;
         break;
     }
     return found;

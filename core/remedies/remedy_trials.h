@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/deadline_stop.h"
 #include "core/remedies/remedies.h"
 
 #include <array>
-#include <chrono>
 #include <optional>
 #include <vector>
 
@@ -12,7 +12,9 @@ namespace sparkout {
 
 /// A cycle with one setting changed, held against what is to be reached.
 struct RemedyTrial {
-    bool holds = false; ///< all that is to be reached, with no stage run over that was not before
+    /// All that is to be reached, with no stage run over that was not before; and every requirement
+    /// for the other stocks of the phase.
+    bool holds = false;
     double time_s = 0;
     std::vector<ConstraintResult> worst; ///< of each kind
 };
@@ -26,8 +28,11 @@ public:
 
     /// Nothing when it is over.
     [[nodiscard]] std::optional<RemedyTrial> run(const RemedySetting& setting, double value);
+    /// Tries the cycle of a change that is to be offered on stocks drawn for it; for the one whose
+    /// phases are decided there is nothing left to try. False: it fails for one, or it is over.
+    [[nodiscard]] bool confirm(Remedy& remedy);
     [[nodiscard]] bool isStopped() const { return m_options.stop.stop_requested(); }
-    [[nodiscard]] bool isOver() const { return isStopped() || isOutOfTime(); }
+    [[nodiscard]] bool isOver() const { return m_end.token().stop_requested(); }
     [[nodiscard]] long long runs() const { return m_runs; }
 
     /// The requirements that pull against each other in the trial that came nearest: the least
@@ -42,16 +47,18 @@ private:
         RemedySetting setting;
         double value;
         std::optional<ConstraintResult> second;
-        double margin; ///< relative, of the second; where the first fails still, of the first
+        double margin;       ///< relative, of the second; where the first fails still, of the first
+        double stock_mm = 0; ///< of another stock than the stated one
     };
     using Flags = std::array<bool, constraintKinds>;
 
-    [[nodiscard]] bool isOutOfTime() const;
+    [[nodiscard]] std::optional<Project> failingStock(const Project& changed) const;
+    void learnStock(const RemedySetting& setting, double value, Project fails);
     [[nodiscard]] bool isMet(const ConstraintResult& constraint) const;
     void learn(const RemedySetting& setting, double value, const RemedyTrial& trial);
 
     const RemedyOptions& m_options;
-    std::chrono::steady_clock::time_point m_begin = std::chrono::steady_clock::now();
+    DeadlineStop m_end;
     Project m_project; ///< with nothing that a run does not read
     RemedyGoal m_goal;
     std::optional<ConstraintResult> m_first; ///< nothing: the cycle does not end by itself
@@ -59,6 +66,8 @@ private:
     std::ptrdiff_t m_idle;                   ///< stages run over
     long long m_runs = 0;
     std::optional<Nearest> m_opposed, m_several, m_closest;
+    std::optional<Nearest> m_stocks;    ///< all holds but for another stock, by the least
+    int m_candidates = 0;               ///< changes that were tried on stocks drawn for them
     std::optional<Nearest> m_idleTrial; ///< the first that meets all, with a stage more run over
 };
 

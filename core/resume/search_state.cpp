@@ -2,11 +2,13 @@
 #include "core/resume/search_state.h"
 
 #include "core/batch/state_seal.h"
+#include "core/optimisation/grid.h"
 
 #include <nlohmann/json.hpp>
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 
 namespace sparkout {
@@ -15,9 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What is no record: thrown and caught here alone.
-struct NoRecord {};
-
 /// Its shortest digits that read back to the same bits; JSON has no infinities.
 std::string digitsOf(double number) {
     std::array<char, 32> text{};
@@ -25,22 +24,51 @@ std::string digitsOf(double number) {
     return error == std::errc() ? std::string(text.data(), end) : std::string();
 }
 
-double numberOf(const Json& digits) {
-    const auto& text = digits.get_ref<const std::string&>();
+/// More than any search counts, and so few that sums of them are whole numbers still.
+constexpr std::int64_t mostCounted = 1'000'000'000'000'000'000;
+
+/// What may stand at a place of the text: thrown with what does, and caught here alone.
+[[noreturn]] void refuse(const std::string& path, const std::string& found, double least,
+                         double most) {
+    throw BadStateValue{path, found, digitsOf(least), digitsOf(most)};
+}
+
+/// A finite number of so much and no more, written as its digits.
+double numberOf(const Json& parent, const std::string& path, const char* key, double least,
+                double most) {
+    const std::string place = path + '/' + key;
+    const Json& digits = parent.at(key);
     double number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc() || end != text.data() + text.size()) {
-        throw NoRecord();
+    if (digits.is_string()) {
+        const auto& text = digits.get_ref<const std::string&>();
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        if (error == std::errc() && end == text.data() + text.size() && number >= least
+            && number <= most) {
+            return number;
+        }
+    }
+    refuse(place, digits.dump(), least, most);
+}
+
+/// A whole number likewise.
+std::int64_t wholeNumber(const Json& value, const std::string& path, std::int64_t least,
+                         std::int64_t most) {
+    const bool fits = value.is_number_integer()
+                      && (!value.is_number_unsigned()
+                          || value.get<std::uint64_t>() <= static_cast<std::uint64_t>(most));
+    const std::int64_t number = fits ? value.get<std::int64_t>() : least - 1;
+    if (number < least || number > most) {
+        refuse(path, value.dump(), static_cast<double>(least), static_cast<double>(most));
     }
     return number;
 }
 
-template <class Number>
-Number wholeNumber(const Json& value) {
-    if (!value.is_number_integer()) {
-        throw NoRecord();
-    }
-    return value.get<Number>();
+std::int64_t countOf(const Json& parent, const std::string& path, const char* key) {
+    return wholeNumber(parent.at(key), path + '/' + key, 0, mostCounted);
+}
+
+std::size_t placeOf(const Json& value, const std::string& path, double most) {
+    return static_cast<std::size_t>(wholeNumber(value, path, 0, std::llround(most)));
 }
 
 Json cycleJson(const GridCycle& cycle) {
@@ -51,10 +79,13 @@ Json cycleJson(const GridCycle& cycle) {
     return stages;
 }
 
-GridCycle cycleOf(const Json& stages) {
+GridCycle cycleOf(const Json& stages, const std::string& path) {
     GridCycle cycle;
-    for (const Json& stage : stages) {
-        cycle.push_back({wholeNumber<std::size_t>(stage.at(0)), wholeNumber<int>(stage.at(1))});
+    for (std::size_t z = 0; z < stages.size(); ++z) {
+        const std::string place = path + '/' + std::to_string(z);
+        cycle.push_back(
+            {placeOf(stages.at(z).at(0), place + "/0", mostSettings),
+             static_cast<int>(placeOf(stages.at(z).at(1), place + "/1", mostStockSteps))});
     }
     return cycle;
 }
@@ -68,16 +99,18 @@ Json bestJson(const std::optional<FeasibleCycle>& best) {
                 : Json(nullptr);
 }
 
-std::optional<FeasibleCycle> bestOf(const Json& best) {
+std::optional<FeasibleCycle> bestOf(const Json& best, const std::string& path) {
     if (best.is_null()) {
         return std::nullopt;
     }
+    constexpr double most_s = 1e12, usPerSecond = 1e6, mostMargin = 1e12;
     FeasibleCycle cycle;
-    cycle.cycle = cycleOf(best.at("cycle"));
-    cycle.time_us = wholeNumber<std::int64_t>(best.at("time_us"));
-    cycle.leastRelativeMargin = numberOf(best.at("margin"));
-    cycle.variant = wholeNumber<std::size_t>(best.at("variant"));
-    cycle.time_s = numberOf(best.at("time_s"));
+    cycle.cycle = cycleOf(best.at("cycle"), path + "/cycle");
+    cycle.time_us =
+        wholeNumber(best.at("time_us"), path + "/time_us", 1, std::llround(most_s * usPerSecond));
+    cycle.leastRelativeMargin = numberOf(best, path, "margin", -1, mostMargin);
+    cycle.variant = placeOf(best.at("variant"), path + "/variant", mostVariants);
+    cycle.time_s = numberOf(best, path, "time_s", 0, most_s);
     return cycle;
 }
 
@@ -87,19 +120,21 @@ Json checkpointJson(const SearchCheckpoint& at) {
             {"visits", at.visits},       {"cuts", at.cuts}};
 }
 
-SearchCheckpoint checkpointOf(const Json& kept) {
+SearchCheckpoint checkpointOf(const Json& kept, const std::string& path) {
     SearchCheckpoint at;
-    at.variant = wholeNumber<std::size_t>(kept.at("variant"));
-    at.last = cycleOf(kept.at("last"));
-    at.best = bestOf(kept.at("best"));
-    at.evaluations = wholeNumber<long long>(kept.at("evaluations"));
-    at.visits = wholeNumber<long long>(kept.at("visits"));
+    at.variant = placeOf(kept.at("variant"), path + "/variant", mostVariants);
+    at.last = cycleOf(kept.at("last"), path + "/last");
+    at.best = bestOf(kept.at("best"), path + "/best");
+    at.evaluations = countOf(kept, path, "evaluations");
+    at.visits = countOf(kept, path, "visits");
     const Json& cuts = kept.at("cuts");
     if (cuts.size() != at.cuts.size()) {
-        throw NoRecord();
+        const auto all = static_cast<double>(at.cuts.size());
+        refuse(path + "/cuts/length", std::to_string(cuts.size()), all, all);
     }
     for (std::size_t kind = 0; kind < at.cuts.size(); ++kind) {
-        at.cuts[kind] = wholeNumber<long long>(cuts.at(kind));
+        at.cuts[kind] =
+            wholeNumber(cuts.at(kind), path + "/cuts/" + std::to_string(kind), 0, mostCounted);
     }
     return at;
 }
@@ -131,11 +166,13 @@ SearchStateFault read(std::string_view text, const SearchQuestion& asked, ReadSe
     if (into.question.engine != asked.engine) {
         return SearchStateFault::otherEngine;
     }
-    for (const Json& each : state->at("finished")) {
-        into.record.finished.push_back(checkpointOf(each));
+    const Json& finished = state->at("finished");
+    for (std::size_t i = 0; i < finished.size(); ++i) {
+        into.record.finished.push_back(
+            checkpointOf(finished.at(i), "/finished/" + std::to_string(i)));
     }
     if (!state->at("begun").is_null()) {
-        into.record.begun = checkpointOf(state->at("begun"));
+        into.record.begun = checkpointOf(state->at("begun"), "/begun");
     }
     return SearchStateFault::none;
 }
@@ -160,8 +197,9 @@ ReadSearchState readSearchState(std::string_view text, const SearchQuestion& ask
     ReadSearchState state;
     try {
         state.fault = read(text, asked, state);
-    } catch (const NoRecord&) {
-        state.fault = SearchStateFault::changed;
+    } catch (const BadStateValue& value) {
+        state.fault = SearchStateFault::badValue;
+        state.value = value;
     } catch (const nlohmann::json::exception&) {
         state.fault = SearchStateFault::changed;
     }

@@ -31,18 +31,28 @@ enum class SearchStateFault {
     otherFormat,  ///< not of this kind at all
     otherVersion, ///< of a version that this one does not read
     changed,      ///< cut off, or its checksum is not that of its contents
+    badValue,     ///< a value is none that a search has; see ReadSearchState::value
     otherEngine,
     otherProject,
     otherOptions
 };
 
+/// A value of a text that is out of its range, or of another kind.
+struct BadStateValue {
+    std::string path;  ///< JSON pointer, "/finished/0/evaluations"
+    std::string found; ///< as it stands there
+    std::string least, most;
+};
+
 struct ReadSearchState {
     SearchStateFault fault = SearchStateFault::none;
     SearchQuestion question; ///< as far as it was read
+    BadStateValue value;     ///< of a bad value
     SearchRecord record;
 };
 
-/// Reads it back, for the question that is asked now.
+/// Reads it back, for the question that is asked now. Whether its cycles are of the grid and take
+/// the times that stand there is for SearchJournal to find out.
 [[nodiscard]] ReadSearchState readSearchState(std::string_view text, const SearchQuestion& asked);
 
 } // namespace sparkout

@@ -2,10 +2,10 @@
 #include "core/study/whole_search.h"
 
 #include "core/batch/batch_check.h"
+#include "core/deadline_stop.h"
 #include "core/grace_stop.h"
 #include "core/optimisation/binding.h"
 #include "core/optimisation/judge.h"
-#include "core/optimisation/limit.h"
 #include "core/optimisation/robust.h"
 #include "core/optimisation/trade_off.h"
 #include "core/optimisation/variants.h"
@@ -31,8 +31,10 @@ class Search {
 public:
     using Clock = std::chrono::steady_clock;
     using Note = std::function<void(const SearchState&)>;
+    using Answer = std::function<void(const SearchOutcomePtr&)>;
 
-    Search(const Project& project, const SearchWish& wish, std::stop_token stop, Note note)
+    Search(const Project& project, const SearchWish& wish, std::stop_token stop, Note note,
+           Answer answer)
         : m_outcome(std::make_shared<SearchOutcome>())
         , m_levels(project)
         , m_now(project, stop)
@@ -40,7 +42,8 @@ public:
         , m_objective(objectiveOf(project))
         , m_refine(wish.refine && !m_within_us && m_objective == SearchObjective::time)
         , m_stop(std::move(stop))
-        , m_note(std::move(note)) {
+        , m_note(std::move(note))
+        , m_answer(std::move(answer)) {
         m_outcome->project = project;
         m_outcome->marginWithin_us = m_within_us;
         m_outcome->fault = m_now.variants->fault();
@@ -64,11 +67,15 @@ public:
             while (goOn()) {
             }
             takeRound();
-            if (!m_outcome->stopped && !m_now.found.empty()
-                && m_objective == SearchObjective::time) {
-                lookForMargins();
-            }
+            const bool mayLook =
+                !m_outcome->stopped && !m_now.found.empty() && m_objective == SearchObjective::time;
+            listFound();
             finish();
+            if (mayLook) {
+                showAnswer();
+                lookForMargins();
+                listFound();
+            }
             if (m_refine && m_outcome->best()) {
                 m_outcome->refines = true;
                 refineBest();
@@ -84,6 +91,7 @@ private:
         int candidate = 0; ///< on fresh phases
         std::shared_ptr<const IntervalSummary> interval{};
         bool isOfFront = false; ///< alone: of another sample of the scenarios than the answer
+        double margin = 0;      ///< that it is compared by: equal ones are made the same
     };
 
     /// Of the surface; without a set-up the wheel does not wear.
@@ -98,8 +106,32 @@ private:
     }
 
     [[nodiscard]] bool isBefore(const Noted& a, const Noted& b, SearchAim aim) const {
+        FeasibleCycle left = a.cycle, right = b.cycle;
+        if (aim == SearchAim::greatestMargin) {
+            left.leastRelativeMargin = a.margin;
+            right.leastRelativeMargin = b.margin;
+        }
         return valueOf(a) != valueOf(b) ? valueOf(a) < valueOf(b)
-                                        : isBetter(a.cycle, b.cycle, gridOf(a), aim);
+                                        : isBetter(left, right, gridOf(a), aim);
+    }
+
+    /// Each margin becomes the greatest of those not yet met that it is equal to, from the greatest
+    /// of all on.
+    void compareMargins() {
+        std::vector<Noted*> all;
+        for (Noted& each : m_now.found) {
+            if (mayAnswer(each)) {
+                all.push_back(&each);
+            }
+        }
+        std::ranges::sort(all, std::ranges::greater{},
+                          [](const Noted* each) { return each->cycle.leastRelativeMargin; });
+        double greatest = std::numeric_limits<double>::infinity();
+        for (Noted* each : all) {
+            const double own = each->cycle.leastRelativeMargin;
+            greatest = own < greatest - equalMargins ? own : greatest;
+            each->margin = greatest;
+        }
     }
 
     /// What is known of the grid with the levels of a round.
@@ -160,7 +192,8 @@ private:
     }
 
     /// Null: nothing was found.
-    [[nodiscard]] const Noted* first() const {
+    [[nodiscard]] const Noted* first() {
+        compareMargins();
         const auto best =
             std::ranges::min_element(m_now.found, [this](const Noted& a, const Noted& b) {
                 return isBefore(a, b, m_outcome->aim());
@@ -268,19 +301,24 @@ private:
         return quickest ? std::optional(*quickest) : std::nullopt;
     }
 
+    /// What stands before margins by time are looked for.
+    void showAnswer() {
+        if (m_answer) {
+            auto answer = std::make_shared<SearchOutcome>(*m_outcome);
+            answer->isFrontComing = true;
+            m_answer(answer);
+        }
+    }
+
     /// Time against margin, about as long as the search took.
     void lookForMargins() {
         constexpr std::size_t most = 40;
         constexpr std::chrono::seconds grace(2);
-        const Clock::time_point end = Clock::now() + (Clock::now() - m_began) + grace;
-        std::stop_source ends;
-        const std::stop_callback stopped(m_stop, [&ends] { ends.request_stop(); });
+        const DeadlineStop deadline(m_stop, Clock::now() - m_began + grace);
         SearchOptions options;
-        options.stop = ends.get_token();
-        options.onProgress = [&](const SearchProgress& progress) {
-            if (Clock::now() > end) {
-                ends.request_stop();
-            }
+        options.stop = deadline.token();
+        report(0, 0, 0, FoundBy::margin);
+        options.onProgress = [this](const SearchProgress& progress) {
             report(0, 0, progress.evaluations, FoundBy::margin);
         };
         const TradeOff front = frontOf(options, most);
@@ -334,7 +372,10 @@ private:
         }
     }
 
-    void finish() {
+    /// The cycles found, the best first.
+    void listFound() {
+        m_outcome->found.clear();
+        compareMargins();
         std::ranges::sort(m_now.found, [this](const Noted& a, const Noted& b) {
             if (mayAnswer(a) != mayAnswer(b)) {
                 return mayAnswer(a);
@@ -343,18 +384,19 @@ private:
         });
         std::vector<std::size_t> numbers; // of stages, met already
         for (const Noted& noted : m_now.found) {
-            const auto& [each, by, candidate, interval, isOfFront] = noted;
+            const FeasibleCycle& each = noted.cycle;
+            const IntervalSummary* const interval = noted.interval.get();
             const bool first =
                 mayAnswer(noted) && std::ranges::find(numbers, each.cycle.size()) == numbers.end();
             m_outcome->found.push_back(
-                {.by = by,
+                {.by = noted.by,
                  .cycle = m_now.variants->grid(each.variant).cycle(each.cycle),
                  .machine = machineSettings(m_now.variants->project(each.variant)),
                  .time_s = each.time_s,
                  .leastRelativeMargin = each.leastRelativeMargin,
                  .isBest = first && numbers.empty(),
                  .isBestOfItsNumber = first,
-                 .candidate = candidate,
+                 .candidate = noted.candidate,
                  .held = interval ? interval->held : std::nullopt,
                  .cost = interval ? interval->cost : std::nullopt});
             if (first) {
@@ -367,8 +409,14 @@ private:
                 found.decided = phaseCases(withFound(m_outcome->project, found));
             }
         }
+    }
+
+    /// What is to be known of the answer.
+    void finish() {
         const GraceStop grace(m_stop); // for both
-        m_outcome->limit_s = steplessLimit_s(m_now.searched, grace.token());
+        const SteplessLimit limit = steplessLimitBounds(m_now.searched, grace.token());
+        m_outcome->limit_s = limit.time_s;
+        m_outcome->limitCycles = limit.cycles;
         m_outcome->bound_s = bound();
         if (!m_now.found.empty() && m_within_us) {
             m_outcome->binding =
@@ -406,6 +454,7 @@ private:
     Clock::time_point m_began;
     std::stop_token m_stop;
     Note m_note;
+    Answer m_answer;
 };
 
 } // namespace
@@ -460,8 +509,8 @@ double SearchOutcome::nominal_s() const {
 }
 
 SearchOutcomePtr runWholeSearch(const Project& project, const SearchWish& wish,
-                                std::stop_token stop,
-                                std::function<void(const SearchState&)> note) {
+                                std::stop_token stop, std::function<void(const SearchState&)> note,
+                                std::function<void(const SearchOutcomePtr&)> answer) {
     Issues issues = validate(project);
     std::erase_if(issues, [](const Issue& issue) { return issue.severity != Severity::error; });
     if (!issues.empty()) {
@@ -471,7 +520,8 @@ SearchOutcomePtr runWholeSearch(const Project& project, const SearchWish& wish,
         return outcome;
     }
     return Search(
-               project, wish, std::move(stop), note ? std::move(note) : [](const SearchState&) {})
+               project, wish, std::move(stop), note ? std::move(note) : [](const SearchState&) {},
+               std::move(answer))
         .run();
 }
 

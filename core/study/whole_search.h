@@ -3,6 +3,7 @@
 
 #include "core/dressing/interval_search.h"
 #include "core/issue.h"
+#include "core/optimisation/limit.h"
 #include "core/optimisation/optimise.h"
 #include "core/optimisation/phase_cases.h"
 #include "core/optimisation/variants.h"
@@ -71,17 +72,19 @@ struct SearchOutcome {
     bool refines = false; ///< looked between the levels too
     /// The greatest margin within this time was searched; nothing: the least time.
     std::optional<std::int64_t> marginWithin_us;
-    bool isFrontWhole = false;           ///< those found by `margin` are all of the front
-    Project searched;                    ///< the project with the levels of the last round
-    int rounds = 1;                      ///< of SearchLevels
-    bool areLevelsCutShort = false;      ///< a further round was stopped
-    std::vector<LevelEdge> edges;        ///< of its grid that the best of the grid reaches
+    bool isFrontComing = false;     ///< the cycles found by `margin` are still being looked for
+    bool isFrontWhole = false;      ///< those found by `margin` are all of the front
+    Project searched;               ///< the project with the levels of the last round
+    int rounds = 1;                 ///< of SearchLevels
+    bool areLevelsCutShort = false; ///< a further round was stopped
+    std::vector<LevelEdge> edges;   ///< of its grid that the best of the grid reaches
     std::vector<SearchedNumber> numbers; ///< of stages, as listed; fewer when it was stopped
     /// The best first; those of the front that take longer than the greatest margin may, or that
     /// are of a robust search and not its answer, come last.
     std::vector<FoundCycle> found;
-    double limit_s = 0; ///< of the stepless cycle
-    double bound_s = 0; ///< no cycle of the grid that holds is quicker; 0: not known
+    double limit_s = 0;        ///< of the stepless cycle
+    LimitedCycles limitCycles; ///< of which that is
+    double bound_s = 0;        ///< no cycle of the grid that holds is quicker; 0: not known
     /// What binds the first of `found`, its time or its margin, whichever is searched; nothing: not
     /// known, as it was stopped before.
     std::optional<std::vector<ConstraintKind>> binding;
@@ -131,9 +134,12 @@ struct SearchState {
     double took_s = 0;
 };
 
-/// Searches a project's grid in this thread; `note` receives the progress, in any thread.
-[[nodiscard]] SearchOutcomePtr runWholeSearch(const Project& project, const SearchWish& wish,
-                                              std::stop_token stop,
-                                              std::function<void(const SearchState&)> note);
+/// Searches a project's grid in this thread; `note` receives the progress, in any thread. `answer`
+/// receives the answer as soon as it stands, before the margins by time are looked for and what is
+/// between the levels.
+[[nodiscard]] SearchOutcomePtr
+runWholeSearch(const Project& project, const SearchWish& wish, std::stop_token stop,
+               std::function<void(const SearchState&)> note,
+               std::function<void(const SearchOutcomePtr&)> answer = {});
 
 } // namespace sparkout

@@ -61,6 +61,7 @@ private slots:
         row("range_radial_feed", "/machine/limits/radial_feed_mm/1", 0.02, 0.002);
         row("range_axial_feed", "/machine/limits/axial_feed_mm_min/1", 5000, 400);
         row("range_plunge_feed", "/machine/limits/plunge_feed_mm_min/1", 5, 0.1);
+        row("range_continuous_feed", "/machine/limits/continuous_feed_mm_min/1", 1, 0.01);
         row("range_work_speed", "/machine/limits/work_speed_rpm/1", 500, 100);
         row("gauge_commands", "/gauge/commands", 5, 1);
         row("overlap", "/cycle/stages/0/axial_feed_mm_min", 900, 9100);
@@ -137,7 +138,12 @@ private:
         file["machine"]["limits"] = json::object();
         if (path.startsWith("/machine/limits/")) {
             const std::string range = path.section('/', 3, 3).toStdString();
-            file["machine"]["limits"][range] = limits.at(range);
+            const bool isContinuous = range == "continuous_feed_mm_min";
+            file["machine"]["limits"][range] =
+                isContinuous ? json::array({0.001, 1, 0.001}) : limits.at(range);
+            if (isContinuous) {
+                file["cycle"]["stages"][0][range] = 0.02;
+            }
         }
         if (path.startsWith("/wheel/")) {
             for (const auto& [key, value] :

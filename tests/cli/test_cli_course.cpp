@@ -249,6 +249,12 @@ private slots:
                                   "/cycle_time_min 1.5, by the engine 5.1")
                      != std::string::npos,
                  outcome.err.c_str());
+        const json answer = json::parse(run({"course", "check", edited, "--json"}).out);
+        const json& surface = answer.at("surfaces").at(0);
+        QVERIFY(surface.at("kept_runs") == file["runs"].size());
+        QVERIFY(surface.at("untrue_runs") == json::array({"Factory"}));
+        const json whole = json::parse(run({"course", "check", example, "--json"}).out);
+        QVERIFY(whole.at("surfaces").at(0).at("untrue_runs").empty());
         const Outcome simulated = run({"simulate", edited});
         QCOMPARE(simulated.status, 0);
         QVERIFY(simulated.err.find("kept run \"Factory\"") != std::string::npos);

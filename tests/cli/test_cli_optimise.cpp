@@ -202,7 +202,7 @@ private slots:
     void theRuleAsPublishedSaysThatThereMayBeACycle() {
         const QString saved = save("soft.sparkout", softShaft());
         const Outcome outcome = optimize({saved, "--method", "dp"});
-        QCOMPARE(outcome.status, 5);
+        QCOMPARE(outcome.status, 6);
         QVERIFY(outcome.out.empty());
         QVERIFY(outcome.err.find("the heuristic found no feasible cycle; there may be one")
                 != std::string::npos);
@@ -519,6 +519,49 @@ private slots:
                 != std::string::npos);
     }
 
+    // 5 is for what was decided.
+    void aStopBeforeACycleIsFoundHasAStatusOfItsOwn() {
+        const QString saved = save("undecided.sparkout", undecided());
+        for (const int signal : {SIGINT, SIGTERM}) {
+            QProcess process;
+            process.start(SPARKOUT_CLI, {"optimize", saved, "--json"});
+            QVERIFY(process.waitForStarted());
+            QTest::qWait(500);
+            QCOMPARE(process.state(), QProcess::Running);
+            endBySignal(process, signal);
+            const Outcome outcome = outcomeOf(process);
+            QCOMPARE(outcome.status, 128 + signal);
+            QVERIFY2(outcome.err.find("stopped before a feasible cycle was found")
+                         != std::string::npos,
+                     outcome.err.c_str());
+            QVERIFY(json::parse(outcome.out).at("status") == "stopped");
+        }
+        const Outcome late = optimize({saved, "--time-limit", "0.5", "--json"});
+        QCOMPARE(late.status, 6);
+        QVERIFY(json::parse(late.out).at("status") == "stopped");
+    }
+
+    void theLimitSaysOfWhichCyclesItIs() {
+        json file = shaft();
+        const auto limitOf = [&](const json& asked) {
+            return json::parse(optimize({save("limit.sparkout", asked), "--json"}).out);
+        };
+        const json usual = limitOf(file);
+        QVERIFY(usual.at("limit_cycles").at("continuous_feed_mm_min") == 0);
+        QVERIFY(usual.at("limit_cycles").at("draw_back") == false);
+        QVERIFY(usual.at("limit_cycles").at("spark_out_by_count") == false);
+        file["machine"]["limits"]["continuous_feed_mm_min"] = {0, 0.4, 0.01};
+        const json wider = limitOf(file);
+        QVERIFY(wider.at("limit_cycles").at("continuous_feed_mm_min") == 0.4);
+        QVERIFY(wider.at("cycle_time_min") == usual.at("cycle_time_min"));
+        QVERIFY(wider.at("limit_time_min") < usual.at("limit_time_min"));
+        const std::string text = optimize({save("limit.sparkout", file)}).out;
+        QVERIFY2(text.find("limit of cycles      with a continuous infeed of up to 0.4 mm/min, "
+                           "ended at size")
+                     != std::string::npos,
+                 text.c_str());
+    }
+
     void interruptKeepsTheBestAndTheBound() {
         checkStopped(interruptedWithAnAnswer({save("endless.sparkout", endless()), "--json"}));
     }
@@ -568,6 +611,14 @@ private slots:
     }
 
 private:
+    /// Of which no cycle holds, and there are too many to say so within minutes.
+    static json undecided() {
+        json file = endless();
+        file["part"]["tolerance"]["roughness_ra_um"] = 0.001;
+        file["wheel"]["roughness_factor"] = 2;
+        return file;
+    }
+
     static Outcome optimize(QStringList arguments) {
         arguments.prepend("optimize");
         return run(arguments);

@@ -57,6 +57,9 @@ private slots:
             QCOMPARE(told.at("holds_beyond").get<bool>(), found.remedies[i].holdsBeyond);
             QCOMPARE(told.at("time_change_min").get<double>(),
                      *found.remedies[i].timeChange_s / 60);
+            const StockRange& stocks = found.remedies[i].stocks.value();
+            QVERIFY(told.at("stock_mm") == json::array({stocks.from_mm, stocks.to_mm}));
+            QVERIFY(told.at("phases").is_null());
             for (const json& each : told.at("requirements")) {
                 QVERIFY(each.at("ok").get<bool>());
             }
@@ -75,6 +78,8 @@ private slots:
         QVERIFY2(outcome.out.starts_with("diameter_min fails in rz1\n  "), outcome.out.c_str());
         QVERIFY2(outcome.out.find(" of stage ") != std::string::npos, outcome.out.c_str());
         QVERIFY2(outcome.out.find("everything holds; the cycle takes ") != std::string::npos,
+                 outcome.out.c_str());
+        QVERIFY2(outcome.out.find("It holds for every stock per side of ") != std::string::npos,
                  outcome.out.c_str());
         QVERIFY2(outcome.out.find(" settings tried in ") != std::string::npos, outcome.out.c_str());
     }

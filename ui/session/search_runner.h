@@ -31,6 +31,7 @@ public:
 
 signals:
     void progressed(const sparkout::SearchState& state);
+    void answered(sparkout::SearchOutcomePtr outcome); ///< the search goes on for margins by time
     void finished(sparkout::SearchOutcomePtr outcome);
 
 private:

@@ -3,6 +3,7 @@
 // of one that is not; a record of something else is refused.
 #include "core/optimisation/search_journal.h"
 
+#include "core/batch/state_seal.h"
 #include "core/project/optimisation.h"
 #include "core/resume/search_state.h"
 #include "core/study/grid_search.h"
@@ -138,11 +139,11 @@ private slots:
         SearchJournal none;
         const GridSearchReport whole = searchGrid(p, full(none, 1));
         SearchCheckpoint foreign;
-        foreign.last = {{1'000'000, -3}};
+        foreign.last = {{4'999, 3}};
         foreign.variant = 77;
         foreign.evaluations = 5;
         FeasibleCycle best;
-        best.cycle = {{123'456, 9}};
+        best.cycle = {{4'998, 9}};
         best.time_us = 1;
         SearchCheckpoint wrong;
         wrong.best = best;
@@ -151,6 +152,82 @@ private slots:
             SearchJournal journal(written(record));
             QVERIFY(isSame(whole, searchGrid(p, full(journal, 1))));
         }
+    }
+
+    // The best cycle of a record is run before it counts: one that holds, but with a time or a
+    // margin that it has not, would keep all others out.
+    void timesOfARecordAreRunBeforeTheyCount() {
+        Project p = smallCase(3);
+        for (unsigned seed = 3; !search(p).best; ++seed) {
+            p = smallCase(seed);
+        }
+        SearchJournal none;
+        const GridSearchReport whole = searchGrid(p, full(none, 1));
+        QVERIFY(whole.search.best && !none.record().finished.empty());
+        const SearchCheckpoint true_ = none.record().finished.front();
+        for (const int what : {0, 1, 2, 3}) {
+            SearchCheckpoint forged = true_;
+            forged.best->time_us = what == 0 ? 1000 : forged.best->time_us;
+            forged.best->time_s = what == 0 ? 0.001 : what == 1 ? 0.5 : forged.best->time_s;
+            forged.best->leastRelativeMargin += what == 2 ? 0.5 : 0;
+            if (what == 3) { // of the grid, but it does not hold
+                const Grid grid(p);
+                for (GridCycle cycle; grid.next(cycle);) {
+                    Project other = p;
+                    *other.cycle = grid.cycle(cycle);
+                    if (!holds(simulateUnchecked(other))) {
+                        forged.best->cycle = cycle;
+                        break;
+                    }
+                }
+            }
+            for (const SearchRecord& record :
+                 {SearchRecord{{}, forged}, SearchRecord{{forged}, {}}}) {
+                SearchJournal journal(written(record));
+                QVERIFY(isSame(whole, searchGrid(p, full(journal, 1))));
+                QVERIFY(journal.hasRefused());
+            }
+        }
+        SearchJournal honest(written({{true_}, {}}));
+        QVERIFY(isSame(whole, searchGrid(p, full(honest, 1))));
+        QVERIFY(!honest.hasRefused());
+    }
+
+    void aValueOutOfItsRangeIsNamed() {
+        SearchCheckpoint at;
+        at.last = {{1, 2}, {0, 3}};
+        at.evaluations = 17;
+        at.best = FeasibleCycle{{{1, 2}, {0, 3}}, 1'234'567, 0.25, 1, 1.2345671};
+        const samples::json good = samples::json::parse(writeSearchState(asked, {{at}, at}));
+        using Pointer = samples::json::json_pointer;
+        const auto refused = [&](const char* path, const samples::json& value) {
+            nlohmann::ordered_json forged = nlohmann::ordered_json::parse(good.dump());
+            forged[nlohmann::ordered_json::json_pointer(path)] = value;
+            const ReadSearchState read = readSearchState(sealed(forged), asked);
+            return read.fault == SearchStateFault::badValue && read.record.finished.empty()
+                           && !read.record.begun
+                       ? read.value.path
+                       : std::string("taken");
+        };
+        for (const char* path :
+             {"/begun/evaluations", "/finished/0/visits", "/begun/cuts/4", "/finished/0/variant",
+              "/begun/best/time_us", "/finished/0/last/1/0", "/begun/best/cycle/0/1"}) {
+            QCOMPARE(refused(path, -1), std::string(path));
+            QCOMPARE(refused(path, 9.3e18), std::string(path));
+            QCOMPARE(refused(path, 18'446'744'073'709'551'615U), std::string(path));
+            QCOMPARE(refused(path, "1"), std::string(path));
+        }
+        QCOMPARE(refused("/begun/evaluations", 9'223'372'036'854'775'807LL),
+                 std::string("/begun/evaluations")); // their sum would be beyond all numbers
+        for (const char* path : {"/begun/best/time_s", "/finished/0/best/margin"}) {
+            for (const char* digits : {"nan", "inf", "-5", "", "1e400", "2x"}) {
+                QCOMPARE(refused(path, digits), std::string(path));
+            }
+            QCOMPARE(refused(path, 2), std::string(path));
+        }
+        QCOMPARE(refused("/begun/cuts", samples::json::array({1, 2})),
+                 std::string("/begun/cuts/length"));
+        QVERIFY(good.contains(Pointer("/begun/best/time_s")));
     }
 
     void aRecordOfSomethingElseIsNamed() {

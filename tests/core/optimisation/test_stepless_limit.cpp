@@ -23,6 +23,7 @@
 #include "tests/core/optimisation/search_cases.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/core/support/project_fixtures.h"
+#include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
 #include <QTest>
@@ -182,6 +183,56 @@ void drawStages(Project& p, search_cases::Dice& dice) {
         axialFeed *= dice.uniform(0.5, 1);
         p.cycle->stages.push_back(stage);
     }
+}
+
+/// A continuous infeed in most stages, in some of them alone.
+void addContinuousInfeed(Project& p, search_cases::Dice& dice) {
+    const double most_mm_min = dice.uniform(0.02, 1);
+    for (Stage& stage : p.cycle->stages) {
+        if (dice.chance(0.8)) {
+            stage.continuous_feed_mm_min = most_mm_min * dice.uniform(0.05, 1);
+            stage.radial_feed_mm =
+                dice.chance(0.5) ? 0 : *stage.radial_feed_mm * dice.uniform(0, 1);
+        }
+    }
+    if (dice.chance(0.3)) {
+        p.machine->limits.continuous_feed_mm_min = std::vector<double>{0, most_mm_min, 0};
+    }
+}
+
+/// Stages between the first and the last that draw the wheel head back.
+void addRetraction(Project& p, search_cases::Dice& dice) {
+    std::vector<Stage>& stages = p.cycle->stages;
+    for (std::size_t z = stages.size() - 1; z > 0; --z) {
+        if (z + 1 < stages.size() && dice.chance(0.4)) {
+            stages[z].radial_feed_mm_min = -dice.uniform(0.01, 2);
+        } else if (dice.chance(0.6)) { // half of the stock of the stage before, drawn back
+            Stage back = stages[z - 1];
+            back.stock_mm /= 2;
+            stages[z - 1].stock_mm -= back.stock_mm;
+            back.radial_feed_mm_min = -dice.uniform(0.01, 2);
+            stages.insert(stages.begin() + static_cast<std::ptrdiff_t>(z), back);
+        }
+    }
+}
+
+/// Whether it ends by itself and every requirement holds.
+bool holdsAll(const SimulationResult& result) {
+    return result.status == RunStatus::completed
+           && std::ranges::all_of(evaluateConstraints(result), &ConstraintResult::holds);
+}
+
+/// A case of a trial: a cycle that holds, and the limit that was printed for another one of its
+/// problem.
+struct Trial {
+    Project project;
+    double printed_s = 0;
+};
+Trial trialOf(const std::string& name) {
+    const samples::json file =
+        samples::json::parse(samples::readText(samples::sourcePath("tests/data/trials/" + name)));
+    return {readProject(file.at("project").dump()).project.value(),
+            file.at("limit_time_min").get<double>() * 60};
 }
 
 struct NamedCut {
@@ -440,6 +491,123 @@ private slots:
         QVERIFY2(held > 40 && (!plunge || together > 10),
                  qPrintable(QString("%1 held, %2 together").arg(held).arg(together)));
         QVERIFY2(most > nearest, QByteArray::number(most));
+    }
+
+    // The limit of a project is one for its own cycle, whatever that does.
+    void noCycleOfAnyKindIsQuickerThanItsOwnLimit_data() {
+        QTest::addColumn<bool>("plunge");
+        QTest::newRow("plunge, drawing back") << true;
+        QTest::newRow("traverse, continuous infeed") << false;
+    }
+    void noCycleOfAnyKindIsQuickerThanItsOwnLimit() {
+        QFETCH(bool, plunge);
+        const int wanted = samples::sized(500, 60, 5000);
+        int held = 0, special = 0;
+        double nearest = 0;
+        for (unsigned seed = 0; special < wanted; ++seed) {
+            QVERIFY2(seed < 400U * static_cast<unsigned>(wanted), QByteArray::number(special));
+            search_cases::Dice dice(seed + 7000);
+            Project p = plunge ? drawnPlunge(dice) : drawnTraverse(dice);
+            if (plunge && dice.chance(0.5)) { // a release that would count
+                p.part->tolerance.total_runout_um = dice.uniform(2, 5);
+            }
+            drawStages(p, dice);
+            p.gauge->commands = 100;
+            if (plunge) {
+                addRetraction(p, dice);
+            } else {
+                addContinuousInfeed(p, dice);
+            }
+            if (dice.chance(0.2)) {
+                p.cycle->stages.push_back(p.cycle->stages.back());
+                p.cycle->stages.back().stock_mm = 0.001;
+                p.cycle->stages.front().stock_mm -= 0.001;
+                p.cycle->stages.back().sparkOutFor(dice.integer(1, 4));
+            }
+            if (p.cycle->stages.front().stock_mm <= 0) {
+                continue;
+            }
+            const SimulationResult result = simulateUnchecked(p);
+            if (!holdsAll(result)) {
+                continue;
+            }
+            const SteplessLimit limit = steplessLimitBounds(p);
+            ++held;
+            special += plunge ? limit.cycles.drawBack : limit.cycles.continuousFeed_mm_min > 0;
+            nearest = std::max(nearest, limit.time_s / result.time_s);
+            QVERIFY2(
+                limit.time_s > 0 && limit.time_s <= result.time_s,
+                qPrintable(
+                    QString("seed %1: %2 of %3 s").arg(seed).arg(limit.time_s).arg(result.time_s)));
+        }
+        qInfo("%d cycles, %d of the kind; the nearest at %.2f of its time", held, special, nearest);
+        QVERIFY2(nearest > 0.4, QByteArray::number(nearest));
+    }
+
+    // Cycles that trials found below the limit printed for their problem: with a continuous infeed,
+    // which that limit now says it leaves out, and drawing back.
+    void cyclesOfTrialsAreNoQuickerThanTheLimitThatCoversThem() {
+        for (const char* name : {"broken-continuous-41-1.json", "broken-continuous-41-3.json",
+                                 "broken-retract-95-1.json"}) {
+            auto [p, printed_s] = trialOf(name);
+            p.gauge->commands = 100; // it has 18 stages
+            const SimulationResult result = simulateUnchecked(p);
+            QVERIFY2(holdsAll(result) && result.time_s < printed_s, name);
+            const SteplessLimit own = steplessLimitBounds(p);
+            QVERIFY2(own.time_s > 0 && own.time_s <= result.time_s, name);
+            QVERIFY(own.cycles.drawBack || own.cycles.continuousFeed_mm_min > 0);
+            Project other = p; // as it was printed
+            other.cycle->stages = {p.cycle->stages.front()};
+            other.cycle->stages.front().stock_mm = p.part->stock_mm;
+            other.cycle->stages.front().continuous_feed_mm_min.reset();
+            other.cycle->stages.front().radial_feed_mm = 0.001;
+            const SteplessLimit without = steplessLimitBounds(other);
+            QVERIFY2(close(without.time_s, printed_s, 1e-6), name);
+            QVERIFY(!without.cycles.drawBack && without.cycles.continuousFeed_mm_min == 0);
+            // the machine's range takes a continuous infeed in again
+            if (p.operation->travels) {
+                other.machine->limits.continuous_feed_mm_min =
+                    std::vector<double>{0, own.cycles.continuousFeed_mm_min, 0};
+                const SteplessLimit within = steplessLimitBounds(other);
+                QCOMPARE(within.cycles.continuousFeed_mm_min, own.cycles.continuousFeed_mm_min);
+                QVERIFY2(within.time_s <= result.time_s && within.time_s > own.time_s / 2, name);
+            }
+        }
+    }
+
+    // All is fed while the table travels and dwells: N strokes of c with S_c·(N·c) = the infeed.
+    void theLimitOfAContinuousInfeedIsItsClosedForm() {
+        Project p = fixtures::traverse();
+        p.material->burn_rise_k.reset();
+        p.machine->wheel_drive_kw.reset();
+        p.machine->dwell_entry_s = p.machine->dwell_exit_s = 0;
+        p.machine->limits.axial_feed_mm_min = std::vector<double>{100, 2000, 100};
+        p.machine->limits.radial_feed_mm = std::vector<double>{0, 0.01, 0};
+        p.machine->plunge_feed_mm_min = 1e-3; // of no use
+        p.part->stock_mm = 0.15;
+        p.part->initial_runout_mm = 0;
+        p.cycle->stages = {fixtures::strokeStage(0, 2000, 0.15)};
+        p.cycle->stages.front().continuous_feed_mm_min = 0.3;
+        const double byFeed_s = 0.15 / (0.3 + 1e-3) * 60; // S_rad feeds besides, at the most
+        QVERIFY(steplessLimit_s(p) <= 0.15 / 0.3 * 60);
+        QVERIFY2(close(steplessLimit_s(p), byFeed_s, 0.1), QByteArray::number(steplessLimit_s(p)));
+        p.machine->limits.continuous_feed_mm_min = std::vector<double>{0, 0.15, 0};
+        QVERIFY2(close(steplessLimit_s(p), 2 * byFeed_s, 0.1),
+                 QByteArray::number(steplessLimit_s(p)));
+    }
+
+    void aLimitIsOfTheCyclesThatTheProjectMayHave() {
+        Project p = freePlunge();
+        QVERIFY(!steplessLimitBounds(p).cycles.sparkOut);
+        p.cycle->stages.push_back(fixtures::plungeStage(0.2, 0.01));
+        p.cycle->stages.back().sparkOutFor(3);
+        QVERIFY(steplessLimitBounds(p).cycles.sparkOut);
+        QVERIFY(steplessLimitBounds(sparkingOut(freePlunge(), 4)).cycles.sparkOut);
+        Project slow = freePlunge(); // the grid's work speeds and the project's own
+        const double own_s = steplessLimit_s(slow);
+        slow = sparkingOut(slow, 0);
+        slow.optimisation->work_speed_rpm = std::vector<double>{70};
+        QVERIFY(close(steplessLimit_s(slow), own_s, 1e-9));
     }
 
     /// A roughness binds the last cut alone, which a spark-out may make.

@@ -76,7 +76,7 @@ std::vector<Point> plainFront(Project project, bool overAll = false) {
     }
     std::vector<Point> front;
     for (const auto& [time_us, margin] : best) {
-        if (front.empty() || margin > front.back().margin) {
+        if (front.empty() || margin > front.back().margin + 1e-9) {
             front.push_back({time_us, margin});
         }
     }

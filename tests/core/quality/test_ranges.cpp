@@ -105,6 +105,30 @@ private slots:
         QVERIFY(feeds[2].value == 6 && !feeds[2].holds);
     }
 
+    // Where the machine has a range, 10 mm/min of a machine that feeds 1 does not pass.
+    void aContinuousInfeedIsHeldAgainstItsRange() {
+        Project p = fixtures::traverse();
+        p.cycle->stages[0].continuous_feed_mm_min = 10;
+        QVERIFY(ofKind(p, ConstraintKind::rangeContinuousFeed).empty());
+        p.machine->limits.continuous_feed_mm_min = {0.01, 1, 0.01};
+        auto feeds = heldOf(p, ConstraintKind::rangeContinuousFeed);
+        QCOMPARE(feeds.size(), std::size_t(1)); // the other stage has none
+        QVERIFY(feeds[0].stage == 1 && feeds[0].value == 10 && !feeds[0].holds);
+        p.cycle->stages[0].continuous_feed_mm_min = 0.5;
+        feeds = heldOf(p, ConstraintKind::rangeContinuousFeed);
+        QVERIFY(feeds.size() == 1 && feeds[0].holds);
+        p.machine->limits.continuous_feed_mm_min = {0, 0, 0}; // a machine without it
+        QVERIFY(!heldOf(p, ConstraintKind::rangeContinuousFeed).front().holds);
+        for (Stage& stage : p.cycle->stages) {
+            stage.continuous_feed_mm_min.reset();
+        }
+        QVERIFY(ofKind(p, ConstraintKind::rangeContinuousFeed).empty());
+        Project plunge = fixtures::plunge();
+        plunge.cycle->stages[0].continuous_feed_mm_min = 10; // of no use there
+        plunge.machine->limits.continuous_feed_mm_min = {0.01, 1, 0.01};
+        QVERIFY(ofKind(plunge, ConstraintKind::rangeContinuousFeed).empty());
+    }
+
     void sparkOutStageSetsNoInfeed() {
         Project p = fixtures::traverse();
         limit(p);

@@ -47,6 +47,12 @@ Project demanding(Project project) {
     project.machine->limits.radial_feed_mm = {0.0005, 0.02, 0.0005};
     project.machine->limits.axial_feed_mm_min = {50, 5000, 50};
     project.machine->limits.plunge_feed_mm_min = {0.02, 5, 0.01};
+    project.machine->limits.continuous_feed_mm_min = {0.01, 1, 0.01};
+    for (Stage& stage : project.cycle->stages) {
+        if (project.operation->travels) {
+            stage.continuous_feed_mm_min = 0.02;
+        }
+    }
     project.machine->limits.work_speed_rpm = {50, 500, 5};
     project.gauge->control = Control::gauge;
     project.least_overlap = 1.05;

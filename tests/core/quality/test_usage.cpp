@@ -39,6 +39,7 @@ private slots:
         QCOMPARE(of(Side::atMost, 8, 2), 0.25);
         QCOMPARE(of(Side::atLeast, 0, 2), 0.0);
         QVERIFY(std::isfinite(of(Side::atLeast, 1, 0)));
+        QVERIFY(of(Side::atMost, 0, 0.1) > 1); // of a machine that cannot do it at all
     }
 
     void inEveryExampleWhatUsesUpMoreThanItsLimitFails() {

@@ -8,10 +8,14 @@
 #include "core/remedies/remedies.h"
 
 #include "core/format/project_file.h"
+#include "core/phases/cycle_trial.h"
+#include "core/phases/sampled_phases.h"
 #include "core/project/leaves.h"
 #include "core/project/validate.h"
 #include "core/quality/light.h"
 #include "core/quality/ranges.h"
+#include "core/setup/setup_file.h"
+#include "core/setup/worn_project.h"
 #include "core/study/evaluate.h"
 #include "words/remedy_words.h"
 
@@ -82,12 +86,22 @@ std::ptrdiff_t idleStages(const Outcome& outcome) {
     return std::ranges::count(outcome.result.countsByStage, 0);
 }
 
-/// Whether a cycle reaches the goal, with no more stages run over than before.
+/// Whether it holds for the other stocks of the phase: decided where that can be, else sampled.
+bool holdsOtherStocks(const Project& project) {
+    if (canDecidePhases(project)) {
+        return decidePhases(project, usualPhases(project)).holds();
+    }
+    return std::ranges::all_of(stockPhases(project),
+                               [](const Project& phase) { return tried(phase, {}).value().holds; });
+}
+
+/// Whether a cycle reaches the goal, with no more stages run over than before, and holds for the
+/// other stocks of the phase.
 bool reaches(const Outcome& after, const Outcome& before, RemedyGoal goal) {
     return after.ran() && after.result.status == RunStatus::completed
            && std::ranges::all_of(after.constraints,
                                   [&](const ConstraintResult& c) { return isMet(c, goal); })
-           && idleStages(after) <= idleStages(before);
+           && idleStages(after) <= idleStages(before) && holdsOtherStocks(after.result.project);
 }
 
 /// Paths of the values that differ, or that only one of the two has.
@@ -194,7 +208,11 @@ std::vector<double> nearbyValues(const RemedySetting& setting) {
 }
 
 /// That no value which had to be tried holds.
-void verifyNoneHolds(const Project& project, const Outcome& before, RemedyGoal goal) {
+void verifyNoneHolds(const Project& project, const Outcome& before, RemedyGoal goal,
+                     RemedyConflict::Kind kind) {
+    if (kind == RemedyConflict::Kind::stocks && !canDecidePhases(project)) {
+        return; // it may have failed for stocks drawn for it
+    }
     for (const RemedySetting& setting : remedySettings(project)) {
         for (const double value : nearbyValues(setting)) {
             const Project changed = setting.applied(project, value);
@@ -229,6 +247,10 @@ void verify(const Project& project, const RemedyResult& found) {
         for (std::size_t i = 0; i < worst.size(); ++i) {
             QCOMPARE(remedy.requirements[i].margin, worst[i].margin);
         }
+        QCOMPARE(remedy.stocks.has_value(), canDecidePhases(project));
+        QVERIFY(!remedy.stocks || *remedy.stocks == usualPhases(changed));
+        QCOMPARE(remedy.phases, remedy.stocks ? 0 : freshPhaseCount);
+        QCOMPARE(remedy.candidate > 0, !remedy.stocks);
         QVERIFY(!bringsIssues(*before, changed, remedy.setting));
         QVERIFY(remedy.value >= remedy.setting.low && remedy.value <= remedy.setting.high);
         if (const std::optional<ConstraintKind> kind = rangeOf(project, remedy.setting)) {
@@ -288,11 +310,25 @@ void verify(const Project& project, const RemedyResult& found) {
         }
     }
     if (found.conflict) {
-        verifyNoneHolds(project, *before, goal);
+        verifyNoneHolds(project, *before, goal, found.conflict->kind);
         const RemedyConflict& conflict = *found.conflict;
         QCOMPARE(conflict.first.has_value(), before->result.status == RunStatus::completed);
         if (conflict.first) {
             QVERIFY(!isMet(*before, conflict.first->kind, goal));
+        }
+        if (conflict.kind == RemedyConflict::Kind::stocks) {
+            Project changed = conflict.setting->applied(project, conflict.value);
+            QVERIFY(std::ranges::all_of(evaluate(changed)->constraints,
+                                        [&](const auto& each) { return isMet(each, goal); }));
+            QVERIFY(std::abs(conflict.stock_mm - project.part->stock_mm) > 0);
+            changed.part->stock_mm = conflict.stock_mm; // the stages are of the stated stock
+            const SimulationResult other = simulateUnchecked(changed);
+            QVERIFY(other.status != RunStatus::completed || conflict.second.has_value());
+            QVERIFY(other.status != RunStatus::completed
+                    || std::ranges::any_of(evaluateConstraints(other), [&](const auto& each) {
+                           return each.kind == conflict.second->kind && !each.holds;
+                       }));
+            return;
         }
         if (conflict.kind == RemedyConflict::Kind::warned
             || conflict.kind == RemedyConflict::Kind::idle) {
@@ -453,7 +489,7 @@ private slots:
     void everyRemedyOfRandomFailingProjectsHolds() {
         const int count = samples::sized(200, 30, 2000);
         int helped = 0, opposed = 0, several = 0, unmended = 0, closest = 0, idle = 0, warned = 0;
-        int worst = 0;
+        int worst = 0, stocks = 0;
         std::array<int, 10> kinds{};
         std::vector<double> times_ms;
         const std::vector<Project> projects = failingProjects(count);
@@ -477,6 +513,7 @@ private slots:
             if (found.conflict) {
                 idle += found.conflict->kind == RemedyConflict::Kind::idle;
                 warned += found.conflict->kind == RemedyConflict::Kind::warned;
+                stocks += found.conflict->kind == RemedyConflict::Kind::stocks;
                 opposed += found.conflict->kind == RemedyConflict::Kind::opposed;
                 several += found.conflict->kind == RemedyConflict::Kind::several;
                 unmended += found.conflict->kind == RemedyConflict::Kind::unmended;
@@ -490,11 +527,55 @@ private slots:
                     count, times_ms[times_ms.size() / 2], times_ms[times_ms.size() * 99 / 100],
                     times_ms.back());
         std::printf("REMEDIES of %d projects %d are helped; opposed %d, several %d, unmended %d, "
-                    "%d of these with a second, idle %d, warned %d\n",
-                    count, helped, opposed, several, unmended, closest, idle, warned);
+                    "%d of these with a second, idle %d, warned %d, another stock fails %d\n",
+                    count, helped, opposed, several, unmended, closest, idle, warned, stocks);
         QVERIFY(count < 200 || idle > 0);
         QVERIFY(helped > count / 4 && opposed > 0 && several > 0);
-        QVERIFY(std::ranges::count(kinds, 0) <= 1);
+        QVERIFY(count < 200 || std::ranges::count(kinds, 0) <= 1);
+    }
+
+    // A surface of a trial: three changes were offered for its stated stock, with which 32 to 38 of
+    // 50 parts of its batch were bad. What is offered holds for every stock of the phase.
+    void aChangeForTheStatedStockAloneIsNotOffered() {
+        const auto path = samples::sourcePath("tests/data/trials/rem0.02.sparkout");
+        const Setup setup = readSetup(samples::readText(path)).setup.value();
+        const Project project = wornProject(setup, 4).project;
+        const RemedyResult found = remediesOf(project);
+        QCOMPARE(found.goal, RemedyGoal::holds);
+        verify(project, found);
+        for (const Remedy& remedy : found.remedies) {
+            const PhaseDecision decision =
+                decidePhases(remedy.applied(project), remedy.stocks.value());
+            QVERIFY2(decision.holds(), text(project, found).c_str());
+        }
+        std::printf("REMEDIES %s\n", text(project, found).c_str());
+    }
+
+    // Under position control the stocks are sampled, and the confidence is stated.
+    void underPositionControlStocksAreSampled() {
+        int offered = 0, stocks = 0;
+        for (std::uint64_t seed = 1; offered < 4 && seed < 400; ++seed) {
+            const std::optional<Project> project = narrowed(seed);
+            if (!project || project->gauge->control != Control::position
+                || hasErrors(validate(*project))) {
+                continue;
+            }
+            const RemedyResult found = remediesOf(*project);
+            verify(*project, found);
+            stocks += found.conflict && found.conflict->kind == RemedyConflict::Kind::stocks;
+            for (const Remedy& remedy : found.remedies) {
+                QCOMPARE(remedy.phases, freshPhaseCount);
+                QVERIFY(!failingPhase(remedy.applied(*project),
+                                      static_cast<std::uint32_t>(remedy.candidate)));
+                const std::string said = RemedyWording().proof(*project, found.goal, remedy);
+                QVERIFY2(said.find("500 stocks drawn at random") != std::string::npos,
+                         said.c_str());
+                ++offered;
+            }
+        }
+        std::printf("REMEDIES under position control: %d offered, %d fail for another stock\n",
+                    offered, stocks);
+        QVERIFY(offered > 0);
     }
 
     void everyShippedExampleThatFailsIsHelpedOrTold() {
@@ -545,7 +626,8 @@ private slots:
     }
 
     // Neither speed nor feed at the reversal can be set otherwise. Of 10 double strokes of
-    // spark-out only 2 hold, which steps that grow pass over.
+    // spark-out only 2 hold, which steps that grow pass over: they are found, and fail for another
+    // stock.
     void aNumberOfStrokesThatHoldsAloneIsFound() {
         Project project = example("wheel-dull");
         project.machine->limits.work_speed_rpm = std::vector<double>{160, 160, 5};
@@ -554,10 +636,10 @@ private slots:
             project.cycle->stages.back().sparkOutFor(strokes);
             const RemedyResult found = remediesOf(project);
             verify(project, found);
-            const Remedy* remedy = remedyOf(found, RemedyKind::sparkOut);
-            QVERIFY(remedy != nullptr);
-            QCOMPARE(remedy->value, 2.0);
-            QCOMPARE(*remedy->failing, 3.0);
+            QVERIFY(!remedyOf(found, RemedyKind::sparkOut));
+            if (found.conflict) {
+                QCOMPARE(found.conflict->kind, RemedyConflict::Kind::stocks);
+            }
         }
     }
 

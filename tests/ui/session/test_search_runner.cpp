@@ -37,10 +37,16 @@ struct Listener {
     explicit Listener(SearchRunner& runner) {
         QObject::connect(&runner, &SearchRunner::finished, &runner,
                          [this](const SearchOutcomePtr& outcome) { outcomes.push_back(outcome); });
+        QObject::connect(&runner, &SearchRunner::answered, &runner,
+                         [this](const SearchOutcomePtr& outcome) {
+                             if (outcomes.empty()) { // before the end
+                                 answers.push_back(outcome);
+                             }
+                         });
         QObject::connect(&runner, &SearchRunner::progressed, &runner,
                          [this](const SearchState& state) { states.push_back(state); });
     }
-    std::vector<SearchOutcomePtr> outcomes;
+    std::vector<SearchOutcomePtr> outcomes, answers;
     std::vector<SearchState> states;
 };
 
@@ -152,6 +158,23 @@ private slots:
             }
         }
         QVERIFY(offered > 1);
+    }
+
+    // Margins by time may take as long as the search did: the answer is shown before.
+    void theProvedAnswerComesBeforeTheMarginsByTime() {
+        const Project project = fixtures::searchedShaft();
+        SearchRunner runner;
+        Listener heard(runner);
+        runner.start(project, {});
+        QTRY_VERIFY_WITH_TIMEOUT(!heard.outcomes.empty(), patience_ms);
+        QCOMPARE(heard.answers.size(), std::size_t{1});
+        const SearchOutcome &answer = *heard.answers.front(), &whole = *heard.outcomes.front();
+        QVERIFY(answer.proved() && answer.isFrontComing && answer.front().empty());
+        QVERIFY(answer.binding.has_value());
+        QCOMPARE(answer.limit_s, whole.limit_s);
+        QCOMPARE(answer.best()->time_s, whole.best()->time_s);
+        QVERIFY(sameCycle(answer.best()->cycle, whole.best()->cycle));
+        QVERIFY(!whole.isFrontComing && !whole.front().empty());
     }
 
     void aRefinedCycleStandsBeforeTheBestOfTheGrid() {

@@ -32,16 +32,17 @@ QString FoundModel::text(const FoundCycle& found, int column) const {
     case change:
         return m_before_s && *m_before_s > 0 ? OptimiseText::percent(found.time_s / *m_before_s - 1)
                                              : QStringLiteral("–");
-    case gap:
-        return std::isfinite(m_outcome->limit_s)
-                   ? OptimiseText::percent(gapToLimit(found.time_s, m_outcome->limit_s))
-                   : QStringLiteral("–");
+    case gap: return gapOf(found) ? OptimiseText::percent(*gapOf(found)) : QStringLiteral("–");
     case margin: return OptimiseText::percent(found.leastRelativeMargin);
     case cycle: return OptimiseText::found(found, m_outcome->project);
     case parts: return found.held ? OptimiseText::parts(*found.held) : QStringLiteral("–");
     case cost: return found.cost ? OptimiseText::cost(*found.cost) : QStringLiteral("–");
     default: return {};
     }
+}
+
+std::optional<double> FoundModel::gapOf(const FoundCycle& found) const {
+    return gapToLimit(found.time_s, m_outcome->limit_s);
 }
 
 QString FoundModel::kindOf(const FoundCycle& found) const {
@@ -148,8 +149,8 @@ CsvTable FoundModel::table() const {
         }
         table.rows.push_back(
             {double(found.cycle.stages.size()), found.time_s / units::secondsPerMinute, toBefore,
-             100 * gapToLimit(found.time_s, m_outcome->limit_s), 100 * found.leastRelativeMargin,
-             OptimiseText::found(found, m_outcome->project)});
+             gapOf(found) ? CsvCell(100 * *gapOf(found)) : CsvCell(),
+             100 * found.leastRelativeMargin, OptimiseText::found(found, m_outcome->project)});
         if (hasInterval()) {
             table.rows.back().push_back(found.held ? CsvCell(double(found.held->parts))
                                                    : CsvCell());

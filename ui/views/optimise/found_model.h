@@ -32,6 +32,7 @@ private:
     [[nodiscard]] QVariant head(int column, int role) const override;
     [[nodiscard]] QVariant side(int row, int role) const override;
     [[nodiscard]] QString text(const FoundCycle& found, int column) const;
+    [[nodiscard]] std::optional<double> gapOf(const FoundCycle& found) const; ///< to the limit
     [[nodiscard]] QString kindOf(const FoundCycle& found) const;
 
     [[nodiscard]] bool hasInterval() const { return m_outcome && m_outcome->wear; }

@@ -267,6 +267,9 @@ QString OptimiseText::front(const SearchOutcome& outcome) {
         return tr("Margins by time are searched for the minimum time, or for the maximum margin; "
                   "this search is of parts between dressings.");
     }
+    if (outcome.isFrontComing) {
+        return tr("Margins by time are being looked for.");
+    }
     const std::vector<const FoundCycle*> points = outcome.front();
     if (points.empty() && outcome.robust && outcome.best() && !outcome.best()->decided) {
         return tr("Margins by time over all phases of the stock are searched under gauge control "
@@ -325,9 +328,10 @@ QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double>
                       ? tr("That is %1 % less than your cycle takes.").arg(percent(-change))
                       : tr("Your cycle takes %1 min.").arg(minutes(*before_s)));
     }
-    if (outcome.limit_s > 0 && std::isfinite(outcome.limit_s)) {
+    if (const auto gap = gapToLimit(least_s, outcome.limit_s)) {
         lines << tr("The stepless limit is %1 min, %2 % below it.")
-                     .arg(minutes(outcome.limit_s), percent(gapToLimit(least_s, outcome.limit_s)));
+                     .arg(minutes(outcome.limit_s), percent(*gap))
+              << limitCycles(outcome);
     }
     lines << bindingOf(outcome);
     if (const QString levels = levelsOf(outcome); !levels.isEmpty()) {
@@ -337,6 +341,23 @@ QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double>
         lines << robustness(outcome, *best);
     }
     return joined(lines, QStringLiteral(" "));
+}
+
+QString OptimiseText::limitCycles(const SearchOutcome& outcome) {
+    const LimitedCycles& cycles = outcome.limitCycles;
+    QStringList lines;
+    if (outcome.searched.operation->travels) {
+        lines << (cycles.continuousFeed_mm_min > 0
+                      ? tr("It is that of cycles with a continuous infeed of up to %1 mm/min.")
+                            .arg(printedNumber(cycles.continuousFeed_mm_min))
+                      : tr("It is that of cycles without a continuous infeed."));
+    }
+    if (outcome.searched.operation->mayRetract) {
+        lines << (cycles.drawBack
+                      ? tr("It is also that of cycles that draw the wheel head back.")
+                      : tr("It is that of cycles that never draw the wheel head back."));
+    }
+    return lines.join(u' ');
 }
 
 QString OptimiseText::robustness(const SearchOutcome& outcome, const FoundCycle& best) {

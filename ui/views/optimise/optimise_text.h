@@ -44,6 +44,7 @@ private:
     static QString intervalAnswer(const SearchOutcome& outcome, const FoundCycle& best);
     static QString objectiveFault(ObjectiveFault fault);
     static QString noAnswer(const SearchOutcome& outcome);
+    static QString limitCycles(const SearchOutcome& outcome); ///< of which the stepless limit is
     static QString robustness(const SearchOutcome& outcome, const FoundCycle& best);
     static QString decided(const PhaseCases& cases);
     static QString sampled(int candidate); ///< of fresh phases

@@ -117,6 +117,7 @@ void OptimiseView::connectParts() {
         m_bar->showProgress(std::max(share, state.share), OptimiseText::state(state));
         m_bar->progress()->setToolTip(m_bar->progress()->format());
     });
+    connect(m_runner, &SearchRunner::answered, this, &OptimiseView::takeAnswer);
     connect(m_runner, &SearchRunner::finished, this, &OptimiseView::takeSearch);
     connect(m_trials, &RunController::finished, this, &OptimiseView::takeTrial);
     connect(m_gridBar, &StateGridBar::changed, this, &OptimiseView::takeGrid);
@@ -165,6 +166,7 @@ void OptimiseView::takeOutcome(const OutcomePtr& before) {
     }
     if (m_searching && m_runner->running() && !sameSearch(*m_searching, good()->result.project)) {
         m_runner->drop();
+        endAnswer();
     }
     noteStale();
     const bool mayCompare =
@@ -211,15 +213,64 @@ void OptimiseView::runSearch() {
         wish.setup = std::make_shared<const Setup>(m_document->setup());
         wish.surface = m_document->surface();
     }
+    endAnswer();
     m_runner->start(*m_searching, wish);
     showState();
 }
 
-void OptimiseView::takeSearch(const SearchOutcomePtr& outcome) {
+/// It can be chosen and taken while the margins by time are looked for.
+void OptimiseView::takeAnswer(const SearchOutcomePtr& outcome) {
     m_search = outcome;
     noteStale();
     showSearch();
+}
+
+void OptimiseView::takeSearch(const SearchOutcomePtr& outcome) {
+    if (isAnswerShown()) {
+        addToAnswer(outcome);
+    } else {
+        takeAnswer(outcome);
+    }
     emit searchShown();
+}
+
+/// The chosen cycle stays, and what a taken one took the place of.
+void OptimiseView::addToAnswer(const SearchOutcomePtr& outcome) {
+    const FoundCycle* const was = chosen();
+    const std::optional<FoundCycle> kept = was ? std::optional(*was) : std::nullopt;
+    m_search = outcome;
+    noteStale();
+    {
+        const QSignalBlocker blocker(m_table->selectionModel());
+        m_found->show(m_search, before_s());
+        const auto row = std::ranges::find_if(m_search->found, [&](const FoundCycle& each) {
+            return kept && each.machine == kept->machine
+                   && sameProject(withFound(m_search->project, each),
+                                  withFound(m_search->project, *kept));
+        });
+        m_table->selectRow(
+            row == m_search->found.end() ? 0 : static_cast<int>(row - m_search->found.begin()));
+    }
+    showBefore();
+    for (const ViewPlot* plot : plots()) {
+        plot->tools()->navigation().forgetViews();
+    }
+    tryCycle();
+    showCurves();
+}
+
+/// Its search has been dropped: no margins by time will come.
+void OptimiseView::endAnswer() {
+    if (isAnswerShown()) {
+        auto ended = std::make_shared<SearchOutcome>(*m_search);
+        ended->isFrontComing = false;
+        m_search = std::move(ended);
+    }
+}
+
+/// Of the search that is running or has just ended.
+bool OptimiseView::isAnswerShown() const {
+    return m_search && m_search->isFrontComing;
 }
 
 void OptimiseView::dropStudies() {
@@ -386,7 +437,8 @@ bool OptimiseView::drawn() const {
 
 /// What was found before, while another search runs or after an edit.
 bool OptimiseView::faint() const {
-    return showsGrid() ? m_gridBar->stale() || refused() : m_stale || m_runner->running();
+    return showsGrid() ? m_gridBar->stale() || refused()
+                       : m_stale || (m_runner->running() && !isAnswerShown());
 }
 
 bool OptimiseView::isFaint(const ViewPlot& plot) const {
@@ -417,7 +469,7 @@ void OptimiseView::showState() {
                                 ? OptimiseText::gridSize(sparkout::gridSize(good()->result.project))
                                 : QString());
     m_table->setVisible(isFound() && !grid);
-    m_take->setEnabled(chosen() && !m_stale && !searching);
+    m_take->setEnabled(chosen() && !m_stale && (!searching || isAnswerShown()));
     readOut();
 }
 

@@ -88,8 +88,12 @@ private:
     void chooseZone();
     void fillZones();
     void runSearch();
+    void takeAnswer(const SearchOutcomePtr& outcome);
     void takeSearch(const SearchOutcomePtr& outcome);
-    void tryCycle(); ///< runs the chosen one for its curves
+    void addToAnswer(const SearchOutcomePtr& outcome); ///< what the search found since
+    void endAnswer();
+    [[nodiscard]] bool isAnswerShown() const; ///< before the search has ended
+    void tryCycle();                          ///< runs the chosen one for its curves
     void takeTrial(const OutcomePtr& outcome);
     void takeCycle(); ///< into the document
     void noteStale();

@@ -61,7 +61,7 @@ BarChart StageCountPlot::makeChart() const {
         chart.limits.push_back(
             {inMinutes(*m_before_s), tr("your cycle"), Qt::DashLine, barColour(Drawn::yourCycle)});
     }
-    if (std::isfinite(m_outcome->limit_s) && m_outcome->limit_s > 0) {
+    if (isKnownLimit(m_outcome->limit_s)) {
         chart.limits.push_back({inMinutes(m_outcome->limit_s), tr("stepless limit"), Qt::DotLine,
                                 barColour(Drawn::steplessLimit)});
     }
@@ -80,9 +80,11 @@ CsvTable StageCountPlot::tableOf(const SearchOutcome& outcome) {
                  << tr("Stepless limit, min");
     for (const SearchedNumber& number : outcome.numbers) {
         const bool found = number.search.best && number.holds;
-        table.rows.push_back({double(number.stages),
-                              found ? CsvCell(inMinutes(number.search.best->time_s)) : CsvCell(),
-                              inMinutes(number.search.bound_s), inMinutes(outcome.limit_s)});
+        table.rows.push_back(
+            {double(number.stages),
+             found ? CsvCell(inMinutes(number.search.best->time_s)) : CsvCell(),
+             inMinutes(number.search.bound_s),
+             isKnownLimit(outcome.limit_s) ? CsvCell(inMinutes(outcome.limit_s)) : CsvCell()});
     }
     return table;
 }

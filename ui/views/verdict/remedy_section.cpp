@@ -145,6 +145,7 @@ QString RemedySection::note() const {
         sentences += tr("Settings that help: %1; shown are those with the shortest cycles.")
                          .arg(m_result->found);
     }
+    sentences += QString::fromStdString(words.scope(*m_result));
     sentences += QString::fromStdString(words.extent(*m_result));
     if (m_result->conflict) {
         sentences +=

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <thread>
+#include <utility>
+
+namespace sparkout {
+
+/// A stop for work that may take so long and no longer: requested with another one, or once the
+/// time is up, whatever the work is at.
+class DeadlineStop {
+public:
+    using Duration = std::chrono::duration<double>;
+
+    /// Without a time, or with one of years, with the other stop alone.
+    DeadlineStop(std::stop_token stop, std::optional<Duration> time)
+        : m_asked(std::move(stop), Ask{this}), m_timer([this, time](const std::stop_token& done) {
+            constexpr Duration longest(1e9);
+            if (time && *time < longest) {
+                wait(done, *time);
+            }
+        }) {}
+    DeadlineStop(const DeadlineStop&) = delete;
+    DeadlineStop& operator=(const DeadlineStop&) = delete;
+
+    [[nodiscard]] std::stop_token token() const { return m_over.get_token(); }
+
+private:
+    struct Ask {
+        DeadlineStop* deadline;
+        void operator()() const { deadline->m_over.request_stop(); }
+    };
+
+    void wait(const std::stop_token& done, Duration time) {
+        std::mutex mutex;
+        std::unique_lock lock(mutex);
+        std::condition_variable_any never;
+        never.wait_for(lock, done, time, [] { return false; });
+        if (!done.stop_requested()) {
+            m_over.request_stop();
+        }
+    }
+
+    std::stop_source m_over;
+    std::stop_callback<Ask> m_asked;
+    std::jthread m_timer; ///< ended before what it uses
+};
+
+} // namespace sparkout
