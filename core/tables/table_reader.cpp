@@ -33,7 +33,8 @@ Marks marksOf(std::string_view text, char delimiter) {
             marks.heads.assign(rows.cells().begin(), rows.cells().end());
         }
         marks.rows += rows.isBlank() ? 0 : 1;
-        marks.parted += static_cast<int>(rows.cells().size()) - 1;
+        // A delimiter that tears quoted cells apart is none.
+        marks.parted += rows.hasStrayMark() ? 0 : static_cast<int>(rows.cells().size()) - 1;
         for (const std::string_view cell : rows.cells()) {
             for (std::size_t i = 1; i + 1 < cell.size(); ++i) {
                 const bool isBetween = isDecimalDigit(cell[i - 1]) && isDecimalDigit(cell[i + 1]);
@@ -80,6 +81,7 @@ bool TableReader::next() {
     m_line = m_nextLine;
     m_places.clear();
     m_unescaped.clear();
+    m_hasStrayMark = false;
     readCell();
     while (m_at < m_text.size() && m_text[m_at] == m_delimiter) {
         ++m_at;
@@ -97,6 +99,7 @@ void TableReader::readCell() {
             readQuoted(open, close);
             return;
         }
+        m_hasStrayMark = true;
     }
     const std::size_t from = m_at;
     while (!endsCell(m_at)) {

