@@ -7,6 +7,7 @@
 #include "core/format/project_file.h"
 #include "core/printable.h"
 #include "core/project/validate.h"
+#include "core/tables/csv_line.h"
 
 #include <nlohmann/json.hpp>
 

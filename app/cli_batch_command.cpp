@@ -195,7 +195,11 @@ int runBatchMerge(const Options& options) {
         }
         ReadBatchState shard = readBatchState(*content);
         if (!shard) {
-            print(stderr, printable(file) + ": " + stateSentence(shard.fault) + '\n');
+            print(stderr, printable(file) + ": " + stateSentence(shard.fault)
+                              + (shard.issue ? ": " + printable(shard.issue->path) + ": "
+                                                   + issueSentence(*shard.issue)
+                                             : std::string())
+                              + '\n');
             return refused;
         }
         joiner.add(std::move(*shard.result));

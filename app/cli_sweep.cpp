@@ -6,10 +6,10 @@
 #include "app/io/cli_report.h"
 #include "app/io/cli_surfaces.h"
 #include "app/io/stop_signals.h"
-#include "core/printable.h"
 #include "core/project/validate.h"
 #include "core/quality/result_names.h"
 #include "core/sweep/sweep_run.h"
+#include "core/tables/csv_line.h"
 #include "words/issue_words.h"
 
 #include <nlohmann/json.hpp>
@@ -33,10 +33,6 @@ const char* stateOf(const SweepPoint& point) {
 
 std::string placeOf(const SweepQuantity& quantity) {
     return sectionOrPart(quantity.zone, quantity.section);
-}
-
-std::string cellOf(double value) {
-    return std::isnan(value) ? std::string() : numberText(value);
 }
 
 ordered_json valueJson(const SweepQuantity& quantity, const SweepValue& value) {
@@ -86,30 +82,31 @@ std::string sweepJson(const SweepResult& sweep) {
 
 /// A row a point; of every result its value and its margin.
 std::string sweepCsv(const SweepResult& sweep) {
-    std::string text;
-    const auto withUnit = [](const std::string& name, const std::string& unit) {
-        return csvCell(unit.empty() ? name : name + " [" + unit + ']');
+    CsvLine line;
+    const auto head = [&line](const std::string& name, const std::string& unit) {
+        line.text(unit.empty() ? name : name + " [" + unit + ']');
     };
     for (const SweptInput& input : sweep.inputs) {
-        text += withUnit(input.axis.input, input.unit) + ',';
+        head(input.axis.input, input.unit);
     }
-    text += "status,ok";
+    line.text("status").text("ok");
     for (const SweepQuantity& quantity : sweep.quantities) {
         const std::string name = quantity.name + ' ' + placeOf(quantity);
-        text += ',' + withUnit(name, quantity.unit) + ',' + csvCell(name + " margin");
+        head(name, quantity.unit);
+        head(name + " margin", {});
     }
-    text += '\n';
+    std::string text = line.end();
     for (std::size_t i = 0; i < sweep.points.size(); ++i) {
         const SweepPoint& point = sweep.points[i];
         for (const double value : sweep.valuesAt(i)) {
-            text += numberText(value) + ',';
+            line.number(value);
         }
-        text += csvCell(stateOf(point)) + ',' + (point.good ? "true" : "false");
+        line.text(stateOf(point)).text(point.good ? "true" : "false");
         for (std::size_t q = 0; q < sweep.quantities.size(); ++q) {
             const SweepValue value = point.values.empty() ? SweepValue{} : point.values[q];
-            text += ',' + cellOf(value.value) + ',' + cellOf(value.margin);
+            line.number(value.value).number(value.margin);
         }
-        text += '\n';
+        text += line.end();
     }
     return text;
 }

@@ -7,25 +7,6 @@ namespace sparkout {
 
 namespace {
 
-/// Control characters, marks of direction and line ends of Unicode.
-bool steersTheDisplay(unsigned code) {
-    return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x061C || code == 0x200E
-           || code == 0x200F || (code >= 0x2028 && code <= 0x202E)
-           || (code >= 0x2066 && code <= 0x2069);
-}
-
-/// The code of a character of so many bytes.
-unsigned codeOf(std::string_view text) {
-    unsigned code = static_cast<unsigned char>(text.front());
-    if (text.size() > 1) {
-        code &= 0x7FU >> text.size();
-    }
-    for (const char byte : text.substr(1)) {
-        code = code << 6U | (static_cast<unsigned char>(byte) & 0x3FU);
-    }
-    return code;
-}
-
 std::string escape(const char* format, unsigned value) {
     char text[8];
     std::snprintf(text, sizeof text, format, value);
@@ -43,7 +24,7 @@ std::string shown(std::string_view text, bool keepsLines) {
             continue;
         }
         const std::string_view character = text.substr(0, length);
-        const unsigned code = codeOf(character);
+        const unsigned code = characterCode(character);
         if (steersTheDisplay(code) && !(keepsLines && code == '\n')) {
             out += escape("\\u%04X", code);
         } else {
@@ -86,19 +67,21 @@ std::size_t characterBytes(std::string_view text) {
     return wrong ? 0 : bytes;
 }
 
-bool readsAsFormula(std::string_view text) {
-    return !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != text.npos;
+unsigned characterCode(std::string_view character) {
+    unsigned code = static_cast<unsigned char>(character.front());
+    if (character.size() > 1) {
+        code &= 0x7FU >> character.size();
+    }
+    for (const char byte : character.substr(1)) {
+        code = code << 6U | (static_cast<unsigned char>(byte) & 0x3FU);
+    }
+    return code;
 }
 
-std::string csvCell(std::string_view text, char separator) {
-    std::string cell = (readsAsFormula(text) ? "'" : "") + printable(text);
-    if (cell.find('"') == cell.npos && cell.find(separator) == cell.npos) {
-        return cell;
-    }
-    for (std::size_t at = 0; (at = cell.find('"', at)) != cell.npos; at += 2) {
-        cell.insert(at, 1, '"');
-    }
-    return '"' + cell + '"';
+bool steersTheDisplay(unsigned code) {
+    return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x061C || code == 0x200E
+           || code == 0x200F || (code >= 0x2028 && code <= 0x202E)
+           || (code >= 0x2066 && code <= 0x2069);
 }
 
 } // namespace sparkout

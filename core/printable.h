@@ -19,12 +19,10 @@ namespace sparkout {
 /// How many bytes the UTF-8 character at the beginning of a text has; 0: there is none. Not empty.
 [[nodiscard]] std::size_t characterBytes(std::string_view text);
 
-/// Whether a spreadsheet would take a cell of this text for a formula: it begins with = + - @, a
-/// tab or a carriage return.
-[[nodiscard]] bool readsAsFormula(std::string_view text);
+/// The code of a UTF-8 character of so many bytes.
+[[nodiscard]] unsigned characterCode(std::string_view character);
 
-/// A text as a cell of a CSV file: printable, in quotation marks if need be, and with an apostrophe
-/// in front of what a spreadsheet would take for a formula. Numbers are no texts.
-[[nodiscard]] std::string csvCell(std::string_view text, char separator = ',');
+/// Control characters, marks of direction and line ends of Unicode.
+[[nodiscard]] bool steersTheDisplay(unsigned code);
 
 } // namespace sparkout

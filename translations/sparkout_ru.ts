@@ -1208,6 +1208,10 @@
             <translation>начало цикла в записи</translation>
         </message>
         <message>
+            <source>something else than these parameters differs between the project and the recording, and the values and their intervals may be wrong</source>
+            <translation>проект и запись различаются чем-то кроме этих параметров, и значения с интервалами могут быть неверны</translation>
+        </message>
+        <message>
             <source>runout of the blank</source>
             <translation>биение заготовки</translation>
         </message>
@@ -17944,6 +17948,10 @@ good</source>
             <source>Out of step: %1 seems to be %2 ± %3 s and was not fitted. The values found are wrong by it: fitted too, %4 would be %5 instead of %6.</source>
             <translation>Записи расходятся по времени: %1, по-видимому, %2 ± %3 с и не определялось. Найденные значения из-за этого неверны: если определить и его, %4 составит %5 вместо %6.</translation>
         </message>
+        <message>
+            <source>In doubt: %1: the RMS is %2 times the noise of the trace; up to %3 is usual: %4.</source>
+            <translation>Сомнительно: %1: СКО остатков в %2 раза больше шума записи, обычно — не более чем в %3: %4.</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::DataChoice</name>
@@ -18079,6 +18087,10 @@ good</source>
             <translation>СКО</translation>
         </message>
         <message>
+            <source>Noise</source>
+            <translation>Шум</translation>
+        </message>
+        <message>
             <source>Time of the trace, s</source>
             <translation>Время записи, с</translation>
         </message>
@@ -18108,6 +18120,18 @@ good</source>
         <message>
             <source>&amp;Apply</source>
             <translation>&amp;Принять</translation>
+        </message>
+        <message>
+            <source>The fit is in doubt</source>
+            <translation>Подбор вызывает сомнение</translation>
+        </message>
+        <message>
+            <source>&amp;Apply anyway</source>
+            <translation>&amp;Всё равно принять</translation>
+        </message>
+        <message>
+            <source>C&amp;ancel</source>
+            <translation>О&amp;тмена</translation>
         </message>
         <message>
             <source>all values alike</source>
@@ -20108,6 +20132,10 @@ s</source>
             <translation>не сдано</translation>
         </message>
         <message>
+            <source>took too long: not all of it was checked</source>
+            <translation>проверка заняла слишком много времени: проверено не всё</translation>
+        </message>
+        <message>
             <source>there is no name</source>
             <translation>нет имени</translation>
         </message>
@@ -20122,6 +20150,10 @@ s</source>
         <message>
             <source>there are no students</source>
             <translation>студентов нет</translation>
+        </message>
+        <message>
+            <source>there are more cells than headings; a name with a comma stands in quotation marks</source>
+            <translation>ячеек больше, чем заголовков; имя с запятой пишут в кавычках</translation>
         </message>
     </context>
     <context>
@@ -21629,6 +21661,10 @@ s</source>
         <message>
             <source>Works: %1</source>
             <translation>Работ студентов: %1</translation>
+        </message>
+        <message>
+            <source>Stopped: %1 of %2 works are marked.</source>
+            <translation>Остановлено: проверено работ — %1 из %2.</translation>
         </message>
         <message>
             <source>List of students: %1</source>

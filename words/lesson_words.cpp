@@ -157,6 +157,8 @@ const char* flagText(WorkFlag flag) {
     case WorkFlag::late: return SPARKOUT_NOOP("Grading", "a prediction after the run");
     case WorkFlag::forbidden: return SPARKOUT_NOOP("Grading", "inputs changed that are not free");
     case WorkFlag::missing: return SPARKOUT_NOOP("Grading", "nothing handed in");
+    case WorkFlag::overBudget:
+        return SPARKOUT_NOOP("Grading", "took too long: not all of it was checked");
     }
     return "";
 }
@@ -213,6 +215,9 @@ const char* groupFaultText(GroupFault::Kind kind) {
     case GroupFault::Kind::twice: return SPARKOUT_NOOP("Grading", "this student stands here twice");
     case GroupFault::Kind::tooMany: return SPARKOUT_NOOP("Grading", "there are more than 1000");
     case GroupFault::Kind::empty: return SPARKOUT_NOOP("Grading", "there are no students");
+    case GroupFault::Kind::moreCells:
+        return SPARKOUT_NOOP("Grading", "there are more cells than headings; a name with a comma "
+                                        "stands in quotation marks");
     }
     return "";
 }

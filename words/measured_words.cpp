@@ -122,6 +122,12 @@ MeasuredWords wordsOf(FitSource source) {
     return {"parts", SPARKOUT_NOOP("Measured", "diameters of parts")};
 }
 
+const char* doubtText() {
+    return SPARKOUT_NOOP("Measured",
+                         "something else than these parameters differs between the project and "
+                         "the recording, and the values and their intervals may be wrong");
+}
+
 const char* unitOf(FittedKind kind) {
     switch (kind) {
     case FittedKind::idle_power: return "kW";

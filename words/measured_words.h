@@ -19,6 +19,8 @@ struct MeasuredWords {
 [[nodiscard]] MeasuredWords wordsOf(Advice advice);
 [[nodiscard]] MeasuredWords wordsOf(FittedKind kind);
 [[nodiscard]] MeasuredWords wordsOf(FitSource source);
+/// What a fit that leaves more than the noise of a trace is in doubt for.
+[[nodiscard]] const char* doubtText();
 
 /// The unit of a parameter's value; empty for a factor.
 [[nodiscard]] const char* unitOf(FittedKind kind);

@@ -3,8 +3,10 @@
 
 #include "app/course/grade_book.h"
 #include "app/course/lesson_input.h"
+#include "app/io/batch_watch.h"
 #include "app/io/cli_io.h"
 #include "app/io/cli_report.h"
+#include "app/io/stop_signals.h"
 #include "core/course/grade_table.h"
 #include "core/files/file_system.h"
 #include "core/files/safe_file_writer.h"
@@ -17,6 +19,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <filesystem>
 #include <utility>
 
@@ -52,14 +55,12 @@ std::optional<std::vector<std::string>> worksIn(const std::string& folder) {
     return files;
 }
 
-/// The works as they stand; one that cannot be read is said, and marked as unreadable.
-std::vector<HandedIn> readWorks(const std::vector<std::string>& files) {
-    std::vector<HandedIn> works;
-    for (const std::string& file : files) {
-        works.push_back({utf8(pathFromUtf8(file).filename()),
-                         readOrSay(file, limits::fileBytes).value_or(std::string())});
-    }
-    return works;
+/// Each read when it is marked; one that cannot be read is said, and marked as unreadable.
+ClassWorks worksOf(const std::vector<std::string>& files) {
+    return {files.size(), [&files](std::size_t i) {
+                return HandedIn{utf8(pathFromUtf8(files[i]).filename()),
+                                readOrSay(files[i], limits::fileBytes).value_or(std::string())};
+            }};
 }
 
 /// The list of students and the teacher's table, where they are given; false: one has faults.
@@ -225,17 +226,31 @@ int runCourseGrade(const CourseOptions& options) {
         print(stderr, printable(options.operands[1]) + ": there are no works\n");
         return refused;
     }
-    const std::vector<GradedWork> works = gradeClass(*lesson, readWorks(*files), wish);
+    std::vector<GradedWork> works;
+    {
+        BatchWatch watch(static_cast<std::int64_t>(files->size()), false, "works");
+        works =
+            gradeClass(*lesson, worksOf(*files), wish, watch.stop(), [&watch](std::size_t marked) {
+                *watch.done() = static_cast<std::int64_t>(marked);
+            });
+    }
     for (const GradedWork& work : works) {
         printIssues(work.file, work.issues);
     }
+    int status = done;
     if (options.xlsx) {
-        return saveBook(gradeBook(*lesson, works), options);
+        status = saveBook(gradeBook(*lesson, works), options);
+    } else {
+        print(stdout, options.json  ? gradesJson(works)
+                      : options.csv ? gradesCsv(*lesson, works)
+                                    : gradesText(*lesson, works));
     }
-    print(stdout, options.json  ? gradesJson(works)
-                  : options.csv ? gradesCsv(*lesson, works)
-                                : gradesText(*lesson, works));
-    return done;
+    if (caughtSignal() == 0) {
+        return status;
+    }
+    print(stderr, "sparkout-cli: ended after " + std::to_string(works.size()) + " of "
+                      + std::to_string(files->size()) + " works\n");
+    return interrupted + caughtSignal();
 }
 
 } // namespace sparkout::cli

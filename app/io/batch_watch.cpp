@@ -13,7 +13,10 @@
 namespace sparkout::cli {
 
 BatchWatch::BatchWatch(std::int64_t parts, bool tells, const char* what)
-    : m_parts(parts), m_terminal(isTerminal(stderr)), m_tells(tells || m_terminal), m_what(what) {
+    : m_parts(parts)
+    , m_terminal(isTerminal(stderr))
+    , m_tells((tells || m_terminal) && parts != uncounted)
+    , m_what(what) {
     catchStopSignals();
     m_thread = std::jthread([this](const std::stop_token& over) { watch(over); });
 }

@@ -9,6 +9,7 @@
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/finished_surface.h"
 #include "core/quality/result_names.h"
+#include "core/tables/csv_line.h"
 #include "core/units.h"
 #include "words/issue_words.h"
 

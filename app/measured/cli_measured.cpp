@@ -143,8 +143,8 @@ ordered_json fitJson(const Identification& found, const std::vector<FittedParame
         {"status", wordsOf(found.status).key},  {"values", ordered_json::array()},
         {"correlation", found.correlation},     {"condition", nullptr},
         {"residuals", ordered_json::array()},   {"normality_probability", nullptr},
-        {"out_of_step", ordered_json::array()}, {"cannot_tell", ordered_json::array()},
-        {"measured_values", found.count}};
+        {"in_doubt", found.isInDoubt()},        {"out_of_step", ordered_json::array()},
+        {"cannot_tell", ordered_json::array()}, {"measured_values", found.count}};
     for (const FittedValue& value : found.values) {
         json["values"].push_back({{"parameter", parameterName(value.parameter)},
                                   {"value", value.value},
@@ -155,11 +155,14 @@ ordered_json fitJson(const Identification& found, const std::vector<FittedParame
         json["condition"] = found.condition;
     }
     for (const FitResiduals& group : found.residuals) {
-        json["residuals"].push_back({{"source", wordsOf(group.source).key},
-                                     {"trace", group.trace},
-                                     {"count", group.values.size()},
-                                     {"rms", group.rms},
-                                     {"unit", unitOf(group.source)}});
+        json["residuals"].push_back(
+            {{"source", wordsOf(group.source).key},
+             {"trace", group.trace},
+             {"count", group.values.size()},
+             {"rms", group.rms},
+             {"noise", group.noise ? ordered_json(*group.noise) : ordered_json(nullptr)},
+             {"in_doubt", group.isInDoubt()},
+             {"unit", unitOf(group.source)}});
     }
     if (found.normality) {
         json["normality_probability"] = found.normality->probability;
@@ -196,7 +199,18 @@ std::string fitText(const Identification& found, const std::vector<FittedParamet
     for (const FitResiduals& group : found.residuals) {
         text += std::string(wordsOf(group.source).text) + ": residuals of "
                 + std::to_string(group.values.size()) + " values, RMS " + fixed(group.rms, 5) + ' '
-                + unitOf(group.source) + '\n';
+                + unitOf(group.source);
+        text += group.noise
+                    ? ", noise of the trace " + fixed(*group.noise, 5) + ' ' + unitOf(group.source)
+                    : "";
+        text += '\n';
+    }
+    for (const FitResiduals& group : found.residuals) {
+        if (group.isInDoubt()) {
+            text += std::string("in doubt: ") + wordsOf(group.source).text + ": the RMS is "
+                    + fixed(group.rms / *group.noise, 2) + " times the noise, above "
+                    + fixed(mostRmsOfNoise, 1) + ": " + doubtText() + '\n';
+        }
     }
     for (const OutOfStep& one : found.outOfStep) {
         constexpr double normal95 = 1.96;
@@ -249,7 +263,7 @@ int statusOf(const MeasuredAnswer& answer, const Options& options) {
     if (answer.fit) {
         switch (answer.fit->status) {
         case IdentificationStatus::fitted:
-            if (options.check && !answer.fit->outOfStep.empty()) {
+            if (options.check && (answer.fit->isInDoubt() || !answer.fit->outOfStep.empty())) {
                 return requirementFails;
             }
             break;
@@ -279,7 +293,9 @@ int measureOne(Project project, const std::string& name,
         return failed;
     }
     if (!parameters.empty() && caughtSignal() == 0) {
-        answer.fit = identify(project, {parameters, {}, !answer.rows.empty(), RobustLoss::none});
+        const BatchWatch watch(BatchWatch::uncounted, false, "cycles");
+        answer.fit = identify(project, {parameters, {}, !answer.rows.empty(), RobustLoss::none},
+                              watch.stop());
         printIssues(name, answer.fit->issues);
     }
     if (options.json) {

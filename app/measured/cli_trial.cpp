@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/measured/cli_trial.h"
 
+#include "app/io/batch_watch.h"
 #include "app/io/cli_io.h"
 #include "app/io/cli_report.h"
+#include "app/io/stop_signals.h"
 #include "app/measured/cli_parameters.h"
 #include "core/identification/trial_design.h"
 #include "core/printable.h"
@@ -74,7 +76,11 @@ std::string trialText(const Project& project, const Trial& trial, std::size_t ra
 int designTrialOf(const Project& project, const std::string& name,
                   const std::vector<FittedParameter>& parameters, const Options& options) {
     const TrialRequest request{parameters, {}};
-    const TrialDesign design = designTrial(project, request);
+    const BatchWatch watch(BatchWatch::uncounted, false, "trials");
+    const TrialDesign design = designTrial(project, request, watch.stop());
+    if (caughtSignal() != 0) {
+        return interrupted + caughtSignal();
+    }
     if (design.status != TrialStatus::designed) {
         print(stderr, printable(name) + ": " + wordsOf(design.status).text + '\n');
         return refused;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/batch/batch_run.h"
+#include "core/issue.h"
 
 #include <optional>
 #include <string_view>
@@ -22,6 +23,7 @@ enum class StateFault {
 struct ReadBatchState {
     StateFault fault = StateFault::none;
     std::optional<BatchResult> result;
+    std::optional<Issue> issue; ///< of an impossible one: what no batch writes, at its JSON pointer
 
     explicit operator bool() const { return result.has_value(); }
 };

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/part_table.h"
 
-#include "core/printable.h"
-#include "core/project/validate.h"
 #include "core/quality/result_names.h"
 #include "core/simulation/simulate.h"
+#include "core/tables/csv_line.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace sparkout {
@@ -48,23 +46,11 @@ std::vector<std::string> PartTable::keys(const PartColumns& columns) {
 }
 
 std::string PartTable::head(const std::vector<std::string>& names) const {
-    std::string line = m_dialect.begin;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        line += (i > 0 ? std::string(1, m_dialect.separator) : std::string())
-                + csvCell(names[i], m_dialect.separator);
+    CsvLine line(m_dialect.table);
+    for (const std::string& name : names) {
+        line.text(name);
     }
-    return line + m_dialect.lineEnd;
-}
-
-void PartTable::put(std::string& line, double value) const {
-    line += m_dialect.separator;
-    if (!std::isfinite(value)) {
-        return;
-    }
-    const std::size_t from = line.size();
-    line += numberText(value);
-    std::replace(line.begin() + static_cast<std::ptrdiff_t>(from), line.end(), '.',
-                 m_dialect.decimal);
+    return m_dialect.begin + line.end(m_dialect.lineEnd);
 }
 
 std::string PartTable::line(const PartRecord& record) const {
@@ -72,26 +58,26 @@ std::string PartTable::line(const PartRecord& record) const {
     const bool done = outcome.completed;
     const bool whole = done && !outcome.fails[static_cast<std::size_t>(ConstraintKind::overlap)];
     const auto word = [this](bool yes) { return yes ? m_dialect.yes : m_dialect.no; };
-    std::string line = std::to_string(record.part + m_dialect.firstPart) + m_dialect.separator
-                       + m_dialect.states[!done   ? 1
-                                          : whole ? 0
-                                                  : 2]
-                       + m_dialect.separator + word(outcome.good);
+    CsvLine line(m_dialect.table);
+    line.whole(record.part + m_dialect.firstPart)
+        .text(m_dialect.states[!done   ? 1
+                               : whole ? 0
+                                       : 2])
+        .text(word(outcome.good));
     const double none = std::numeric_limits<double>::quiet_NaN();
-    put(line, whole ? outcome.margin : none);
+    line.number(whole ? outcome.margin : none);
     for (const double value : record.factors) {
-        put(line, value);
+        line.number(value);
     }
     for (std::size_t i = 0; i < m_columns.characteristics.size(); ++i) {
-        put(line, done ? outcome.values[i] : none);
+        line.number(done ? outcome.values[i] : none);
     }
     for (const ConstraintKind kind : m_columns.requirements) {
         const auto at = static_cast<std::size_t>(kind);
-        line += m_dialect.separator;
         const bool known = whole || !requirementOf(kind).isOfSurface(); // else it does not hold
-        line += done && outcome.asked[at] ? word(known && !outcome.fails[at]) : std::string();
+        line.text(done && outcome.asked[at] ? word(known && !outcome.fails[at]) : std::string());
     }
-    return line + m_dialect.lineEnd;
+    return line.end(m_dialect.lineEnd);
 }
 
 } // namespace sparkout

@@ -3,6 +3,7 @@
 
 #include "core/batch/part_record.h"
 #include "core/batch/scenario_source.h"
+#include "core/tables/table_reader.h"
 
 #include <array>
 #include <stop_token>
@@ -29,9 +30,9 @@ struct PartColumns {
 /// Parts of a batch as lines of CSV.
 class PartTable {
 public:
-    /// How numbers and words are written. The words hold no separator and no quotation mark.
+    /// How numbers and words are written.
     struct Dialect {
-        char separator = ',', decimal = '.';
+        TableDialect table = {};
         std::string begin, lineEnd = "\n"; ///< of the file, of every line
         /// Done, does not reach size, done but strips stay uncut.
         std::array<std::string, 3> states{"completed", "cannot_reach_size", "strips_uncut"};
@@ -51,8 +52,6 @@ public:
     [[nodiscard]] std::string line(const PartRecord& record) const;
 
 private:
-    void put(std::string& line, double value) const;
-
     PartColumns m_columns;
     Dialect m_dialect;
 };

@@ -3,14 +3,16 @@
 
 #include "core/course/work_seal.h"
 #include "core/lesson/goal_check.h"
-#include "core/measured/table_text.h"
-#include "core/printable.h"
 #include "core/project/cycle.h"
 #include "core/project/validate.h"
+#include "core/tables/csv_line.h"
+#include "core/tables/table_cell.h"
+#include "core/tables/table_reader.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <limits>
 #include <utility>
 
 namespace sparkout {
@@ -23,19 +25,11 @@ constexpr std::array keyColumns{"variant",    "name",          "group",
                                 "best_cycle", "digest"};
 constexpr std::size_t readColumns = 8;
 
-std::string line(const std::vector<std::string>& cells) {
-    std::string text;
-    for (const std::string& cell : cells) {
-        text += (text.empty() ? "" : ",") + cell;
-    }
-    return text + '\n';
-}
-
 /// What a column of a varied input is called.
 std::string headingOf(const VariedInput& input) {
-    return csvCell(!input.path.empty()  ? input.path
-                   : input.sets.empty() ? std::string("set")
-                                        : input.sets.front().values.front().path);
+    return !input.path.empty()  ? input.path
+           : input.sets.empty() ? std::string("set")
+                                : input.sets.front().values.front().path;
 }
 
 std::string numberOr(const std::optional<double>& value) {
@@ -107,17 +101,30 @@ std::string engineAnswer(const Lesson& lesson, std::size_t step) {
     return numberOr(result.value);
 }
 
-/// A cell as it was written: csvCell() puts an apostrophe before what looks like a formula.
-std::string written(std::string_view cell) {
-    const bool isMarked = cell.size() > 1 && cell[0] == '\'' && readsAsFormula(cell.substr(1));
-    return std::string(isMarked ? cell.substr(1) : cell);
-}
-
 std::optional<int> wholeIn(std::string_view cell) {
     int value = 0;
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     return error == std::errc() && end == cell.data() + cell.size() ? std::optional(value)
                                                                     : std::nullopt;
+}
+
+bool isHeadings(const std::vector<std::string_view>& cells) {
+    return cells.size() >= readColumns
+           && std::equal(keyColumns.begin(), keyColumns.end(), cells.begin());
+}
+
+/// By which the headings are known in one of the first rows; the first one says whose table it is.
+std::optional<char> delimiterOf(std::string_view text) {
+    constexpr int firstRows = 3;
+    for (const char delimiter : {',', ';', '\t'}) {
+        TableReader rows(text, delimiter);
+        for (int row = 0; row < firstRows && rows.next(); ++row) {
+            if (isHeadings(rows.cells())) {
+                return delimiter;
+            }
+        }
+    }
+    return std::nullopt;
 }
 
 std::optional<VariantLevels> levelsIn(std::string_view cell) {
@@ -137,95 +144,87 @@ std::optional<VariantLevels> levelsIn(std::string_view cell) {
 } // namespace
 
 std::string assignmentsCsv(const Lesson& lesson, const std::vector<Work>& works) {
-    std::vector<std::string> headings{"variant", "name", "group"};
     const std::vector<VariedInput> inputs =
         lesson.variants ? lesson.variants->inputs : std::vector<VariedInput>();
-    std::transform(inputs.begin(), inputs.end(), std::back_inserter(headings), headingOf);
-    std::string text = line(headings);
+    CsvLine line;
+    line.text("variant").text("name").text("group");
+    for (const VariedInput& input : inputs) {
+        line.text(headingOf(input));
+    }
+    std::string text = line.end();
     for (const Work& work : works) {
-        std::vector<std::string> cells{std::to_string(work.variant), csvCell(work.name),
-                                       csvCell(work.group)};
+        line.whole(work.variant).text(work.name).text(work.group);
         const VariantLevels levels = work.variantLevels();
         for (std::size_t i = 0; i < levels.size(); ++i) {
-            const std::string name = inputs[i].nameOf(levels[i]);
-            cells.push_back(inputs[i].sets.empty() ? name : csvCell(name));
+            if (inputs[i].sets.empty()) {
+                line.number(*inputs[i].valuesAt(levels[i]).front().number);
+            } else {
+                line.text(inputs[i].nameOf(levels[i]));
+            }
         }
-        text += line(cells);
+        text += line.end();
     }
     return text;
 }
 
 std::string bestTableCsv(const Lesson& lesson, const std::vector<Work>& works,
                          const std::vector<MadeVariant>& variants) {
-    std::string text = line({csvCell(forTeacher), csvCell(lesson.title.in(false))});
-    std::vector<std::string> headings(keyColumns.begin(), keyColumns.end());
-    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-        headings.push_back("step " + std::to_string(i + 1) + " ("
-                           + goalKey(lesson.steps[i].goal.kind()) + ")");
+    CsvLine line;
+    std::string text = line.text(forTeacher).text(lesson.title.in(false)).end();
+    for (const char* const key : keyColumns) {
+        line.text(key);
     }
-    text += line(headings);
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+        line.text("step " + std::to_string(i + 1) + " (" + goalKey(lesson.steps[i].goal.kind())
+                  + ")");
+    }
+    text += line.end();
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t i = 0; i < works.size(); ++i) {
         const Work& work = works[i];
         const auto& best = variants[i].best;
         const auto best_min = best ? std::optional(best->time_min) : std::nullopt;
-        std::vector<std::string> cells{
-            std::to_string(work.variant),
-            csvCell(work.name),
-            csvCell(work.group),
-            levelsText(variants[i].levels),
-            numberOr(best_min),
-            numberOr(best ? std::optional(best->margin_percent) : std::nullopt),
-            csvCell(best ? cycleText(best->project) : std::string()),
-            variantDigest(work.lesson)};
+        line.whole(work.variant).text(work.name).text(work.group);
+        line.text(levelsText(variants[i].levels)).number(best_min.value_or(none));
+        line.number(best ? best->margin_percent : none);
+        line.text(best ? cycleText(best->project) : std::string());
+        line.text(variantDigest(work.lesson));
         const Lesson marked = withVariant(lesson, variants[i].levels, best_min);
         for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
-            cells.push_back(csvCell(engineAnswer(marked, step)));
+            line.text(engineAnswer(marked, step));
         }
-        text += line(cells);
+        text += line.end();
     }
     return text;
 }
 
-ReadBestTable readBestTable(std::string_view text) {
+ReadBestTable readBestTable(const TableText& table) {
     ReadBestTable read;
-    TableLines lines(text);
-    std::vector<std::string_view> cells;
-    bool isBelowHeadings = false;
-    char delimiter = ',';
-    char decimal = '.';
-    while (!lines.atEnd()) {
-        const std::string_view row = lines.next();
-        if (row.find_first_not_of(" \t\r,;") == std::string_view::npos) {
+    const std::optional<char> delimiter = delimiterOf(table.utf8());
+    if (!delimiter) {
+        read.faultLine = 1;
+        return read;
+    }
+    TableReader rows(table.utf8(), *delimiter);
+    while (rows.next() && !isHeadings(rows.cells())) {
+    }
+    while (rows.next()) {
+        const std::vector<std::string_view>& cells = rows.cells();
+        if (rows.isEmpty()) {
             continue;
         }
-        if (!isBelowHeadings) {
-            delimiter = row.find(';') != std::string_view::npos ? ';' : ',';
-            decimal = delimiter == ';' ? ',' : '.';
-            splitCells(row, delimiter, cells);
-            isBelowHeadings = cells.size() >= readColumns
-                              && std::equal(keyColumns.begin(), keyColumns.end(), cells.begin());
-            if (!isBelowHeadings && lines.number() > 1) {
-                read.faultLine = lines.number();
-                return read;
-            }
-            continue;
-        }
-        splitCells(row, delimiter, cells);
         const auto variant = cells.size() < readColumns ? std::nullopt : wholeIn(cells[0]);
         const auto levels = variant ? levelsIn(cells[3]) : std::nullopt;
         if (!levels) {
-            read.faultLine = lines.number();
+            read.faultLine = rows.line();
             return read;
         }
-        const auto number = [&](std::string_view cell) {
+        const auto number = [](std::string_view cell) {
             const auto plain = cellNumber(cell, '.');
-            return plain ? plain : cellNumber(cell, decimal);
+            return plain ? plain : cellNumber(cell, ',');
         };
-        read.rows.push_back({*variant, written(cells[1]), written(cells[2]), *levels,
+        read.rows.push_back({*variant, std::string(cells[1]), std::string(cells[2]), *levels,
                              number(cells[4]), number(cells[5]), std::string(cells[7])});
-    }
-    if (!isBelowHeadings) {
-        read.faultLine = std::max<std::size_t>(lines.number(), 1);
     }
     return read;
 }

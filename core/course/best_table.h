@@ -4,11 +4,11 @@
 #include "core/course/make_variants.h"
 #include "core/course/variant.h"
 #include "core/course/work.h"
+#include "core/tables/table_text.h"
 
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 /// The tables that variants are given out with: the sheet of assignments, to be printed and pinned
@@ -39,7 +39,7 @@ struct ReadBestTable {
                                        const std::vector<MadeVariant>& variants);
 
 /// Reads the teacher's table again, in either dialect.
-[[nodiscard]] ReadBestTable readBestTable(std::string_view text);
+[[nodiscard]] ReadBestTable readBestTable(const TableText& table);
 
 /// The name of a student's file: number, name, extension; of letters that any system takes.
 [[nodiscard]] std::string workFileName(const Work& work, std::size_t number);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/course/grade_table.h"
 
-#include "core/printable.h"
-#include "core/project/validate.h"
+#include "core/tables/csv_line.h"
 
 #include <utility>
 
@@ -71,13 +70,16 @@ std::vector<GradeCell> rowOf(const GradedWork& work, std::size_t steps, FlagStyl
     return row;
 }
 
-std::string cellText(const GradeCell& cell) {
+void addCell(CsvLine& line, const GradeCell& cell) {
     if (const auto* text = std::get_if<std::string>(&cell)) {
-        return csvCell(*text);
+        line.text(*text);
+    } else if (const auto* count = std::get_if<int>(&cell)) {
+        line.whole(*count);
+    } else if (const auto* number = std::get_if<double>(&cell)) {
+        line.number(*number);
+    } else {
+        line.empty();
     }
-    const auto* count = std::get_if<int>(&cell);
-    const auto* number = std::get_if<double>(&cell);
-    return count ? std::to_string(*count) : number ? numberText(*number) : std::string();
 }
 
 } // namespace
@@ -92,16 +94,16 @@ GradeTable gradeTable(const Lesson& lesson, const std::vector<GradedWork>& works
 
 std::string gradesCsv(const Lesson& lesson, const std::vector<GradedWork>& works) {
     const GradeTable table = gradeTable(lesson, works);
-    std::string text;
+    CsvLine line;
     for (const GradeColumn& column : table.columns) {
-        text += (text.empty() ? "" : ",") + column.key;
+        line.text(column.key);
     }
-    text += '\n';
+    std::string text = line.end();
     for (const auto& row : table.rows) {
         for (const GradeCell& cell : row) {
-            text += (&cell == &row.front() ? "" : ",") + cellText(cell);
+            addCell(line, cell);
         }
-        text += '\n';
+        text += line.end();
     }
     return text;
 }

@@ -3,6 +3,7 @@
 
 #include "core/course/work_file.h"
 #include "core/course/work_seal.h"
+#include "core/deadline_stop.h"
 #include "core/study/recalled_run.h"
 #include "core/units.h"
 
@@ -16,8 +17,8 @@ namespace sparkout {
 namespace {
 
 constexpr std::array<const char*, workFlags> flagKeys{
-    "unreadable",   "foreign",     "edited", "copied",    "handed_in_twice",
-    "not_in_group", "untrue_runs", "late",   "forbidden", "missing"};
+    "unreadable",  "foreign", "edited",    "copied",  "handed_in_twice", "not_in_group",
+    "untrue_runs", "late",    "forbidden", "missing", "over_budget"};
 
 /// Best answers of variants, each searched for once.
 class BestAnswers {
@@ -44,6 +45,7 @@ struct ReadForClass {
     GradedWork graded;
     std::string content; ///< contentDigest()
     VariantLevels levels;
+    std::u32string name, group; ///< comparedName()
 };
 
 const BestRow* rowOfVariant(const GradeWish& wish, int variant) {
@@ -63,14 +65,17 @@ public:
         , m_best(best)
         , m_stop(stop) {}
 
-    ReadForClass mark(const HandedIn& handedIn) {
+    /// Worth nothing where a stop was requested meanwhile.
+    ReadForClass mark(HandedIn handedIn) {
         ReadForClass read;
         GradedWork& graded = read.graded;
-        graded.file = handedIn.file;
+        graded.file = std::move(handedIn.file);
         graded.most = m_lesson.points();
-        ReadWork file = readWork(handedIn.text, m_stop);
+        ReadWork file = readInTime(std::exchange(handedIn.text, {}), graded);
         if (!file.work) {
-            graded.flags.insert(WorkFlag::unreadable);
+            if (!graded.flags.contains(WorkFlag::overBudget)) {
+                graded.flags.insert(WorkFlag::unreadable);
+            }
             graded.issues = std::move(file.issues);
             return read;
         }
@@ -78,6 +83,8 @@ public:
         graded.name = work.name;
         graded.group = work.group;
         graded.variant = work.variant;
+        read.name = comparedName(work.name);
+        read.group = comparedName(work.group);
         read.levels = work.variantLevels();
         read.content = contentDigest(work);
         graded.brokenAt = brokenSeal(work);
@@ -85,8 +92,9 @@ public:
             graded.flags.insert(WorkFlag::edited);
         }
         if (!m_wish.group.empty()
-            && std::find(m_wish.group.begin(), m_wish.group.end(), Student{work.name, work.group})
-                   == m_wish.group.end()) {
+            && std::ranges::none_of(m_wish.group, [&work](const Student& student) {
+                   return isSameStudent(student, {work.name, work.group});
+               })) {
             graded.flags.insert(WorkFlag::notInGroup);
         }
         const bool isOfLesson =
@@ -102,6 +110,17 @@ public:
     }
 
 private:
+    /// The text is gone when the work is marked.
+    ReadWork readInTime(std::string text, GradedWork& graded) {
+        const DeadlineStop within(m_stop, m_wish.budget);
+        ReadWork file = readWork(text, within.token());
+        if (within.token().stop_requested()) {
+            graded.flags.insert(WorkFlag::overBudget);
+            return {};
+        }
+        return file;
+    }
+
     /// The lesson that the student was given, with what marks it.
     Lesson givenTo(const Work& work, const VariantLevels& levels, GradedWork& graded) {
         const BestRow* const row = rowOfVariant(m_wish, work.variant);
@@ -118,7 +137,7 @@ private:
         if (!isGivenOut) {
             graded.flags.insert(WorkFlag::edited);
         }
-        if (isKnown && (row->name != work.name || row->group != work.group)) {
+        if (isKnown && !isSameStudent({row->name, row->group}, {work.name, work.group})) {
             graded.flags.insert(WorkFlag::copied);
             graded.copiedFrom.push_back(row->name);
         }
@@ -127,8 +146,10 @@ private:
 
     void markSteps(const Work& work, const VariantLevels& levels, GradedWork& graded) {
         const Lesson given = givenTo(work, levels, graded);
+        const DeadlineStop within(m_stop, m_wish.budget);
+        const std::stop_token over = within.token();
         for (std::size_t i = 0; i < given.steps.size(); ++i) {
-            graded.steps.push_back(markStep(given, i, recordOf(work, i)));
+            graded.steps.push_back(markStep(given, i, recordOf(work, i), over));
             const GradedStep& step = graded.steps.back();
             graded.points += step.points;
             graded.pending += step.isPending ? std::max(step.most - step.hints, 0.0) : 0;
@@ -145,14 +166,22 @@ private:
             }
         }
         for (const WorkEntry& entry : work.entries) {
-            if (entry.run && !checkKeptRun(*entry.run, m_stop).isTrue()) {
-                graded.flags.insert(WorkFlag::untrueRuns);
-                graded.untrueRuns.push_back(entry.run->name);
+            if (entry.run && !over.stop_requested()) {
+                const bool isTrue = checkKeptRun(*entry.run, over).isTrue();
+                if (!isTrue && !over.stop_requested()) {
+                    graded.flags.insert(WorkFlag::untrueRuns);
+                    graded.untrueRuns.push_back(entry.run->name);
+                }
             }
+        }
+        if (over.stop_requested()) {
+            graded.flags.insert(WorkFlag::overBudget);
         }
     }
 
-    GradedStep markStep(const Lesson& given, std::size_t index, const StepRecord& record) {
+    /// One that was not marked in time is the teacher's to mark.
+    static GradedStep markStep(const Lesson& given, std::size_t index, const StepRecord& record,
+                               const std::stop_token& over) {
         const LessonStep& step = given.steps[index];
         GradedStep graded;
         graded.most = step.points;
@@ -161,9 +190,14 @@ private:
         graded.isLate = record.isPredictedLate;
         graded.result.kind = step.goal.kind();
         if (record.answer) {
-            graded.result = checkStep(given, index, *record.answer, m_stop);
+            graded.result = checkStep(given, index, *record.answer, over);
             graded.answer = *record.answer;
             graded.answer.setup = {};
+            if (over.stop_requested()) {
+                graded.result = {};
+                graded.result.kind = step.goal.kind();
+                graded.result.finding = Finding::forTeacher;
+            }
         }
         graded.isPending = graded.result.finding == Finding::forTeacher;
         if (graded.result.passed() && !graded.isLate) {
@@ -190,14 +224,11 @@ void addCopy(GradedWork& work, const GradedWork& other) {
 /// What two works tell of each other. Whom a variant was given to is known by the teacher's table;
 /// then he has copied nothing by having it.
 void compareWorks(ReadForClass& a, ReadForClass& b, bool hasTable) {
-    const auto isRead = [](const ReadForClass& each) {
-        return !each.graded.flags.contains(WorkFlag::unreadable);
-    };
-    if (!isRead(a) || !isRead(b)) {
+    const bool areRead = !a.name.empty() && !b.name.empty();
+    if (!areRead) {
         return;
     }
-    const bool isSameStudent = a.graded.name == b.graded.name && a.graded.group == b.graded.group;
-    if (isSameStudent) {
+    if (a.name == b.name && a.group == b.group) {
         a.graded.flags.insert(WorkFlag::handedInTwice);
         b.graded.flags.insert(WorkFlag::handedInTwice);
         return;
@@ -217,7 +248,7 @@ std::vector<GradedWork> missingOnes(const std::vector<GradedWork>& works,
     std::vector<GradedWork> missing;
     for (const Student& student : group) {
         const bool isThere = std::any_of(works.begin(), works.end(), [&](const GradedWork& work) {
-            return work.name == student.name && work.group == student.group;
+            return isSameStudent(student, {work.name, work.group});
         });
         if (!isThere) {
             GradedWork none;
@@ -237,23 +268,24 @@ const char* flagKey(WorkFlag flag) {
     return flagKeys[static_cast<std::size_t>(flag)];
 }
 
-GradedWork gradeWork(const Lesson& lesson, const HandedIn& handedIn, const GradeWish& wish,
+GradedWork gradeWork(const Lesson& lesson, HandedIn handedIn, const GradeWish& wish,
                      const std::stop_token& stop) {
     BestAnswers best;
-    return WorkMarker(lesson, wish, best, stop).mark(handedIn).graded;
+    return WorkMarker(lesson, wish, best, stop).mark(std::move(handedIn)).graded;
 }
 
-std::vector<GradedWork> gradeClass(const Lesson& lesson, const std::vector<HandedIn>& files,
+std::vector<GradedWork> gradeClass(const Lesson& lesson, const ClassWorks& handedIn,
                                    const GradeWish& wish, const std::stop_token& stop,
                                    const std::function<void(std::size_t)>& note) {
     BestAnswers best;
     WorkMarker marker(lesson, wish, best, stop);
     std::vector<ReadForClass> read;
-    for (const HandedIn& file : files) {
+    while (read.size() < handedIn.count && !stop.stop_requested()) {
+        ReadForClass one = marker.mark(handedIn.read(read.size()));
         if (stop.stop_requested()) {
-            break;
+            break; // half of it is not marked
         }
-        read.push_back(marker.mark(file));
+        read.push_back(std::move(one));
         if (note) {
             note(read.size());
         }
@@ -268,8 +300,10 @@ std::vector<GradedWork> gradeClass(const Lesson& lesson, const std::vector<Hande
     for (ReadForClass& each : read) {
         works.push_back(std::move(each.graded));
     }
-    for (GradedWork& none : missingOnes(works, wish.group, lesson)) {
-        works.push_back(std::move(none));
+    if (works.size() == handedIn.count) {
+        for (GradedWork& none : missingOnes(works, wish.group, lesson)) {
+            works.push_back(std::move(none));
+        }
     }
     return works;
 }

@@ -7,12 +7,14 @@
 #include "core/issue.h"
 #include "core/lesson/goal_check.h"
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <set>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Marking: every answer is computed again by the engine from the teacher's lesson. Nothing that a
@@ -31,8 +33,9 @@ enum class WorkFlag {
     late,          ///< a prediction came after what it predicts
     forbidden,     ///< inputs were changed that are not free
     missing,       ///< nothing was handed in
+    overBudget,    ///< it took too long: some of it was not looked at
 };
-inline constexpr int workFlags = static_cast<int>(WorkFlag::missing) + 1;
+inline constexpr int workFlags = static_cast<int>(WorkFlag::overBudget) + 1;
 
 [[nodiscard]] const char* flagKey(WorkFlag flag);
 
@@ -74,21 +77,38 @@ struct HandedIn {
     std::string text;
 };
 
+/// The works of a class, of which one at a time is held in memory.
+struct ClassWorks {
+    ClassWorks(std::size_t howMany, std::function<HandedIn(std::size_t)> reader)
+        : count(howMany), read(std::move(reader)) {}
+    /// The files must outlive it.
+    ClassWorks(const std::vector<HandedIn>& files) // NOLINT(google-explicit-constructor)
+        : ClassWorks(files.size(), [&files](std::size_t i) { return files[i]; }) {}
+
+    std::size_t count = 0;
+    std::function<HandedIn(std::size_t)> read;
+};
+
 struct GradeWish {
     std::vector<Student> group; ///< to name who is missing; none: not asked
     /// The teacher's table; none: the best answers are searched for where they are needed, and
     /// variants are held against the lesson alone.
     std::vector<BestRow> best;
+    /// What reading a work may take, and what marking it may: a usual one takes 0.1 s. What is not
+    /// looked at by then is left to the teacher.
+    std::chrono::duration<double> budget = std::chrono::seconds(10);
 };
 
 /// Marks one work by itself: all but what comparing works tells.
-[[nodiscard]] GradedWork gradeWork(const Lesson& lesson, const HandedIn& handedIn,
-                                   const GradeWish& wish, const std::stop_token& stop = {});
+[[nodiscard]] GradedWork gradeWork(const Lesson& lesson, HandedIn handedIn, const GradeWish& wish,
+                                   const std::stop_token& stop = {});
 
-/// Marks a class, in the order of the files; then those who are missing, in the order of the list.
-/// `note` is called after each work with how many are marked.
-[[nodiscard]] std::vector<GradedWork>
-gradeClass(const Lesson& lesson, const std::vector<HandedIn>& files, const GradeWish& wish,
-           const std::stop_token& stop = {}, const std::function<void(std::size_t)>& note = {});
+/// Marks a class, in the order of the works; then those who are missing, in the order of the list.
+/// `note` is called after each work with how many are marked. A stop leaves those marked before it,
+/// and nobody is named as missing.
+[[nodiscard]] std::vector<GradedWork> gradeClass(const Lesson& lesson, const ClassWorks& handedIn,
+                                                 const GradeWish& wish,
+                                                 const std::stop_token& stop = {},
+                                                 const std::function<void(std::size_t)>& note = {});
 
 } // namespace sparkout

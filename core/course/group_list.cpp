@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/course/group_list.h"
 
-#include "core/measured/table_text.h"
+#include "core/tables/table_cell.h"
+#include "core/tables/table_reader.h"
 
 #include <algorithm>
 #include <array>
@@ -13,54 +14,104 @@ namespace sparkout {
 
 namespace {
 
-constexpr std::array nameHeadings{"name", "student", "фио", "имя", "студент", "фамилия"};
-constexpr std::array groupHeadings{"group", "группа"};
+using Cells = std::vector<std::string_view>;
+using Names = std::initializer_list<const char*>;
 
-template <std::size_t N>
-std::optional<std::size_t> columnOf(const std::vector<std::string_view>& cells,
-                                    const std::array<const char*, N>& headings) {
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        const std::string cell = lowerCase(cells[i]);
-        if (std::find(headings.begin(), headings.end(), cell) != headings.end()) {
-            return i;
+/// A heading without what lists write differently: "Ф.И.О." is "фио".
+std::string comparedHeading(std::string_view heading) {
+    std::string name = lowerCase(withSingleSpaces(heading));
+    std::erase(name, '.');
+    return name;
+}
+
+std::optional<std::size_t> columnOf(const Cells& headings, Names names) {
+    for (const char* const name : names) {
+        const auto found = std::ranges::find(headings, name, comparedHeading);
+        if (found != headings.end()) {
+            return static_cast<std::size_t>(found - headings.begin());
         }
     }
     return std::nullopt;
 }
 
-std::string cellAt(const std::vector<std::string_view>& cells, std::size_t column) {
-    return column < cells.size() ? std::string(cells[column]) : std::string();
+std::string cellAt(const Cells& cells, std::size_t column) {
+    return column < cells.size() ? withSingleSpaces(cells[column]) : std::string();
 }
+
+/// Where a list has what.
+class Columns {
+public:
+    /// False: these are no headings.
+    bool takeHeadings(const Cells& cells) {
+        const auto whole = columnOf(cells, {"фио", "фамилия имя отчество", "фамилия, имя, отчество",
+                                            "фамилия и имя", "студент", "обучающийся", "full name",
+                                            "student name", "student", "name"});
+        const auto surname = columnOf(cells, {"фамилия", "surname", "last name", "family name"});
+        const auto first = columnOf(cells, {"имя", "first name", "given name"});
+        const auto patronymic = columnOf(cells, {"отчество", "middle name"});
+        std::vector<std::size_t> names;
+        if (whole && !(surname && first)) {
+            names = {*whole};
+        } else {
+            for (const auto& column : {surname, first, patronymic}) {
+                if (column) {
+                    names.push_back(*column);
+                }
+            }
+        }
+        if (names.empty()) {
+            return false;
+        }
+        m_names = names;
+        m_headings = cells.size();
+        m_group = columnOf(cells, {"группа", "учебная группа", "группы", "group", "groups"})
+                      .value_or(m_headings);
+        return true;
+    }
+
+    [[nodiscard]] Student studentOf(const Cells& cells) const {
+        std::string name;
+        for (const std::size_t column : m_names) {
+            name += (name.empty() ? "" : " ") + cellAt(cells, column);
+        }
+        return {withSingleSpaces(name), cellAt(cells, m_group)};
+    }
+
+    /// Cells with something behind the last heading.
+    [[nodiscard]] bool hasMoreCells(const Cells& cells) const {
+        return m_headings > 0 && cells.size() > m_headings
+               && std::any_of(cells.begin() + static_cast<std::ptrdiff_t>(m_headings), cells.end(),
+                              [](std::string_view cell) { return !cell.empty(); });
+    }
+
+private:
+    std::vector<std::size_t> m_names{0};
+    std::size_t m_group = 1;
+    std::size_t m_headings = 0; ///< 0: there are none
+};
 
 } // namespace
 
-GroupList readGroup(std::string_view text) {
+GroupList readGroup(const TableText& text) {
     GroupList list;
-    const TableDialect dialect = dialectOf(text);
-    TableLines lines(text);
-    std::vector<std::string_view> cells;
-    std::set<std::pair<std::string, std::string>> seen;
-    std::size_t nameColumn = 0, groupColumn = 1;
-    for (bool isFirst = true; !lines.atEnd();) {
-        const std::string_view line = lines.next();
-        if (line.find_first_not_of(" \t\r,;") == std::string_view::npos) {
+    TableReader rows(text.utf8(), dialectOf(text.utf8()).delimiter);
+    Columns columns;
+    std::set<std::pair<std::u32string, std::u32string>> seen;
+    bool isFirst = true;
+    while (rows.next()) {
+        const Cells& cells = rows.cells();
+        if (rows.isEmpty() || (std::exchange(isFirst, false) && columns.takeHeadings(cells))) {
             continue;
         }
-        splitCells(line, dialect.delimiter, cells);
-        if (std::exchange(isFirst, false)) {
-            if (const auto name = columnOf(cells, nameHeadings)) {
-                nameColumn = *name;
-                groupColumn = columnOf(cells, groupHeadings).value_or(cells.size());
-                continue;
-            }
-        }
-        Student student{cellAt(cells, nameColumn), cellAt(cells, groupColumn)};
-        if (student.name.empty()) {
-            list.faults.push_back({GroupFault::Kind::noName, lines.number(), {}});
-        } else if (!seen.insert({student.name, student.group}).second) {
-            list.faults.push_back({GroupFault::Kind::twice, lines.number(), student.name});
+        Student student = columns.studentOf(cells);
+        if (columns.hasMoreCells(cells)) {
+            list.faults.push_back({GroupFault::Kind::moreCells, rows.line(), {}});
+        } else if (student.name.empty()) {
+            list.faults.push_back({GroupFault::Kind::noName, rows.line(), {}});
+        } else if (!seen.insert({comparedName(student.name), comparedName(student.group)}).second) {
+            list.faults.push_back({GroupFault::Kind::twice, rows.line(), student.name});
         } else if (list.students.size() == limits::students) {
-            list.faults.push_back({GroupFault::Kind::tooMany, lines.number(), {}});
+            list.faults.push_back({GroupFault::Kind::tooMany, rows.line(), {}});
             break;
         } else {
             list.students.push_back(std::move(student));

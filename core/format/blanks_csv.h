@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/project/given_factors.h"
+#include "core/tables/table_text.h"
 
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -24,9 +24,10 @@ struct TableFault {
 };
 
 /// Columns headed by the key of a factor ("stock_mm"); others are left out, and so are empty cells.
-/// Comma, semicolon or tab separates; but after a comma a decimal comma is understood too.
+/// Comma, semicolon or tab separates; decimal points and commas are both understood. A row has no
+/// more cells than there are headings.
 [[nodiscard]] std::variant<std::vector<MeasuredColumn>, TableFault>
-readMeasuredBlanks(std::string_view csv);
+readMeasuredBlanks(const TableText& csv);
 
 /// Puts measured values in place of the laws of their factors.
 void putMeasured(const std::vector<MeasuredColumn>& columns, Batch& batch);

@@ -24,14 +24,15 @@ namespace {
 
 class Responder {
 public:
-    Responder(const Project& project, const CycleFactors& factors, bool withPlaces)
+    Responder(const Project& project, const CycleFactors& factors, bool withPlaces,
+              const std::stop_token& stop)
         : m_scaled(scaledProject(project, factors))
         , m_law(forceLaw(project))
         , m_withPlaces(withPlaces)
         , m_isExternal(project.part->surface == Surface::external)
         , m_steps(m_scaled.operation->hasZones
-                      ? traverseSteps(m_scaled, Zone::nz, &m_trajectory, {})
-                      : plungeSteps(m_scaled, &m_trajectory, {})) {
+                      ? traverseSteps(m_scaled, Zone::nz, &m_trajectory, stop)
+                      : plungeSteps(m_scaled, &m_trajectory, stop)) {
         const double wheelSpeed_mm_s = project.machine->wheel_speed_m_s * units::mmPerM;
         m_kwPerN = wheelSpeed_mm_s / (units::mmPerM * units::wPerKw); // N·mm/s = mW
     }
@@ -185,14 +186,17 @@ private:
 } // namespace
 
 CycleResponse respond(const Project& project, const CycleFactors& factors,
-                      const std::vector<int>& stepsByStage, bool withPlaces) {
-    Responder responder(project, factors, withPlaces);
+                      const std::vector<int>& stepsByStage, bool withPlaces,
+                      const std::stop_token& stop) {
+    Responder responder(project, factors, withPlaces, stop);
     return project.gauge->control == Control::position ? responder.runByPosition()
                                                        : responder.run(stepsByStage);
 }
 
-std::vector<int> stepsByGauge(const Project& project, const CycleFactors& factors) {
-    const SimulationResult result = simulateUnchecked(scaledProject(project, factors));
+std::vector<int> stepsByGauge(const Project& project, const CycleFactors& factors,
+                              const std::stop_token& stop) {
+    const SimulationResult result =
+        simulateUnchecked(scaledProject(project, factors), nullptr, stop);
     return result.status == RunStatus::completed ? result.countsByStage : std::vector<int>();
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/identification/scaled_project.h"
 
+#include <stop_token>
 #include <vector>
 
 namespace sparkout {
@@ -26,12 +27,15 @@ struct CycleResponse {
 
 /// Runs the cycle with so many steps in each of its stages, whatever the gauge would say: so what
 /// it shows changes evenly with the factors. Under position control the steps follow from the feed.
+/// A stop ends it within a revolution; then it has not run.
 [[nodiscard]] CycleResponse respond(const Project& project, const CycleFactors& factors,
-                                    const std::vector<int>& stepsByStage, bool withPlaces);
+                                    const std::vector<int>& stepsByStage, bool withPlaces,
+                                    const std::stop_token& stop = {});
 
 /// The steps of each stage that the gauge asks for with these factors; empty where the cycle does
-/// not end.
-[[nodiscard]] std::vector<int> stepsByGauge(const Project& project, const CycleFactors& factors);
+/// not end, and after a stop.
+[[nodiscard]] std::vector<int> stepsByGauge(const Project& project, const CycleFactors& factors,
+                                            const std::stop_token& stop = {});
 
 /// A value between those given at rising times, the outermost beyond them.
 [[nodiscard]] double valueAt(const std::vector<double>& times, const std::vector<double>& values,

@@ -8,31 +8,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace sparkout {
 
 namespace {
 
-double spanOf(const std::vector<double>& values) {
-    const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-    return *greatest - *least;
+constexpr std::size_t leastForNoise = 5; ///< values
+
+/// The least difference of two values that are not equal; 0: all are.
+double stepOf(std::vector<double> values) {
+    std::ranges::sort(values);
+    double step = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < values.size(); ++i) {
+        const double difference = values[i] - values[i - 1];
+        step = difference > 0 ? std::min(step, difference) : step;
+    }
+    return std::isfinite(step) ? step : 0;
 }
 
-/// From second differences, whose variance is 6σ² where the curve is nearly straight; never so
-/// small that rounding would count.
-double noiseOf(const std::vector<double>& values) {
-    constexpr double leastShare = 1e-6, secondDifference = 2.449489742783178; // √6
-    const double least = std::max(spanOf(values), 1e-9) * leastShare;
-    if (values.size() < 5) {
-        return least;
-    }
-    std::vector<double> differences;
-    for (std::size_t i = 2; i < values.size(); ++i) {
-        differences.push_back(std::abs(values[i] - 2 * values[i - 1] + values[i - 2]));
-    }
-    return std::max(least,
-                    deviationPerMedian * medianOf(std::move(differences)) / secondDifference);
+/// The weight of a trace: never so small that rounding would count.
+double weightOf(const FitGroup& group) {
+    constexpr double leastShare = 1e-6, leastSpan = 1e-9;
+    const auto [low, high] = std::ranges::minmax(group.values);
+    return std::max(std::max(high - low, leastSpan) * leastShare,
+                    noiseOfTrace(group.time_s, group.values).value_or(0));
 }
 
 FitSource sourceOf(TraceQuantity quantity) {
@@ -59,7 +60,7 @@ FitGroup groupOf(const MeasuredTrace& trace, int number) {
     if (trace.idle) {
         group.idle_kw = *trace.idle * factor;
     }
-    group.noise = noiseOf(group.values);
+    group.noise = weightOf(group);
     return group;
 }
 
@@ -88,6 +89,35 @@ FitGroup partsOf(const Project& project) {
 }
 
 } // namespace
+
+std::optional<double> noiseOfTrace(const std::vector<double>& time_s,
+                                   const std::vector<double>& values) {
+    if (values.size() < leastForNoise || time_s.size() != values.size()) {
+        return std::nullopt;
+    }
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t i = 1; i + 1 < values.size(); ++i) {
+        const double between_s = time_s[i + 1] - time_s[i - 1];
+        if (between_s > 0) {
+            // The difference has the variance σ²·(1 + before² + after²).
+            const double before = (time_s[i + 1] - time_s[i]) / between_s, after = 1 - before;
+            const double difference = values[i] - before * values[i - 1] - after * values[i + 1];
+            sum += difference * difference / (1 + before * before + after * after);
+            ++count;
+        }
+    }
+    if (count == 0) {
+        return std::nullopt;
+    }
+    constexpr double twelve = 12; // the variance of what is rounded to a step is step²/12
+    return std::max(std::sqrt(sum / static_cast<double>(count)),
+                    stepOf(values) / std::sqrt(twelve));
+}
+
+std::optional<double> FitGroup::traceNoise() const {
+    return time_s.empty() ? std::nullopt : noiseOfTrace(time_s, values);
+}
 
 bool FitData::has(FitSource source) const {
     return std::ranges::any_of(groups,

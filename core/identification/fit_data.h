@@ -21,7 +21,17 @@ struct FitGroup {
     std::vector<double> values; ///< mm of diameter, kW, N; of parts µm from the nominal diameter
     std::optional<double> idle_kw; ///< as stated with the trace
     double noise = 1;              ///< standard deviation, estimated from the values
+
+    /// The noise, where it is that of a trace of enough values.
+    [[nodiscard]] std::optional<double> traceNoise() const;
 };
+
+/// Standard deviation of the noise of a trace from its second differences, whose variance is 6σ²
+/// where the curve is nearly straight: σ² = Σ(Δ²y)²/6n. Where times are uneven a value is held
+/// against the straight line between its neighbours. Never below that of rounding to the step of
+/// the values, step/√12. Nothing of fewer than five values.
+[[nodiscard]] std::optional<double> noiseOfTrace(const std::vector<double>& time_s,
+                                                 const std::vector<double>& values);
 
 struct FitData {
     std::vector<FitGroup> groups;

@@ -45,8 +45,8 @@ bool isLogarithm(FittedKind kind) {
 } // namespace
 
 FitProblem::FitProblem(const Project& project, const FitData& data,
-                       const std::vector<FittedParameter>& parameters)
-    : m_project(project), m_data(data), m_parameters(parameters) {
+                       const std::vector<FittedParameter>& parameters, std::stop_token stop)
+    : m_project(project), m_data(data), m_stop(std::move(stop)), m_parameters(parameters) {
     for (const FittedParameter& parameter : parameters) {
         m_priors += parameter.prior ? 1 : 0;
     }
@@ -124,11 +124,11 @@ FitProblem::Scalars FitProblem::scalarsAt(const std::vector<double>& q) const {
 
 bool FitProblem::run(const CycleFactors& factors) {
     if (!m_hasResponse || !(factors == m_lastFactors)) {
-        m_response = respond(m_project, factors, m_steps, m_withPlaces);
+        m_response = respond(m_project, factors, m_steps, m_withPlaces, m_stop);
         m_lastFactors = factors;
         m_hasResponse = true;
     }
-    return m_response.ran;
+    return m_response.ran && !isStopped();
 }
 
 double FitProblem::predicted(const FitGroup& group, std::size_t index,
@@ -237,7 +237,7 @@ double FitProblem::startOfShift() const {
             to = std::max(to, group.time_s.back() - cycle_s / 2);
         }
     }
-    for (int i = 0; i <= tries; ++i) {
+    for (int i = 0; i <= tries && !isStopped(); ++i) {
         // 0 is tried too, and stays where nothing is better.
         const double shift = i == 0 ? 0 : from + (to - from) * (i - 1) / (tries - 1);
         const double offset_mm = startOfOffset(shift);
@@ -268,7 +268,7 @@ double FitProblem::startOfDelay(FitSource source, double shift_s) const {
     constexpr int tries = 40;
     constexpr double farthest_s = 2;
     double best = 0, closest = 0;
-    for (int i = 0; i <= 2 * tries; ++i) {
+    for (int i = 0; i <= 2 * tries && !isStopped(); ++i) {
         // 0 is tried first, and stays where nothing is better.
         const int step = i % 2 == 0 ? i / 2 : -(i + 1) / 2;
         const double delay_s = farthest_s * step / tries;

@@ -6,6 +6,7 @@
 #include "core/identification/fitted_parameter.h"
 
 #include <cstddef>
+#include <stop_token>
 #include <vector>
 
 namespace sparkout {
@@ -16,7 +17,7 @@ namespace sparkout {
 class FitProblem {
 public:
     FitProblem(const Project& project, const FitData& data,
-               const std::vector<FittedParameter>& parameters);
+               const std::vector<FittedParameter>& parameters, std::stop_token stop = {});
 
     [[nodiscard]] std::size_t residuals() const { return m_data.count() + m_priors; }
     [[nodiscard]] std::size_t values() const { return m_data.count(); }
@@ -32,9 +33,11 @@ public:
     void setWeights(std::vector<double> weights) { m_weights = std::move(weights); }
     [[nodiscard]] const std::vector<double>& weights() const { return m_weights; }
 
+    [[nodiscard]] bool isStopped() const { return m_stop.stop_requested(); }
+
     /// Coordinates to begin at: factors 1, offsets from the data.
     [[nodiscard]] std::vector<double> start();
-    /// False: the cycle cannot be run there.
+    /// False: the cycle cannot be run there, or a stop was requested.
     bool evaluate(const std::vector<double>& q, std::vector<double>& residuals);
     /// Measured less predicted, in the unit of its group, group by group; no priors, no weights.
     bool differences(const std::vector<double>& q, std::vector<double>& values);
@@ -64,6 +67,7 @@ private:
 
     const Project& m_project;
     const FitData& m_data;
+    std::stop_token m_stop;
     std::vector<FittedParameter> m_parameters;
     std::vector<int> m_steps;
     std::vector<double> m_noise, m_weights;

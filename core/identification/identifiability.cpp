@@ -21,9 +21,8 @@ Eigen::Index at(std::size_t i) {
 
 class Inquiry {
 public:
-    Inquiry(FitProblem& problem, const FitData& data, const LeastSquares& best,
-            const std::stop_token& stop)
-        : m_problem(problem), m_data(data), m_best(best), m_stop(stop) {}
+    Inquiry(FitProblem& problem, const FitData& data, const LeastSquares& best)
+        : m_problem(problem), m_data(data), m_best(best) {}
 
     Identifiability inquire() {
         const std::size_t count = m_problem.parameters();
@@ -116,7 +115,7 @@ private:
         for (const double end : {range, -range}) {
             std::vector<double> from = m_best.q;
             from[i] += end;
-            if (minimise(m_problem, from, fixed, m_stop).criterion < m_best.criterion + flatRise) {
+            if (minimise(m_problem, from, fixed).criterion < m_best.criterion + flatRise) {
                 return true;
             }
         }
@@ -193,15 +192,14 @@ private:
     FitProblem& m_problem;
     const FitData& m_data;
     const LeastSquares& m_best;
-    const std::stop_token& m_stop;
     Identifiability m_found;
 };
 
 } // namespace
 
 Identifiability identifiabilityAt(FitProblem& problem, const FitData& data,
-                                  const LeastSquares& best, const std::stop_token& stop) {
-    return Inquiry(problem, data, best, stop).inquire();
+                                  const LeastSquares& best) {
+    return Inquiry(problem, data, best).inquire();
 }
 
 } // namespace sparkout

@@ -4,7 +4,6 @@
 #include "core/identification/levenberg_marquardt.h"
 
 #include <cstddef>
-#include <stop_token>
 #include <vector>
 
 namespace sparkout {
@@ -42,7 +41,6 @@ inline constexpr double flatRise = 4;
 inline constexpr double mostCondition = 1e7;
 
 [[nodiscard]] Identifiability identifiabilityAt(FitProblem& problem, const FitData& data,
-                                                const LeastSquares& best,
-                                                const std::stop_token& stop);
+                                                const LeastSquares& best);
 
 } // namespace sparkout

@@ -30,7 +30,7 @@ public:
         , m_request(request)
         , m_stop(stop)
         , m_data(fitDataOf(project, request.traces, request.withParts))
-        , m_problem(project, m_data, request.parameters) {}
+        , m_problem(project, m_data, request.parameters, stop) {}
 
     Identification identify() {
         m_result.withoutFactor = m_data.withoutFactor;
@@ -45,7 +45,7 @@ public:
                                                       : IdentificationStatus::notConverged;
             return std::move(m_result);
         }
-        const Identifiability found = identifiabilityAt(m_problem, m_data, m_best, m_stop);
+        const Identifiability found = identifiabilityAt(m_problem, m_data, m_best);
         m_result.condition = found.condition;
         m_result.unidentified = found.unidentified;
         m_result.stepsByStage = m_problem.steps();
@@ -61,6 +61,10 @@ public:
                 errors.push_back(std::sqrt(found.covariance[i * m_best.q.size() + i]));
             }
             m_result.outOfStep = outOfStep(m_project, m_data, m_problem, m_best, errors, m_stop);
+            if (m_stop.stop_requested()) { // the values would lack what was not asked
+                m_result = {};
+                m_result.status = IdentificationStatus::stopped;
+            }
         }
         return std::move(m_result);
     }
@@ -83,9 +87,10 @@ private:
         if (list.empty() || m_data.count() <= list.size()) {
             return IdentificationStatus::noData;
         }
-        m_problem.setSteps(stepsByGauge(m_project, factorsOf(m_project)));
-        return m_problem.steps().empty() ? IdentificationStatus::notRun
-                                         : IdentificationStatus::fitted;
+        m_problem.setSteps(stepsByGauge(m_project, factorsOf(m_project), m_stop));
+        return m_stop.stop_requested()     ? IdentificationStatus::stopped
+               : m_problem.steps().empty() ? IdentificationStatus::notRun
+                                           : IdentificationStatus::fitted;
     }
 
     /// The steps of the stages are whole numbers: the rest is fitted for given ones, then they are
@@ -94,7 +99,7 @@ private:
     /// what it would not bring about is no answer.
     bool fit() {
         const std::vector<bool> free(m_request.parameters.size(), false);
-        m_best = minimise(m_problem, m_problem.start(), free, m_stop);
+        m_best = minimise(m_problem, m_problem.start(), free);
         if (m_stop.stop_requested()) {
             return false;
         }
@@ -114,7 +119,7 @@ private:
 
     /// Whether the gauge would ask for these steps with these values.
     [[nodiscard]] bool isOfGauge() const {
-        return stepsByGauge(m_project, m_problem.factorsAt(m_best.q)) == m_problem.steps();
+        return stepsByGauge(m_project, m_problem.factorsAt(m_best.q), m_stop) == m_problem.steps();
     }
 
     /// Fits with other steps; keeps them where they fit better.
@@ -125,7 +130,7 @@ private:
         const std::vector<int> before = m_problem.steps();
         m_problem.setSteps(steps);
         const std::vector<bool> free(m_request.parameters.size(), false);
-        LeastSquares other = minimise(m_problem, from, free, m_stop);
+        LeastSquares other = minimise(m_problem, from, free);
         constexpr double better = 1e-9; // by no more than rounding is not better
         const bool fitsBetter = other.criterion < m_best.criterion * (1 - better);
         std::swap(m_best, other);
@@ -161,11 +166,14 @@ private:
         const std::vector<double> start = m_problem.start();
         std::set<std::vector<int>> tried{m_problem.steps()};
         for (std::size_t i = 0; i < start.size(); ++i) {
-            for (int k = 0; isFactor(m_request.parameters[i].kind) && k <= points; ++k) {
+            for (int k = 0;
+                 isFactor(m_request.parameters[i].kind) && k <= points && !m_stop.stop_requested();
+                 ++k) {
                 std::vector<double> q = start;
                 q[i] += std::log(most) * (2.0 * k / points - 1);
-                const std::vector<int> steps = stepsByGauge(m_project, m_problem.factorsAt(q));
-                if (!steps.empty() && !m_stop.stop_requested() && tried.insert(steps).second) {
+                const std::vector<int> steps =
+                    stepsByGauge(m_project, m_problem.factorsAt(q), m_stop);
+                if (!steps.empty() && tried.insert(steps).second) {
                     betterWith(steps, q);
                 }
             }
@@ -175,7 +183,8 @@ private:
     void followGauge() {
         constexpr int mostRounds = 5;
         for (int round = 0; round < mostRounds && !m_stop.stop_requested(); ++round) {
-            const std::vector<int> steps = stepsByGauge(m_project, m_problem.factorsAt(m_best.q));
+            const std::vector<int> steps =
+                stepsByGauge(m_project, m_problem.factorsAt(m_best.q), m_stop);
             if (steps.empty() || steps == m_problem.steps() || !betterWith(steps)) {
                 return;
             }
@@ -244,7 +253,7 @@ private:
             m_problem.setNoise(noiseOf(differences));
             m_problem.setWeights(weightsOf(differences));
             const std::vector<bool> free(m_request.parameters.size(), false);
-            m_best = minimise(m_problem, m_best.q, free, m_stop);
+            m_best = minimise(m_problem, m_best.q, free);
             double change = 0;
             for (std::size_t i = 0; i < before.size(); ++i) {
                 change = std::max(change, std::abs(before[i] - m_best.q[i]));
@@ -340,7 +349,7 @@ private:
         std::vector<double> scaled;
         std::size_t at = 0;
         for (const FitGroup& group : m_data.groups) {
-            FitResiduals residuals{group.source, group.trace, {}, 0};
+            FitResiduals residuals{group.source, group.trace, {}, 0, group.traceNoise()};
             for (std::size_t i = 0; i < group.values.size(); ++i, ++at) {
                 residuals.values.push_back(differences[at]);
                 residuals.rms += differences[at] * differences[at];
@@ -444,12 +453,24 @@ std::vector<OutOfStep> outOfStepAnew(const Project& project, const Identificatio
 
 } // namespace
 
+bool FitResiduals::isInDoubt() const {
+    return noise && rms > mostRmsOfNoise * *noise;
+}
+
+bool Identification::isInDoubt() const {
+    return std::ranges::any_of(residuals, &FitResiduals::isInDoubt);
+}
+
 Identification identify(const Project& project, const IdentificationRequest& request,
                         const std::stop_token& stop) {
     Identification found = Identifier(project, request, stop).identify();
     if (found.status == IdentificationStatus::fitted && found.outOfStep.empty()
         && hasStructure(found.residuals)) {
         found.outOfStep = outOfStepAnew(project, request, stop, found);
+        if (stop.stop_requested()) {
+            found = {};
+            found.status = IdentificationStatus::stopped;
+        }
     }
     return found;
 }

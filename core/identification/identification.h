@@ -50,7 +50,15 @@ struct FitResiduals {
     int trace = -1;
     std::vector<double> values; ///< measured less predicted, in the order of the data
     double rms = 0;
+    std::optional<double> noise; ///< of a trace, from the trace itself
+
+    /// Whether more is left than the noise of the trace: the cycle that was run is not the one that
+    /// was recorded, whatever its parameters.
+    [[nodiscard]] bool isInDoubt() const;
 };
+
+/// The RMS of a fit of the right cycle is about the noise of the trace, not above this times it.
+inline constexpr double mostRmsOfNoise = 1.3;
 
 struct Identification {
     IdentificationStatus status = IdentificationStatus::noData;
@@ -66,6 +74,8 @@ struct Identification {
     std::vector<int> withoutFactor; ///< currents left out, as their factor is not given; by number
     std::size_t count = 0;          ///< measured values
     Issues issues;                  ///< why the cycle cannot be run
+
+    [[nodiscard]] bool isInDoubt() const; ///< for the residuals of any trace
 };
 
 [[nodiscard]] Identification identify(const Project& project, const IdentificationRequest& request,

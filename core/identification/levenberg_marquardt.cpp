@@ -14,22 +14,20 @@ namespace {
 /// The problem as Eigen's method takes it: of the free coordinates alone.
 class Functor {
 public:
-    Functor(FitProblem& problem, std::vector<double> q, std::vector<std::size_t> free,
-            const std::stop_token& stop)
-        : m_problem(problem), m_q(std::move(q)), m_free(std::move(free)), m_stop(stop) {}
+    Functor(FitProblem& problem, std::vector<double> q, std::vector<std::size_t> free)
+        : m_problem(problem), m_q(std::move(q)), m_free(std::move(free)) {}
 
     [[nodiscard]] int inputs() const { return static_cast<int>(m_free.size()); }
     [[nodiscard]] int values() const { return static_cast<int>(m_problem.residuals()); }
 
     int operator()(const Eigen::VectorXd& x, Eigen::VectorXd& residuals) {
         put(x);
-        if (m_stop.stop_requested()) {
-            return -1;
-        }
         ++evaluations;
         constexpr double beyond = 1e6; // a step to where no cycle can be run is taken back
         if (m_problem.evaluate(m_q, m_residuals)) {
             residuals = Eigen::Map<const Eigen::VectorXd>(m_residuals.data(), values());
+        } else if (m_problem.isStopped()) {
+            return -1;
         } else {
             residuals.setConstant(beyond);
         }
@@ -59,7 +57,6 @@ private:
     FitProblem& m_problem;
     std::vector<double> m_q;
     std::vector<std::size_t> m_free;
-    const std::stop_token& m_stop;
     std::vector<double> m_residuals, m_columns;
 };
 
@@ -87,7 +84,7 @@ bool derivatives(FitProblem& problem, const std::vector<double>& q,
 }
 
 LeastSquares minimise(FitProblem& problem, const std::vector<double>& start,
-                      const std::vector<bool>& fixed, const std::stop_token& stop) {
+                      const std::vector<bool>& fixed) {
     LeastSquares found;
     std::vector<std::size_t> free;
     for (std::size_t i = 0; i < start.size(); ++i) {
@@ -95,7 +92,7 @@ LeastSquares minimise(FitProblem& problem, const std::vector<double>& start,
             free.push_back(i);
         }
     }
-    Functor functor(problem, start, free, stop);
+    Functor functor(problem, start, free);
     Eigen::VectorXd x(functor.inputs());
     for (std::size_t i = 0; i < free.size(); ++i) {
         x[static_cast<Eigen::Index>(i)] = start[free[i]];

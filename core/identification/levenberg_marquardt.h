@@ -4,7 +4,6 @@
 #include "core/identification/fit_problem.h"
 
 #include <cstddef>
-#include <stop_token>
 #include <vector>
 
 namespace sparkout {
@@ -18,9 +17,9 @@ struct LeastSquares {
     int evaluations = 0;
 };
 
-/// From a start; coordinates that are `fixed` stay. A stop ends it where it is.
+/// From a start; coordinates that are `fixed` stay. A stop of the problem ends it where it is.
 [[nodiscard]] LeastSquares minimise(FitProblem& problem, const std::vector<double>& start,
-                                    const std::vector<bool>& fixed, const std::stop_token& stop);
+                                    const std::vector<bool>& fixed);
 
 /// Derivatives of the residuals by the coordinates, by central differences: a column each, one
 /// behind the other. False: the cycle cannot be run beside q.

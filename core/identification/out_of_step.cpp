@@ -66,34 +66,36 @@ double inflationOf(const FitData& data, const std::vector<double>& differences) 
 /// With one time more.
 class WiderFit {
 public:
-    WiderFit(const Project& project, const FitData& data, const FitProblem& fitted, FittedKind kind)
-        : m_list(withTime(fitted.list(), kind)), m_data(data), m_problem(project, data, m_list) {
+    WiderFit(const Project& project, const FitData& data, const FitProblem& fitted, FittedKind kind,
+             const std::stop_token& stop)
+        : m_list(withTime(fitted.list(), kind))
+        , m_data(data)
+        , m_problem(project, data, m_list, stop) {
         m_problem.setSteps(fitted.steps());
         m_problem.setNoise(fitted.noise());
         m_problem.setWeights(fitted.weights());
     }
 
     /// Nothing where the time is 0 for all that the data tell.
-    std::optional<OutOfStep> find(const LeastSquares& best, const std::vector<double>& errors,
-                                  const std::stop_token& stop) {
+    std::optional<OutOfStep> find(const LeastSquares& best, const std::vector<double>& errors) {
         std::vector<double> from = best.q;
         from.push_back(0);
         if (!isWorthAFit(from)) {
             return {};
         }
         const std::vector<bool> free(m_list.size(), false);
-        LeastSquares wider = minimise(m_problem, from, free, stop);
+        LeastSquares wider = minimise(m_problem, from, free);
         std::vector<double> differences;
         if (!m_problem.differences(wider.q, differences)) {
             return {};
         }
         m_problem.setNoise(noiseByGroup(m_data, differences, m_problem.noise()));
-        wider = minimise(m_problem, wider.q, free, stop);
-        if (!wider.converged || stop.stop_requested()
+        wider = minimise(m_problem, wider.q, free);
+        if (!wider.converged || m_problem.isStopped()
             || !m_problem.differences(wider.q, differences)) {
             return {};
         }
-        const Identifiability told = identifiabilityAt(m_problem, m_data, wider, stop);
+        const Identifiability told = identifiabilityAt(m_problem, m_data, wider);
         if (!told.unidentified.empty() || told.covariance.empty()) {
             return {};
         }
@@ -190,7 +192,7 @@ std::vector<OutOfStep> outOfStep(const Project& project, const FitData& data,
         if (stop.stop_requested()) {
             break;
         }
-        if (auto one = WiderFit(project, data, fitted, kind).find(best, errors, stop)) {
+        if (auto one = WiderFit(project, data, fitted, kind, stop).find(best, errors)) {
             found.push_back(*one);
         }
     }

@@ -72,11 +72,11 @@ void compareFile(const Project& project, const FitData& data, const std::vector<
                  const std::stop_token& stop, std::vector<TraceComparison>& found) {
     const FitData sparse = thinned(data);
     const std::vector<FittedParameter> list = alignment(data);
-    FitProblem coarse(project, sparse, list);
+    FitProblem coarse(project, sparse, list, stop);
     coarse.setSteps(stepsByStage);
     const std::vector<bool> free(list.size(), false);
-    const LeastSquares best = minimise(coarse, coarse.start(), free, stop);
-    FitProblem whole(project, data, list);
+    const LeastSquares best = minimise(coarse, coarse.start(), free);
+    FitProblem whole(project, data, list, stop);
     whole.setSteps(stepsByStage);
     std::vector<double> differences;
     if (stop.stop_requested() || !whole.differences(best.q, differences)) {

@@ -159,7 +159,7 @@ private:
                 project.cycle->stages.back().sparkOutSteps().value_or(fewest));
         }
         const CycleResponse response =
-            respond(project, factorsOf(project), trial.stepsByStage, false);
+            respond(project, factorsOf(project), trial.stepsByStage, false, m_stop);
         if (!response.ran) {
             return;
         }
@@ -188,7 +188,7 @@ private:
 
     void expect(Trial& trial, const Project& project, const FitData& data) const {
         const std::vector<FittedParameter> all = withNuisances(data);
-        FitProblem problem(project, data, all);
+        FitProblem problem(project, data, all, m_stop);
         problem.setSteps(trial.stepsByStage);
         trial.samples = data.count();
         std::vector<double> q;

@@ -22,6 +22,9 @@ struct Point {
 std::vector<Point> pointsOf(NumberTable<2>& table, double nominalRadius_mm) {
     const bool isDeviation =
         !table.headings.empty() && matchHeading(table.headings.back()).unit == ColumnUnit::um;
+    const Range diameters = boundsOf(ColumnQuantity::diameter).range;
+    const Bounds radii{.range = {.low = diameters.low / 2, .high = diameters.high / 2},
+                       .unit = "mm"};
     std::vector<Point> points;
     for (const auto& row : table.rows) {
         const auto [angle, value] = row.values;
@@ -33,9 +36,8 @@ std::vector<Point> pointsOf(NumberTable<2>& table, double nominalRadius_mm) {
         if (!rises || angle > most) {
             addFault(table.faults, row.line, 1, IssueCode::outOfRange, Amount{angle, "°"},
                      Bounds{.range = {.low = least, .high = most}, .unit = "°"});
-        } else if (!(radius > 0)) {
-            addFault(table.faults, row.line, 2, IssueCode::outOfRange, Amount{radius, "mm"},
-                     Bounds{.range = {.low = 0, .lowOpen = true}, .unit = "mm"});
+        } else if (!radii.range.contains(radius)) {
+            addFault(table.faults, row.line, 2, IssueCode::outOfRange, Amount{radius, "mm"}, radii);
         } else if (angle < most || points.empty()) { // else the first point, at the turn's end
             points.push_back({angle, radius});
         }
@@ -71,7 +73,7 @@ std::vector<double> placedEvenly(const std::vector<Point>& points) {
 
 } // namespace
 
-ClosedProfile readClosedProfile(std::string_view text, double nominalRadius_mm) {
+ClosedProfile readClosedProfile(const TableText& text, double nominalRadius_mm) {
     NumberTable<2> table = readNumbers<2>(text);
     const std::vector<Point> points = pointsOf(table, nominalRadius_mm);
     ClosedProfile profile;

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/measured/cell_fault.h"
+#include "core/tables/table_text.h"
 
 #include <cstddef>
-#include <string_view>
 #include <vector>
 
 namespace sparkout {
@@ -24,6 +24,6 @@ struct ClosedProfile {
 /// headings. A second heading in µm marks deviations from the nominal radius; else the values are
 /// radii in mm. Angles rise within one turn; between those that are not even radii lie on straight
 /// lines.
-[[nodiscard]] ClosedProfile readClosedProfile(std::string_view text, double nominalRadius_mm);
+[[nodiscard]] ClosedProfile readClosedProfile(const TableText& text, double nominalRadius_mm);
 
 } // namespace sparkout

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/measured/column_match.h"
 
-#include "core/measured/table_text.h"
 #include "core/project/measured.h"
+#include "core/tables/table_cell.h"
+#include "core/tables/table_reader.h"
 #include "core/trimmed.h"
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -115,22 +117,6 @@ std::span<const Name> headingNames() {
     return names;
 }
 
-struct UnitName {
-    std::string_view text;
-    ColumnUnit unit;
-};
-
-constexpr auto unitNames = std::to_array<UnitName>({
-    {"mm", ColumnUnit::mm},   {"мм", ColumnUnit::mm},   {"um", ColumnUnit::um},
-    {"µm", ColumnUnit::um},   {"μm", ColumnUnit::um},   {"мкм", ColumnUnit::um},
-    {"s", ColumnUnit::s},     {"sec", ColumnUnit::s},   {"с", ColumnUnit::s},
-    {"сек", ColumnUnit::s},   {"ms", ColumnUnit::ms},   {"мс", ColumnUnit::ms},
-    {"min", ColumnUnit::min}, {"мин", ColumnUnit::min}, {"kw", ColumnUnit::kw},
-    {"квт", ColumnUnit::kw},  {"w", ColumnUnit::w},     {"вт", ColumnUnit::w},
-    {"n", ColumnUnit::n},     {"н", ColumnUnit::n},     {"kn", ColumnUnit::kn},
-    {"кн", ColumnUnit::kn},   {"a", ColumnUnit::a},     {"а", ColumnUnit::a},
-});
-
 constexpr double perThousand = 1e-3, thousand = 1e3;
 
 /// The units of a quantity, with what makes the section's of them; the first is its own.
@@ -205,12 +191,6 @@ HeadingParts partsOf(std::string_view heading) {
 
 } // namespace
 
-std::optional<ColumnUnit> unitNamed(std::string_view text) {
-    const std::string lower = lowerCase(text);
-    const auto* const found = std::ranges::find(unitNames, lower, &UnitName::text);
-    return found == unitNames.end() ? std::nullopt : std::optional(found->unit);
-}
-
 ColumnMatch matchHeading(std::string_view heading) {
     using enum ColumnQuantity;
     const HeadingParts parts = partsOf(heading);
@@ -233,6 +213,16 @@ ColumnMatch matchHeading(std::string_view heading) {
         match.unit = unitsOf(match.quantity).front().first;
     }
     return match;
+}
+
+std::vector<ColumnMatch> matchHeadings(std::string_view text, char delimiter) {
+    TableReader rows(text, delimiter);
+    std::vector<ColumnMatch> matches;
+    if (rows.next()) {
+        std::ranges::transform(rows.cells(), std::back_inserter(matches), matchHeading);
+    }
+    settleMatches(matches);
+    return matches;
 }
 
 void settleMatches(std::vector<ColumnMatch>& matches) {
@@ -301,9 +291,8 @@ Bounds boundsOf(ColumnQuantity quantity) {
 Keys unitsFor(ColumnQuantity quantity) {
     Keys keys{{}, Keys::Kind::choices};
     for (const auto& [unit, factor] : unitsOf(quantity)) {
-        const auto* const name = std::ranges::find(unitNames, unit, &UnitName::unit);
-        if (name != unitNames.end()) {
-            keys.keys.emplace_back(name->text);
+        if (const std::string_view name = nameOf(unit); !name.empty()) {
+            keys.keys.emplace_back(name);
         }
     }
     return keys;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/issue.h"
+#include "core/tables/column_unit.h"
 
 #include <optional>
 #include <string>
@@ -31,8 +32,6 @@ enum class ColumnQuantity {
     count_
 };
 
-enum class ColumnUnit { none, mm, um, s, ms, min, kw, w, n, kn, a, unknown };
-
 /// How a column is read; proposed by its heading, for the user to change.
 struct ColumnMatch {
     std::string heading;
@@ -42,11 +41,11 @@ struct ColumnMatch {
     friend bool operator==(const ColumnMatch&, const ColumnMatch&) = default;
 };
 
-/// The unit that such a text names, in English or Russian; nothing where it names none.
-[[nodiscard]] std::optional<ColumnUnit> unitNamed(std::string_view text);
-
 /// What a heading such as "Diameter, mm", "Диаметр [мм]" or "P (kW)" means.
 [[nodiscard]] ColumnMatch matchHeading(std::string_view heading);
+
+/// The columns of a table by the headings in its first row.
+[[nodiscard]] std::vector<ColumnMatch> matchHeadings(std::string_view text, char delimiter);
 
 /// A match as a table needs it: beside a time "diameter" is the size at the gauge.
 void settleMatches(std::vector<ColumnMatch>& matches);

@@ -2,6 +2,7 @@
 #include "core/measured/key_value_lines.h"
 
 #include "core/measured/trace_builder.h"
+#include "core/tables/table_cell.h"
 
 #include <algorithm>
 #include <charconv>
@@ -13,6 +14,8 @@
 namespace sparkout {
 
 namespace {
+
+constexpr char keyDelimiter = '|';
 
 /// A date and time of ISO 8601 in seconds; without a zone as it stands.
 std::optional<double> secondsOfDate(std::string_view text) {
@@ -55,16 +58,16 @@ public:
     }
 
     ReadMeasured read(std::string_view text, const std::stop_token& stop) {
-        TableLines lines(text);
-        while (!lines.atEnd() && m_read.faults.size() < limits::issues) {
-            const std::string_view line = lines.next();
-            constexpr std::size_t linesBetween = 4096;
-            if (lines.number() % linesBetween == 0 && stop.stop_requested()) {
+        TableReader rows(text, keyDelimiter);
+        constexpr std::size_t rowsBetween = 4096;
+        std::size_t looked = 0;
+        while (m_read.faults.size() < limits::issues && rows.next()) {
+            if (++looked % rowsBetween == 0 && stop.stop_requested()) {
                 return {};
             }
-            if (line.find_first_not_of(" \t\r") != std::string_view::npos) {
-                splitCells(line, '|', m_cells);
-                readLine(lines.number());
+            if (!rows.isBlank()) {
+                m_cells = rows.cells();
+                readLine(rows.line());
             }
         }
         for (TraceBuilder& trace : m_traces) {
@@ -150,12 +153,11 @@ private:
 } // namespace
 
 std::vector<ColumnMatch> matchKeys(std::string_view text) {
-    constexpr int linesLookedAt = 1000;
+    constexpr int rowsLookedAt = 1000;
     std::vector<ColumnMatch> matches;
-    std::vector<std::string_view> cells;
-    TableLines lines(text);
-    for (int i = 0; i < linesLookedAt && !lines.atEnd(); ++i) {
-        splitCells(lines.next(), '|', cells);
+    TableReader rows(text, keyDelimiter);
+    for (int i = 0; i < rowsLookedAt && rows.next(); ++i) {
+        const std::vector<std::string_view>& cells = rows.cells();
         for (std::size_t c = 1; c + 1 < cells.size(); c += 2) {
             if (std::ranges::find(matches, cells[c], &ColumnMatch::heading) == matches.end()) {
                 matches.push_back(matchHeading(cells[c]));

@@ -2,6 +2,7 @@
 #include "core/measured/measured_rows.h"
 
 #include "core/measured/trace_builder.h"
+#include "core/tables/table_cell.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -25,20 +26,20 @@ public:
     }
 
     ReadMeasured read(std::string_view text, const std::stop_token& stop) {
-        TableLines lines(text);
-        (void)lines.next(); // the headings
+        TableReader rows(text, m_table.dialect.delimiter);
+        (void)rows.next(); // the headings
         if (!columnsAreFit()) {
             return std::move(m_read);
         }
-        while (!lines.atEnd() && !isFull()) {
-            const std::string_view line = lines.next();
-            constexpr std::size_t linesBetween = 4096;
-            if (lines.number() % linesBetween == 0 && stop.stop_requested()) {
+        constexpr std::size_t rowsBetween = 4096;
+        std::size_t looked = 0;
+        while (!isFull() && rows.next()) {
+            if (++looked % rowsBetween == 0 && stop.stop_requested()) {
                 return {};
             }
-            if (line.find_first_not_of(" \t\r") != std::string_view::npos) {
-                splitCells(line, m_table.dialect.delimiter, m_cells);
-                readLine(lines.number());
+            if (!rows.isBlank()) {
+                m_cells = rows.cells();
+                readLine(rows.line());
             }
         }
         for (TraceBuilder& trace : m_traces) {
@@ -150,12 +151,24 @@ private:
         }
         const double converted = *value * m_factors[column];
         const ColumnQuantity quantity = m_table.columns[column].quantity;
-        Bounds& bounds = m_bounds.try_emplace(quantity, boundsOf(quantity)).first->second;
+        Bounds& bounds = m_bounds.try_emplace(quantity, boundsHere(quantity)).first->second;
         if (!bounds.range.contains(converted)) {
             fault(line, column + 1, IssueCode::outOfRange, Amount{converted, bounds.unit}, bounds);
             return std::nullopt;
         }
         return converted;
+    }
+
+    /// Deviations are of a diameter that a part may have.
+    [[nodiscard]] Bounds boundsHere(ColumnQuantity quantity) const {
+        if (quantity != ColumnQuantity::diameter_deviation) {
+            return boundsOf(quantity);
+        }
+        const Range diameters = boundsOf(ColumnQuantity::diameter).range;
+        const double nominal_mm = m_context.nominalDiameter_mm;
+        return {.range = {.low = (diameters.low - nominal_mm) * units::umPerMm,
+                          .high = (diameters.high - nominal_mm) * units::umPerMm},
+                .unit = "µm"};
     }
 
     int placeOf(std::size_t line) {

@@ -3,7 +3,7 @@
 
 #include "core/measured/key_value_lines.h"
 #include "core/measured/measured_rows.h"
-#include "core/sha256.h"
+#include "core/tables/table_cell.h"
 
 #include <algorithm>
 
@@ -18,27 +18,23 @@ int firstPlaceIn(std::string_view text, const MeasuredTable& table) {
     if (column == table.columns.end()) {
         return 1;
     }
-    constexpr int linesLookedAt = 1000;
+    constexpr int rowsLookedAt = 1000;
     const auto index = static_cast<std::size_t>(column - table.columns.begin());
-    TableLines lines(text);
-    (void)lines.next(); // the headings
-    std::vector<std::string_view> cells;
-    for (int i = 0; i < linesLookedAt && !lines.atEnd(); ++i) {
-        splitCells(lines.next(), table.dialect.delimiter, cells);
-        if (index < cells.size() && cellNumber(cells[index], table.dialect.decimal) == 0.0) {
+    TableReader rows(text, table.dialect.delimiter);
+    (void)rows.next(); // the headings
+    for (int i = 0; i < rowsLookedAt && rows.next(); ++i) {
+        if (index < rows.cells().size()
+            && cellNumber(rows.cells()[index], table.dialect.decimal) == 0.0) {
             return 0;
         }
     }
     return 1;
 }
 
-bool isBlank(std::string_view text) {
-    return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
-}
-
 } // namespace
 
-MeasuredTable proposeTable(std::string_view text) {
+MeasuredTable proposeTable(const TableText& source) {
+    const std::string_view text = source.utf8();
     MeasuredTable table;
     table.dialect = dialectOf(text);
     if (table.dialect.delimiter == '|') {
@@ -46,39 +42,34 @@ MeasuredTable proposeTable(std::string_view text) {
         table.columns = matchKeys(text);
         return table;
     }
-    std::vector<std::string_view> cells;
-    TableLines lines(text);
-    splitCells(lines.next(), table.dialect.delimiter, cells);
-    for (const std::string_view cell : cells) {
-        table.columns.push_back(matchHeading(cell));
-    }
-    settleMatches(table.columns);
+    table.columns = matchHeadings(text, table.dialect.delimiter);
     table.firstPlace = firstPlaceIn(text, table);
     return table;
 }
 
-ReadMeasured readMeasured(std::string_view text, const MeasuredTable& table,
+ReadMeasured readMeasured(const TableText& source, const MeasuredTable& table,
                           const MeasuredContext& context, const std::stop_token& stop) {
     ReadMeasured read;
     const auto refuse = [&read](IssueCode code, Detail value, Detail limit) {
         read.faults.push_back(
             {0, 0, {code, Severity::error, {}, std::move(value), std::move(limit)}});
     };
-    if (isBlank(text)) {
+    if (source.isBlank()) {
         refuse(IssueCode::empty, {}, {});
         return read;
     }
-    if (text.size() > limits::measuredBytes) {
-        refuse(IssueCode::tooLarge, countOf(text.size(), "bytes"),
+    if (source.bytes() > limits::measuredBytes) {
+        refuse(IssueCode::tooLarge, countOf(source.bytes(), "bytes"),
                countOf(limits::measuredBytes, "bytes"));
         return read;
     }
+    const std::string_view text = source.utf8();
     read = table.isKeyValue ? readKeyValueLines(text, table, context, stop)
                             : readRows(text, table, context, stop);
     if (stop.stop_requested()) {
         return {};
     }
-    const std::string digest = read.data.traces.empty() ? std::string() : sha256(text);
+    const std::string digest = read.data.traces.empty() ? std::string() : source.sha256();
     for (MeasuredTrace& trace : read.data.traces) {
         trace.source_sha256 = digest;
     }

@@ -3,20 +3,20 @@
 
 #include "core/measured/cell_fault.h"
 #include "core/measured/column_match.h"
-#include "core/measured/table_text.h"
 #include "core/project/measured.h"
+#include "core/tables/table_reader.h"
+#include "core/tables/table_text.h"
 
 #include <cstddef>
 #include <stop_token>
 #include <string>
-#include <string_view>
 #include <vector>
 
 /// Measured parts and traces as a table: a file, or what was pasted from a spreadsheet.
 namespace sparkout {
 
 namespace limits {
-inline constexpr std::size_t measuredBytes = 256U << 20;
+inline constexpr std::size_t measuredBytes = 256U << 20; ///< of the file
 } // namespace limits
 
 /// How a table is to be read: proposed from its text, for the user to change.
@@ -28,7 +28,7 @@ struct MeasuredTable {
     friend bool operator==(const MeasuredTable&, const MeasuredTable&) = default;
 };
 
-[[nodiscard]] MeasuredTable proposeTable(std::string_view text);
+[[nodiscard]] MeasuredTable proposeTable(const TableText& text);
 
 /// What the table cannot say itself.
 struct MeasuredContext {
@@ -45,7 +45,7 @@ struct ReadMeasured {
 
 /// Reads a table as it was matched. Empty cells are left out. Traces are thinned out to what a
 /// project keeps. A stop leaves nothing.
-[[nodiscard]] ReadMeasured readMeasured(std::string_view text, const MeasuredTable& table,
+[[nodiscard]] ReadMeasured readMeasured(const TableText& text, const MeasuredTable& table,
                                         const MeasuredContext& context,
                                         const std::stop_token& stop = {});
 

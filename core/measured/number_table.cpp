@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/measured/number_table.h"
 
-#include "core/measured/table_text.h"
+#include "core/tables/table_cell.h"
+#include "core/tables/table_reader.h"
 
 #include <algorithm>
 #include <optional>
@@ -18,21 +19,19 @@ void addFault(CellFaults& faults, std::size_t line, std::size_t column, IssueCod
 }
 
 template <std::size_t columns>
-NumberTable<columns> readNumbers(std::string_view text) {
+NumberTable<columns> readNumbers(const TableText& text) {
     NumberTable<columns> table;
-    const TableDialect dialect = dialectOf(text);
-    TableLines lines(text);
-    std::vector<std::string_view> cells;
+    const TableDialect dialect = dialectOf(text.utf8());
+    TableReader rows(text.utf8(), dialect.delimiter);
     bool isFirst = true;
-    while (!lines.atEnd()) {
-        const std::string_view line = lines.next();
-        if (line.find_first_not_of(" \t\r") == std::string_view::npos) {
+    while (rows.next()) {
+        if (rows.isBlank()) {
             continue;
         }
-        splitCells(line, dialect.delimiter, cells);
+        std::vector<std::string_view> cells = rows.cells();
         const bool mayBeHeadings = std::exchange(isFirst, false);
         if (cells.size() < columns) {
-            addFault(table.faults, lines.number(), 0, IssueCode::wrongCount, countOf(cells.size()),
+            addFault(table.faults, rows.line(), 0, IssueCode::wrongCount, countOf(cells.size()),
                      countOf(columns));
             continue;
         }
@@ -46,7 +45,7 @@ NumberTable<columns> readNumbers(std::string_view text) {
             continue;
         }
         typename NumberTable<columns>::Row row;
-        row.line = lines.number();
+        row.line = rows.line();
         bool isWhole = true;
         for (std::size_t c = 0; c < columns; ++c) {
             if (values[c]) {
@@ -64,7 +63,7 @@ NumberTable<columns> readNumbers(std::string_view text) {
     return table;
 }
 
-template NumberTable<2> readNumbers<2>(std::string_view text);
-template NumberTable<3> readNumbers<3>(std::string_view text);
+template NumberTable<2> readNumbers<2>(const TableText& text);
+template NumberTable<3> readNumbers<3>(const TableText& text);
 
 } // namespace sparkout

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/measured/cell_fault.h"
+#include "core/tables/table_text.h"
 
 #include <array>
 #include <cstddef>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace sparkout {
@@ -25,10 +25,10 @@ struct NumberTable {
 
 /// Further columns and empty lines are left out.
 template <std::size_t columns>
-[[nodiscard]] NumberTable<columns> readNumbers(std::string_view text);
+[[nodiscard]] NumberTable<columns> readNumbers(const TableText& text);
 
-extern template NumberTable<2> readNumbers<2>(std::string_view text);
-extern template NumberTable<3> readNumbers<3>(std::string_view text);
+extern template NumberTable<2> readNumbers<2>(const TableText& text);
+extern template NumberTable<3> readNumbers<3>(const TableText& text);
 
 /// Adds a fault unless there are as many as are listed.
 void addFault(CellFaults& faults, std::size_t line, std::size_t column, IssueCode code,

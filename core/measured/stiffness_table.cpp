@@ -7,7 +7,7 @@
 
 namespace sparkout {
 
-StiffnessTable readStiffnessTable(std::string_view text) {
+StiffnessTable readStiffnessTable(const TableText& text) {
     NumberTable<3> table = readNumbers<3>(text);
     const auto isIn = [&table](std::size_t column, ColumnUnit unit) {
         return !table.headings.empty() && matchHeading(table.headings[column]).unit == unit;
@@ -19,14 +19,16 @@ StiffnessTable readStiffnessTable(std::string_view text) {
     for (const auto& row : table.rows) {
         const StiffnessReading reading{row.values[0], row.values[1] * perLoad,
                                        row.values[2] * perDeflection};
-        if (reading.position_mm < 0) {
-            addFault(table.faults, row.line, 1, IssueCode::outOfRange,
-                     Amount{reading.position_mm, "mm"}, Bounds{.range = {.low = 0}, .unit = "mm"});
-        }
-        if (!(reading.load_n > 0)) {
-            addFault(table.faults, row.line, 2, IssueCode::outOfRange, Amount{reading.load_n, "N"},
-                     Bounds{.range = {.low = 0, .lowOpen = true}, .unit = "N"});
-        }
+        const auto check = [&](std::size_t column, double value, const Range& range,
+                               std::string_view unit) {
+            if (!range.contains(value)) {
+                addFault(table.faults, row.line, column, IssueCode::outOfRange, Amount{value, unit},
+                         Bounds{.range = range, .unit = unit});
+            }
+        };
+        check(1, reading.position_mm, limits::readingPlace_mm, "mm");
+        check(2, reading.load_n, limits::readingLoad_n, "N");
+        check(3, reading.deflection_um, limits::readingDeflection_um, "µm");
         found.readings.push_back(reading);
     }
     if (table.rows.empty() && table.faults.empty()) {

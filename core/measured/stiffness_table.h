@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/field.h"
 #include "core/measured/cell_fault.h"
+#include "core/tables/table_text.h"
 
-#include <string_view>
 #include <vector>
 
 namespace sparkout {
+
+namespace limits {
+inline constexpr Range readingPlace_mm{0, 1e5};
+inline constexpr Range readingLoad_n{1e-3, 1e6};
+inline constexpr Range readingDeflection_um{-1e5, 1e5};
+} // namespace limits
 
 /// One reading of a stiffness trial.
 struct StiffnessReading {
@@ -22,6 +29,6 @@ struct StiffnessTable {
 
 /// Reads a table of three columns, place [mm], load [N] and deflection [µm], in either dialect,
 /// with or without headings; a heading in mm or kN is heeded.
-[[nodiscard]] StiffnessTable readStiffnessTable(std::string_view text);
+[[nodiscard]] StiffnessTable readStiffnessTable(const TableText& text);
 
 } // namespace sparkout

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workbook/workbook.h"
 
-#include "core/printable.h"
+#include "core/tables/csv_line.h"
 #include "core/workbook/xlsx_parts.h"
 #include "core/workbook/zip_writer.h"
 

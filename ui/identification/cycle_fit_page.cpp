@@ -15,6 +15,7 @@
 #include <QDate>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
@@ -245,7 +246,27 @@ void CycleFitPage::findConsequences() {
     }
 }
 
+/// What the fit leaves is more than noise: its values are taken only by who has read that.
+bool CycleFitPage::isTakenInDoubt() {
+    QStringList doubts;
+    for (const FitResiduals& group : m_result->residuals) {
+        if (const QString doubt = FitWords::doubt(m_project, group); !doubt.isEmpty()) {
+            doubts << doubt;
+        }
+    }
+    QMessageBox box(QMessageBox::Warning, tr("The fit is in doubt"),
+                    doubts.join(QStringLiteral("\n\n")), QMessageBox::NoButton, this);
+    box.setTextFormat(Qt::PlainText);
+    const QPushButton* const apply = box.addButton(tr("&Apply anyway"), QMessageBox::AcceptRole);
+    box.setDefaultButton(box.addButton(tr("C&ancel"), QMessageBox::RejectRole));
+    box.exec();
+    return box.clickedButton() == apply;
+}
+
 void CycleFitPage::take() {
+    if (m_result->isInDoubt() && !isTakenInDoubt()) {
+        return;
+    }
     emit taken(calibrated());
 }
 

@@ -38,6 +38,7 @@ private:
     void leaveOut();
     void fitTimes();
     void take();
+    bool isTakenInDoubt();
     [[nodiscard]] Project calibrated() const; ///< with the values found
     void findConsequences();
     [[nodiscard]] IdentificationRequest request() const;

@@ -103,6 +103,11 @@ QString FitResult::words() const {
     } else {
         lines << tr("No values: %1.").arg(FitWords::status(m_result.status));
     }
+    for (const FitResiduals& group : m_result.residuals) {
+        if (const QString doubt = FitWords::doubt(m_project, group); !doubt.isEmpty()) {
+            lines << doubt;
+        }
+    }
     for (const OutOfStep& one : m_result.outOfStep) {
         lines << FitWords::outOfStep(m_project, m_result, one);
     }
@@ -181,10 +186,12 @@ void FitResult::showResiduals() {
     m_group->clear();
     for (const FitResiduals& group : m_result.residuals) {
         const QString name = FitWords::group(m_project, group);
-        rows.push_back({name, FitWords::number(group.rms), FitWords::unit(group.source)});
+        rows.push_back({name, FitWords::number(group.rms),
+                        group.noise ? FitWords::number(*group.noise) : QStringLiteral("—"),
+                        FitWords::unit(group.source)});
         m_group->addItem(name);
     }
-    m_residuals->setCells({tr("Measurement"), tr("RMS"), tr("Unit")}, rows);
+    m_residuals->setCells({tr("Measurement"), tr("RMS"), tr("Noise"), tr("Unit")}, rows);
     m_residualsName->show();
     m_residuals->show();
     m_group->setVisible(m_group->count() > 1);

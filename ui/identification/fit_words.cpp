@@ -96,6 +96,15 @@ QString FitWords::outOfStep(const Project& project, const Identification& result
              number(one.value), number(moved.value));
 }
 
+QString FitWords::doubt(const Project& project, const FitResiduals& residuals) {
+    if (!residuals.isInDoubt()) {
+        return {};
+    }
+    return tr("In doubt: %1: the RMS is %2 times the noise of the trace; up to %3 is usual: %4.")
+        .arg(group(project, residuals), Names::significant(residuals.rms / *residuals.noise, 2),
+             Names::fixed(mostRmsOfNoise, 1), QCoreApplication::translate("Measured", doubtText()));
+}
+
 QString FitWords::unidentified(const Project& project, const std::vector<FittedParameter>& list,
                                const Unidentified& one) {
     QStringList names;

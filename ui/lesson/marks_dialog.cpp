@@ -84,6 +84,7 @@ MarksDialog::MarksDialog(Settings& settings, QWidget* parent)
 }
 
 MarksDialog::~MarksDialog() {
+    m_marking.request_stop();
     m_job.stop();
 }
 
@@ -121,8 +122,8 @@ void MarksDialog::build() {
     m_mark = button(tr("&Mark"), "marksMark", [this] { mark(); });
     m_mark->setDefault(true);
     m_stop = button(tr("&Stop"), "marksStop", [this] {
-        m_job.stop();
-        setBusy(false);
+        m_marking.request_stop(); // what is marked by then is shown
+        m_stop->setEnabled(false);
     });
     m_export = button(tr("&Export CSV…"), "marksExport", [this] { exportCsv(); });
     m_book = button(tr("Export &XLSX…"), "marksBook", [this] {
@@ -160,6 +161,7 @@ void MarksDialog::setBusy(bool busy) {
     m_isBusy = busy;
     m_progress->setVisible(busy);
     m_stop->setVisible(busy);
+    m_stop->setEnabled(busy);
     m_mark->setVisible(!busy);
     m_mark->setEnabled(m_lesson && (!m_works.isEmpty() || !m_wish.group.empty()));
     m_export->setEnabled(!busy && !m_model->works().empty());
@@ -262,27 +264,34 @@ void MarksDialog::mark() {
     m_progress->setRange(0, static_cast<int>(m_works.size()));
     m_progress->setValue(0);
     setBusy(true);
-    m_job.start([this, lesson = *m_lesson, paths = m_works,
-                 wish = m_wish](const std::stop_token& stop, const NewestJob::Post& post) {
-        std::vector<HandedIn> files;
-        for (const QString& path : paths) {
-            QStringList faults; // it is marked as one that cannot be read
-            files.push_back({QFileInfo(path).fileName().toStdString(),
-                             fileContent(path, faults).value_or(std::string())});
-            if (stop.stop_requested()) {
-                return;
-            }
-        }
-        auto works = gradeClass(lesson, files, wish, stop, [&](std::size_t done) {
-            post([this, done] { m_progress->setValue(static_cast<int>(done)); });
+    m_marking = std::stop_source();
+    m_job.start(
+        [this, lesson = *m_lesson, paths = m_works, wish = m_wish,
+         stop = m_marking.get_token()](const std::stop_token&, const NewestJob::Post& post) {
+            const ClassWorks works(static_cast<std::size_t>(paths.size()), [&paths](std::size_t i) {
+                const QString& path = paths[static_cast<qsizetype>(i)];
+                QStringList faults; // it is marked as one that cannot be read
+                return HandedIn{QFileInfo(path).fileName().toStdString(),
+                                fileContent(path, faults).value_or(std::string())};
+            });
+            auto marked = gradeClass(lesson, works, wish, stop, [&](std::size_t done) {
+                post([this, done] { m_progress->setValue(static_cast<int>(done)); });
+            });
+            post([this, marked = std::move(marked)] { take(marked); });
         });
-        post([this, marked = std::move(works)] { take(marked); });
-    });
 }
 
 void MarksDialog::take(std::vector<GradedWork> works) {
+    const bool isStopped = m_marking.stop_requested();
+    const auto marks = static_cast<qsizetype>(works.size());
     m_model->setMarks(*m_lesson, std::move(works));
     setBusy(false);
+    showInputs();
+    if (isStopped) {
+        m_inputs->setText(
+            m_inputs->text() + u'\n'
+            + tr("Stopped: %1 of %2 works are marked.").arg(marks).arg(m_works.size()));
+    }
     m_table->resizeColumnsToContents();
     if (!m_model->works().empty()) {
         m_table->selectRow(0);

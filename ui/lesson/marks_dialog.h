@@ -9,6 +9,7 @@
 #include <QStringList>
 
 #include <optional>
+#include <stop_token>
 
 class QLabel;
 class QProgressBar;
@@ -70,7 +71,8 @@ private:
     QProgressBar* m_progress;
     QTableView* m_table;
     QTextBrowser* m_detail;
-    NewestJob m_job; ///< last: stopped before what it uses is gone
+    std::stop_source m_marking; ///< stopped by the user
+    NewestJob m_job;            ///< last: stopped before what it uses is gone
 };
 
 } // namespace sparkout

@@ -44,19 +44,7 @@ constexpr qsizetype faultsListed = 50;
 
 /// The columns, or keys, of a text in a dialect that was chosen.
 std::vector<ColumnMatch> columnsOf(std::string_view text, const MeasuredTable& reading) {
-    if (reading.isKeyValue) {
-        return matchKeys(text);
-    }
-    std::vector<std::string_view> cells;
-    TableLines lines(text);
-    splitCells(lines.next(), reading.dialect.delimiter, cells);
-    std::vector<ColumnMatch> matches;
-    matches.reserve(cells.size());
-    for (const std::string_view cell : cells) {
-        matches.push_back(matchHeading(cell));
-    }
-    settleMatches(matches);
-    return matches;
+    return reading.isKeyValue ? matchKeys(text) : matchHeadings(text, reading.dialect.delimiter);
 }
 
 void setUpTable(QTableView& view, QAbstractItemModel& model, const char* name) {
@@ -247,7 +235,7 @@ void ImportDialog::propose() {
 
 void ImportDialog::showTable() {
     m_columns->show(m_table.columns);
-    m_preview->show(m_source->text, m_table);
+    m_preview->show(m_source->text.utf8(), m_table);
     m_previewView->resizeColumnsToContents();
     m_delimiter->setEnabled(!m_table.isKeyValue);
     openBoxes();
@@ -272,7 +260,7 @@ void ImportDialog::takeDialect() {
     }
     m_table.dialect.delimiter = m_delimiter->currentData().toChar().toLatin1();
     m_table.dialect.decimal = m_decimal->currentData().toChar().toLatin1();
-    m_table.columns = columnsOf(m_source->text, m_table);
+    m_table.columns = columnsOf(m_source->text.utf8(), m_table);
     showTable();
 }
 

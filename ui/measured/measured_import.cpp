@@ -51,7 +51,7 @@ void MeasuredImport::importFile() {
             if (const auto* fault = std::get_if<FileError>(&bytes)) {
                 error = *fault;
             } else {
-                source = measuredSource(name, std::move(std::get<std::string>(bytes)));
+                source = {name, std::move(std::get<std::string>(bytes))};
             }
         });
     if (error) {
@@ -73,7 +73,7 @@ void MeasuredImport::paste() {
                "first."));
         return;
     }
-    take({{}, text.toStdString(), {}});
+    take({{}, text.toStdString()});
 }
 
 void MeasuredImport::take(MeasuredSource source) {

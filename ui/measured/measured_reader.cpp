@@ -16,11 +16,6 @@ void MeasuredReader::start(const MeasuredSourcePtr& source, const MeasuredTable&
             if (stop.stop_requested()) {
                 return;
             }
-            if (!source->digest.empty()) {
-                for (MeasuredTrace& trace : read.data.traces) {
-                    trace.source_sha256 = source->digest;
-                }
-            }
             post([this, answer = std::make_shared<const ReadMeasured>(std::move(read))] {
                 m_running = false;
                 emit finished(answer);

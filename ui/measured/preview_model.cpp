@@ -14,13 +14,11 @@ namespace sparkout {
 
 namespace {
 
-constexpr std::size_t previewLines = 50;
+constexpr std::size_t previewRows = 50;
 constexpr qsizetype columnsAtMost = 200;
 constexpr std::size_t bytesOfCell = 60;
 
-QStringList cellsOf(std::string_view line, char delimiter) {
-    std::vector<std::string_view> cells;
-    splitCells(line, delimiter, cells);
+QStringList textsOf(const std::vector<std::string_view>& cells) {
     QStringList texts;
     for (const std::string_view cell : cells) {
         if (texts.size() == columnsAtMost) {
@@ -35,18 +33,19 @@ QStringList cellsOf(std::string_view line, char delimiter) {
 
 void PreviewModel::show(std::string_view text, const MeasuredTable& table) {
     beginResetModel();
+    m_rows.clear();
     m_lines.clear();
     m_heads.clear();
     m_faults.clear();
-    TableLines lines(text);
-    if (!table.isKeyValue && !lines.atEnd()) {
-        m_heads = cellsOf(lines.next(), table.dialect.delimiter);
+    TableReader rows(text, table.dialect.delimiter);
+    if (!table.isKeyValue && rows.next()) {
+        m_heads = textsOf(rows.cells());
     }
-    m_first = lines.number() + 1;
     qsizetype columns = m_heads.size();
-    while (!lines.atEnd() && m_lines.size() < previewLines) {
-        m_lines.push_back(cellsOf(lines.next(), table.dialect.delimiter));
-        columns = std::max(columns, m_lines.back().size());
+    while (m_rows.size() < previewRows && rows.next()) {
+        m_rows.push_back(textsOf(rows.cells()));
+        m_lines.push_back(rows.line());
+        columns = std::max(columns, m_rows.back().size());
     }
     m_columns = static_cast<int>(columns);
     endResetModel();
@@ -55,7 +54,7 @@ void PreviewModel::show(std::string_view text, const MeasuredTable& table) {
 void PreviewModel::setFaults(const CellFaults& faults) {
     m_faults.clear();
     for (const CellFault& fault : faults) {
-        if (fault.line >= m_first && fault.line < m_first + m_lines.size()) {
+        if (std::ranges::binary_search(m_lines, fault.line)) {
             m_faults.push_back(fault);
         }
     }
@@ -63,7 +62,7 @@ void PreviewModel::setFaults(const CellFaults& faults) {
 }
 
 QString PreviewModel::faultAt(int row, int column) const {
-    const std::size_t line = m_first + static_cast<std::size_t>(row);
+    const std::size_t line = m_lines[static_cast<std::size_t>(row)];
     const auto found = std::ranges::find_if(m_faults, [&](const CellFault& fault) {
         return fault.line == line
                && (fault.column == 0 || fault.column == static_cast<std::size_t>(column) + 1);
@@ -72,7 +71,7 @@ QString PreviewModel::faultAt(int row, int column) const {
 }
 
 QVariant PreviewModel::cell(int row, int column, int role) const {
-    const QString text = m_lines[static_cast<std::size_t>(row)].value(column);
+    const QString text = m_rows[static_cast<std::size_t>(row)].value(column);
     if (role == Qt::DisplayRole) {
         return text;
     }
@@ -100,7 +99,9 @@ QVariant PreviewModel::head(int column, int role) const {
 }
 
 QVariant PreviewModel::side(int row, int role) const {
-    return role == Qt::DisplayRole ? QVariant(static_cast<int>(m_first) + row) : QVariant();
+    return role == Qt::DisplayRole
+               ? QVariant(static_cast<int>(m_lines[static_cast<std::size_t>(row)]))
+               : QVariant();
 }
 
 } // namespace sparkout

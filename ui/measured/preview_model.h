@@ -11,7 +11,7 @@
 
 namespace sparkout {
 
-/// The first lines of a table of measurements, as they are taken apart, with the faults of cells.
+/// The first rows of a table of measurements, as they are taken apart, with the faults of cells.
 class PreviewModel : public TableModel {
     Q_OBJECT
 public:
@@ -21,7 +21,7 @@ public:
     void setFaults(const CellFaults& faults);
 
 private:
-    [[nodiscard]] int rowsShown() const override { return static_cast<int>(m_lines.size()); }
+    [[nodiscard]] int rowsShown() const override { return static_cast<int>(m_rows.size()); }
     [[nodiscard]] int columnsShown() const override { return m_columns; }
     [[nodiscard]] QVariant cell(int row, int column, int role) const override;
     [[nodiscard]] QVariant head(int column, int role) const override;
@@ -29,8 +29,8 @@ private:
     [[nodiscard]] QString faultAt(int row, int column) const;
 
     QStringList m_heads;
-    std::vector<QStringList> m_lines;
-    std::size_t m_first = 1; ///< number of the first line
+    std::vector<QStringList> m_rows;
+    std::vector<std::size_t> m_lines; ///< in which the rows begin
     int m_columns = 0;
     CellFaults m_faults; ///< of these lines
 };

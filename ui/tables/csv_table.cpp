@@ -1,38 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tables/csv_table.h"
 
-#include "core/printable.h"
+#include "core/tables/csv_line.h"
 #include "ui/text/texts.h"
-
-#include <cmath>
 
 namespace sparkout {
 
 namespace {
 
-/// The shortest digits that read back as the same number.
-QString numberText(double value, QChar decimal) {
-    QString text = QString::number(value, 'g', QLocale::FloatingPointShortest);
-    return text.replace(u'.', decimal);
-}
-
-QString quoted(const QString& text, QChar separator) {
-    const bool plain = !text.contains(separator) && !text.contains(u'"') && !text.contains(u'\n')
-                       && !text.contains(u'\r');
-    if (plain) {
-        return text;
-    }
-    QString inside = text;
-    inside.replace(QStringLiteral("\""), QStringLiteral("\"\""));
-    return u'"' + inside + u'"';
-}
-
-QString cellText(const CsvCell& cell, QChar decimal) {
+/// As it is pasted: a spreadsheet takes tabs and line ends for those of the table.
+QString pastedCell(const CsvCell& cell, const TableDialect& dialect) {
     if (const auto* number = std::get_if<double>(&cell)) {
-        return std::isfinite(*number) ? numberText(*number, decimal) : QString();
+        return QString::fromStdString(CsvLine(dialect).number(*number).end({}));
     }
-    const auto* text = std::get_if<QString>(&cell);
-    return text ? harmlessCell(harmlessText(*text)) : QString();
+    const auto* const text = std::get_if<QString>(&cell);
+    if (!text) {
+        return {};
+    }
+    const QString plain = harmlessText(*text);
+    const bool isFormula = readsAsFormula(plain.left(1).toStdString());
+    return ((isFormula ? QStringLiteral("'") : QString()) + plain).simplified();
 }
 
 /// Spreadsheets and programs look the names up: they have plain spaces.
@@ -44,8 +31,8 @@ std::vector<CsvCell> headerCells(const CsvTable& table) {
 
 } // namespace
 
-QString harmlessCell(const QString& text) {
-    return readsAsFormula(text.left(1).toStdString()) ? u'\'' + text : text;
+TableDialect tableDialect(CsvDialect dialect) {
+    return dialect == CsvDialect::russianExcel ? TableDialect{';', ','} : TableDialect{',', '.'};
 }
 
 QByteArray csvBegin() {
@@ -53,15 +40,16 @@ QByteArray csvBegin() {
 }
 
 QByteArray csvLine(const std::vector<CsvCell>& cells, CsvDialect dialect) {
-    const bool russian = dialect == CsvDialect::russianExcel;
-    const QChar separator = russian ? u';' : u',';
-    const QChar decimal = russian ? u',' : u'.';
-    QString line;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        line += (i > 0 ? QString(separator) : QString())
-                + quoted(cellText(cells[i], decimal), separator);
+    CsvLine line(tableDialect(dialect));
+    for (const CsvCell& cell : cells) {
+        if (const auto* number = std::get_if<double>(&cell)) {
+            line.number(*number);
+        } else {
+            const auto* const text = std::get_if<QString>(&cell);
+            line.text(text ? text->toStdString() : std::string());
+        }
     }
-    return (line + QStringLiteral("\r\n")).toUtf8();
+    return QByteArray::fromStdString(line.end("\r\n"));
 }
 
 QByteArray csvBytes(const CsvTable& table, CsvDialect dialect) {
@@ -73,12 +61,11 @@ QByteArray csvBytes(const CsvTable& table, CsvDialect dialect) {
 }
 
 QString tabSeparated(const CsvTable& table, const QLocale& locale) {
-    const QChar decimal = locale.decimalPoint().front();
-    const auto line = [decimal](const std::vector<CsvCell>& cells) {
+    const TableDialect dialect{'\t', locale.decimalPoint() == u"," ? ',' : '.'};
+    const auto line = [&dialect](const std::vector<CsvCell>& cells) {
         QStringList texts;
         for (const CsvCell& cell : cells) {
-            // Tabs and line ends would tear the row apart.
-            texts << cellText(cell, decimal).simplified();
+            texts << pastedCell(cell, dialect);
         }
         return texts.join(u'\t') + u'\n';
     };

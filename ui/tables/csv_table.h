@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/tables/table_reader.h"
+
 #include <QByteArray>
 #include <QLocale>
 #include <QString>
@@ -30,9 +32,8 @@ enum class CsvDialect {
     english,      ///< commas, decimal points (RFC 4180)
 };
 
-/// UTF-8 with a byte-order mark, by which Excel knows it; lines ended by CR LF. Numbers are written
-/// so that they read back as the same double; a text that a spreadsheet would take for a formula
-/// gets an apostrophe in front.
+/// UTF-8 with a byte-order mark, by which Excel knows it; lines ended by CR LF; cells as CsvLine
+/// writes them.
 [[nodiscard]] QByteArray csvBytes(const CsvTable& table, CsvDialect dialect);
 
 /// The byte-order mark, and a line of cells.
@@ -43,7 +44,6 @@ enum class CsvDialect {
 /// their digits and no group separators.
 [[nodiscard]] QString tabSeparated(const CsvTable& table, const QLocale& locale);
 
-/// The text, with an apostrophe in front if it begins with = + - @, a tab or a carriage return.
-[[nodiscard]] QString harmlessCell(const QString& text);
+[[nodiscard]] TableDialect tableDialect(CsvDialect dialect);
 
 } // namespace sparkout

@@ -2,6 +2,7 @@
 #include "ui/tables/profile_csv.h"
 
 #include "core/project/part.h"
+#include "core/tables/table_reader.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
@@ -9,6 +10,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <utility>
 
 namespace sparkout {
 
@@ -16,46 +18,31 @@ namespace {
 
 constexpr qsizetype longestQuote = 60; // of a refused text in a message
 
-struct Line {
-    int number = 0; ///< in the file, from 1
-    QString text;
+struct TextRow {
+    int line = 0; ///< of the file, from 1
+    QStringList cells;
+    QChar delimiter;
+    [[nodiscard]] QString text() const { return cells.join(delimiter); }
 };
 
 const Field& rowOf(const char* key) {
     return *tableOf<Part>().find(key);
 }
 
-std::vector<Line> linesOf(const QByteArray& bytes) {
-    QString text = QString::fromUtf8(bytes);
-    if (text.startsWith(QChar::ByteOrderMark)) {
-        text.remove(0, 1);
-    }
-    text.replace(QStringLiteral("\r\n"), QStringLiteral("\n")).replace(u'\r', u'\n');
-    std::vector<Line> lines;
-    int number = 0;
-    for (const QString& line : text.split(u'\n')) {
-        ++number;
-        if (!line.trimmed().isEmpty()) {
-            lines.push_back({number, line});
+std::vector<TextRow> rowsOf(const TableText& table, char delimiter) {
+    std::vector<TextRow> rows;
+    TableReader reader(table.utf8(), delimiter);
+    while (reader.next()) {
+        if (reader.isBlank()) {
+            continue;
         }
-    }
-    return lines;
-}
-
-/// The cells of a line; a separator between quotation marks belongs to its cell.
-QStringList cellsOf(const QString& line, QChar separator) {
-    QStringList cells{QString()};
-    bool quoted = false;
-    for (const QChar c : line) {
-        if (c == u'"') {
-            quoted = !quoted;
-        } else if (c == separator && !quoted) {
-            cells += QString();
-        } else {
-            cells.back() += c;
+        TextRow row{static_cast<int>(reader.line()), {}, QLatin1Char(delimiter)};
+        for (const std::string_view cell : reader.cells()) {
+            row.cells << QString::fromUtf8(cell);
         }
+        rows.push_back(std::move(row));
     }
-    return cells;
+    return rows;
 }
 
 bool isHeader(const QString& cell) {
@@ -66,10 +53,10 @@ bool isHeader(const QString& cell) {
 
 /// Whether the numbers before the commas rise by equal steps, as a column of angles does and a
 /// closed profile cannot.
-bool countsBeforeTheComma(const std::vector<Line>& lines) {
+bool countsBeforeTheComma(const std::vector<TextRow>& rows) {
     std::vector<double> counts;
-    for (const Line& line : lines) {
-        if (const auto value = parseNumber(line.text.section(u',', 0, 0))) {
+    for (const TextRow& row : rows) {
+        if (const auto value = parseNumber(row.text().section(u',', 0, 0))) {
             counts.push_back(*value);
         }
     }
@@ -86,26 +73,29 @@ bool countsBeforeTheComma(const std::vector<Line>& lines) {
 }
 
 /// Whether commas stand between columns: most lines that hold one are no number as a whole.
-bool commaSeparates(const std::vector<Line>& lines) {
+bool commaSeparates(const std::vector<TextRow>& rows) {
     int with = 0;
     int numbers = 0;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (lines[i].text.contains(u',') && !(i == 0 && isHeader(lines[i].text))) {
+    for (const TextRow& row : rows) {
+        const QString text = row.text();
+        if (text.contains(u',') && !(&row == &rows.front() && isHeader(text))) {
             ++with;
-            numbers += parseNumber(lines[i].text) ? 1 : 0;
+            numbers += parseNumber(text) ? 1 : 0;
         }
     }
-    return with > 0 && (2 * numbers < with || countsBeforeTheComma(lines));
+    return with > 0 && (2 * numbers < with || countsBeforeTheComma(rows));
 }
 
-QChar separatorOf(const std::vector<Line>& lines) {
-    for (const QChar separator : {u';', u'\t'}) {
-        if (std::any_of(lines.begin(), lines.end(),
-                        [&](const Line& line) { return line.text.contains(separator); })) {
-            return separator;
+/// The rows by the delimiter that they show. One that no text of numbers has leaves each whole.
+std::vector<TextRow> rowsOf(const TableText& table) {
+    for (const char delimiter : {';', '\t'}) {
+        std::vector<TextRow> rows = rowsOf(table, delimiter);
+        if (std::ranges::any_of(rows, [](const TextRow& row) { return row.cells.size() > 1; })) {
+            return rows;
         }
     }
-    return commaSeparates(lines) ? QChar(u',') : QChar(QChar::Null);
+    std::vector<TextRow> rows = rowsOf(table, ';');
+    return commaSeparates(rows) ? rowsOf(table, ',') : rows;
 }
 
 QString quoted(const QString& text) {
@@ -115,29 +105,27 @@ QString quoted(const QString& text) {
 
 } // namespace
 
-ProfileCsv readProfileCsv(const QByteArray& text) {
+ProfileCsv readProfileCsv(const TableText& text) {
     using What = ProfileCsvFault::What;
-    const std::vector<Line> lines = linesOf(text);
-    const QChar separator = separatorOf(lines);
+    const std::vector<TextRow> rows = rowsOf(text);
     const Range allowed = rowOf("radii_um").hard;
     std::vector<double> values;
     qsizetype columns = 0;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        const QStringList cells =
-            separator.isNull() ? QStringList{lines[i].text} : cellsOf(lines[i].text, separator);
-        if (i == 0 && isHeader(cells.back())) {
+    for (const TextRow& row : rows) {
+        const QStringList& cells = row.cells;
+        if (&row == &rows.front() && isHeader(cells.back())) {
             continue;
         }
         // A comma that separates here and belongs to a number there: better refused than guessed.
         columns = columns == 0 ? cells.size() : columns;
         const auto value = cells.size() == columns ? parseNumber(cells.back()) : std::nullopt;
         if (!value) {
-            const bool whole = cells.size() != columns || cells.back().trimmed().isEmpty();
-            return ProfileCsvFault{What::notANumber, lines[i].number,
-                                   quoted(whole ? lines[i].text : cells.back())};
+            const bool whole = cells.size() != columns || cells.back().isEmpty();
+            return ProfileCsvFault{What::notANumber, row.line,
+                                   quoted(whole ? row.text() : cells.back())};
         }
         if (!allowed.contains(*value)) {
-            return ProfileCsvFault{What::outOfRange, lines[i].number, quoted(cells.back())};
+            return ProfileCsvFault{What::outOfRange, row.line, quoted(cells.back())};
         }
         values.push_back(*value);
     }

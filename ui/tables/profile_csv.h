@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/field.h"
+#include "core/tables/table_text.h"
 
-#include <QByteArray>
 #include <QString>
 
 #include <variant>
@@ -23,11 +23,11 @@ struct ProfileCsvFault {
 
 using ProfileCsv = std::variant<std::vector<double>, ProfileCsvFault>;
 
-/// The values of a text in UTF-8: a number a line, or the last column of lines separated by
+/// The values of a table: a number a line, or the last column of lines separated by
 /// semicolons, tabs or commas. Decimal commas and points are told apart from separators; blank
 /// lines and a header line are skipped. The number of values must be one that
 /// part.radii_per_section allows: even, 4…360.
-[[nodiscard]] ProfileCsv readProfileCsv(const QByteArray& text);
+[[nodiscard]] ProfileCsv readProfileCsv(const TableText& text);
 
 /// The fault in the present language.
 [[nodiscard]] QString profileCsvFaultText(const ProfileCsvFault& fault);

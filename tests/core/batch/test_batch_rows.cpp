@@ -269,8 +269,8 @@ private slots:
 
     void aDialectSaysHowNumbersAreWritten() {
         PartTable::Dialect dialect;
-        dialect.separator = ';';
-        dialect.decimal = ',';
+        dialect.table.delimiter = ';';
+        dialect.table.decimal = ',';
         dialect.begin = "\xEF\xBB\xBF";
         dialect.lineEnd = "\r\n";
         const PartColumns columns = PartColumns::of(ScenarioSource(stiffBatchWithRunout()));

@@ -217,6 +217,13 @@ private slots:
         row("/statistics/values/0/powers/0/0", -1);
         row("/statistics/values/0/powers/0/13", 1e15);
         row("/statistics/values/0/least/0", 1000);
+        row("/statistics/values/0/most/0", 1e10);
+        row("/statistics/values/0/powers/0/9", 1);
+        row("/statistics/values/0/powers/1/12", 1);
+        row("/statistics/worst/0", 1e300);
+        row("/statistics/rows/0/1/0", 1e308);
+        row("/statistics/rows/0/1/0", -1e6);
+        row("/statistics/rows/0/1/0", 5e-324);
         row("/statistics/rows/0/0", 3);
         row("/statistics/rows/0/0", 8);
     }
@@ -226,8 +233,24 @@ private slots:
         json state = json::parse(writeBatchState(runShard(shaftBatch(12), 1, 2)));
         QVERIFY(readBatchState(*sealBatchState(state.dump())).result.has_value());
         state[json::json_pointer(path.toStdString())] =
-            path.endsWith("least/0") ? json(value) : json(static_cast<std::int64_t>(value));
-        QVERIFY(readBatchState(*sealBatchState(state.dump())).fault == StateFault::impossible);
+            std::abs(value) < 1e16 && value == std::round(value)
+                ? json(static_cast<std::int64_t>(value))
+                : json(value);
+        const ReadBatchState read = readBatchState(*sealBatchState(state.dump()));
+        QVERIFY(read.fault == StateFault::impossible);
+        QVERIFY(read.issue && !read.issue->path.empty());
+    }
+
+    void whatNoBatchGivesIsNamedWithItsRange() {
+        json state = json::parse(writeBatchState(runShard(shaftBatch(12), 1, 2)));
+        const double least = state["statistics"]["values"][0]["least"][0];
+        state["statistics"]["rows"][2][1][0] = 1e308;
+        const ReadBatchState read = readBatchState(*sealBatchState(state.dump()));
+        QVERIFY(read.issue);
+        QCOMPARE(read.issue->path, std::string("/statistics/rows/2/1/0"));
+        QVERIFY(read.issue->code == IssueCode::outOfRange);
+        QCOMPARE(std::get<Amount>(read.issue->value).number, 1e308);
+        QCOMPARE(std::get<Bounds>(read.issue->limit).range.low, least);
     }
 
     /// Numbers that are as possible as the right ones: only the checksum tells.

@@ -203,7 +203,8 @@ private slots:
         for (const WorkEntry& entry : entries) {
             addEntry(same, entry);
         }
-        const auto both = gradeClass(m_out.lesson, {files[0], handedIn(same)}, {});
+        const std::vector<HandedIn> alike{files[0], handedIn(same)};
+        const auto both = gradeClass(m_out.lesson, alike, {});
         QVERIFY(both[0].flags == Flags{WorkFlag::copied});
         QVERIFY(both[1].flags == Flags{WorkFlag::copied});
         QCOMPARE(both[1].copiedFrom, std::vector{m_out.group[0].name});
@@ -277,6 +278,100 @@ private slots:
         QCOMPARE(twice.faults[0].line, std::size_t{4});
         QVERIFY(readGroup("").faults[0].kind == GroupFault::Kind::empty);
         QVERIFY(readGroup("group,name\nA,\n").faults[0].kind == GroupFault::Kind::noName);
+    }
+
+    /// As deans' offices, Excel and Moodle write them.
+    void listsOfOtherProgramsAreRead() {
+        const auto read = [](const TableText& text) {
+            const GroupList list = readGroup(text);
+            return list.faults.empty() ? list.students : std::vector<Student>();
+        };
+        const std::vector<Student> two{{"Иванов \"Ваня\" И.", "МТ-41"}, {"Фёдоров П.", "МТ-41"}};
+        QCOMPARE(read("№ п/п;Ф.И.О.;№ книжки;Группа\r\n1;\"Иванов \"\"Ваня\"\" И.\";7;МТ-41\r\n"
+                      "2;Фёдоров  П.;8;МТ-41\r\n"),
+                 two);
+        QCOMPARE(read("ФИО;Группа\r\"Иванов \"\"Ваня\"\" И.\";МТ-41\rФёдоров\tП.;МТ-41\r"), two);
+        QCOMPARE(read("Имя,Фамилия,Группа\n\"\"\"Ваня\"\" И.\",Иванов,МТ-41\nП.,Фёдоров,МТ-41\n"),
+                 two);
+        QCOMPARE(read("Student name;Group\nA B;1\n"), (std::vector<Student>{{"A B", "1"}}));
+        QCOMPARE(read("ФИО\nСмит, Джон\n"), (std::vector<Student>{{"Смит, Джон", ""}}));
+        // Two students by one letter, and one student typed twice.
+        QCOMPARE(readGroup("ФИО\nФедоров\nФёдоров\n").students.size(), std::size_t{2});
+        QVERIFY(readGroup("ФИО\nАндрей Й.\nандреи\u0306  И\u0306.\n").faults[0].kind
+                == GroupFault::Kind::twice);
+        const GroupList comma = readGroup("Name,Group\nSmith, John,ME-1\nO'Neil,ME-1\n");
+        QCOMPARE(comma.faults.size(), std::size_t{1});
+        QVERIFY(comma.faults[0].kind == GroupFault::Kind::moreCells && comma.faults[0].line == 2);
+    }
+
+    /// Whatever his name is, the teacher's table knows him again, saved by Excel or not.
+    void honestStudentWithAnyNameHasCopiedNothing() {
+        const std::vector<std::string> names{
+            "Иванов \"Ваня\"", "Пётр\tПетров",    "=1+1",        "'-5",
+            "a\u202Eb",        "Смит, Джон; мл.", "две\nстроки", "\\u0009"};
+        samples::GivenOut out = m_out;
+        GradeWish wish;
+        std::vector<HandedIn> files;
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const MadeVariant& variant = out.made.variants[i];
+            out.works[i] = newWork(out.lesson, variant.levels, variant.best->time_min,
+                                   static_cast<int>(i) + 1, names[i], "ТМ \"1\"");
+            wish.group.push_back({names[i], "ТМ \"1\""});
+            files.push_back({std::to_string(i), writeWork(out.works[i])});
+        }
+        out.works.resize(names.size());
+        wish.best = readBestTable(bestTableCsv(out.lesson, out.works, out.made.variants)).rows;
+        QCOMPARE(wish.best.size(), names.size());
+        for (const GradedWork& work : gradeClass(out.lesson, files, wish)) {
+            QVERIFY2(work.flags.empty(), flagsText(work).c_str());
+        }
+    }
+
+    void workOverItsBudgetIsNamedAndEnds() {
+        Work work = samples::solved(m_out, 6);
+        const StudiedRun run = studyRun(work.lesson.base.surfaces.front().project, false);
+        const RunSummary summary = summarise(run.result, run.accuracy, run.constraints);
+        WorkEntry entry;
+        entry.event = WorkEvent::run;
+        entry.step = 8;
+        entry.when = "2026-11-26T12:00:00Z";
+        entry.run = keptRun(run.result, summary, "run", entry.when);
+        for (int i = 0; i < 200; ++i) {
+            addEntry(work, entry);
+        }
+        GradeWish wish = m_wish;
+        const double whole_ms = processorTime_ms();
+        QVERIFY(gradeWork(m_out.lesson, handedIn(work), wish).flags.empty());
+        const double start_ms = processorTime_ms();
+        wish.budget = std::chrono::milliseconds(0);
+        const GradedWork graded = gradeWork(m_out.lesson, handedIn(work), wish);
+        QVERIFY2(graded.flags == Flags{WorkFlag::overBudget}, flagsText(graded).c_str());
+        QVERIFY(processorTime_ms() - start_ms < (start_ms - whole_ms) / 2);
+        QVERIFY(gradesCsv(m_out.lesson, {graded}).find("over_budget") != std::string::npos);
+    }
+
+    void worksAreReadOneAtATimeAndAStopLeavesThoseMarked() {
+        std::vector<HandedIn> files;
+        for (std::size_t i = 0; i < 5; ++i) {
+            files.push_back(handedIn(samples::solved(m_out, i)));
+        }
+        std::size_t marked = 0;
+        std::stop_source stop;
+        const ClassWorks works(files.size(), [&](std::size_t i) {
+            [&] { QCOMPARE(i, marked); }(); // the one before is done
+            return files[i];
+        });
+        const auto note = [&](std::size_t done) {
+            marked = done;
+            if (done == 2) {
+                stop.request_stop();
+            }
+        };
+        const auto graded = gradeClass(m_out.lesson, works, m_wish, stop.get_token(), note);
+        QCOMPARE(graded.size(), std::size_t{2}); // and nobody is said to be missing
+        for (const GradedWork& work : graded) {
+            QVERIFY2(work.flags.empty() && work.points == ofEngine, flagsText(work).c_str());
+        }
     }
 
     void filesHaveNamesThatAnySystemTakes() {

@@ -13,10 +13,16 @@
 #include "tests/check_line.h"
 #include "tests/core/identification/measured_cycles.h"
 #include "tests/core/support/project_samples.h"
+#include "tests/processor_time.h"
 #include "tests/registry.h"
 
 #include <QElapsedTimer>
 #include <QTest>
+
+#include <chrono>
+#include <random>
+#include <stop_token>
+#include <thread>
 
 namespace test_identification {
 
@@ -342,6 +348,108 @@ private slots:
         project.wheel->width_mm = 10;
         const Identification wrong = identify(project, {.parameters = {of(FittedKind::alpha)}});
         QVERIFY(wrong.status == IdentificationStatus::notRun && !wrong.issues.empty());
+    }
+
+    void noiseOfATraceIsFoundFromTheTrace_data() {
+        QTest::addColumn<double>("noise");
+        QTest::addColumn<double>("quantum");
+        QTest::addColumn<bool>("isUneven");
+        QTest::newRow("white noise") << 1e-3 << 0.0 << false;
+        QTest::newRow("uneven times") << 1e-3 << 0.0 << true;
+        QTest::newRow("coarser steps than noise") << 1e-5 << 1e-3 << false;
+        QTest::newRow("steps as large as the noise") << 1e-3 << 1e-3 << true;
+    }
+    void noiseOfATraceIsFoundFromTheTrace() {
+        QFETCH(double, noise);
+        QFETCH(double, quantum);
+        QFETCH(bool, isUneven);
+        std::mt19937 random(3);
+        std::normal_distribution<> scatter(0, noise);
+        std::uniform_real_distribution<> step(0.001, isUneven ? 0.2 : 0.001);
+        std::vector<double> times, values;
+        double time = 0;
+        for (int i = 0; i < 4000; ++i) {
+            time += isUneven ? step(random) : 0.1;
+            const double value = 0.4 - 1e-4 * time + scatter(random);
+            times.push_back(time);
+            values.push_back(quantum > 0 ? std::round(value / quantum) * quantum : value);
+        }
+        const auto found = noiseOfTrace(times, values);
+        const double rounded = quantum / std::sqrt(12);
+        QVERIFY(found);
+        QVERIFY2(*found > 0.95 * std::max(noise, rounded)
+                     && *found < 1.05 * std::hypot(noise, rounded),
+                 qPrintable(QString::number(*found)));
+        QVERIFY(!noiseOfTrace({0, 1, 2, 3}, {1, 2, 1, 2}));
+        QVERIFY(!noiseOfTrace({0, 0, 0, 0, 0}, {1, 2, 1, 2, 1}));
+    }
+
+    /// Of the cycle that was run the residuals are the noise; of another one they are more.
+    void fitOfAnotherCycleThanTheRecordedOneIsInDoubt_data() {
+        QTest::addColumn<double>("noise");
+        QTest::addColumn<double>("quantum");
+        QTest::newRow("no noise") << 0.0 << 0.0;
+        QTest::newRow("digits of a file") << 0.0 << 1e-4;
+        QTest::newRow("noise") << 3e-4 << 0.0;
+        QTest::newRow("noise and digits") << 3e-4 << 1e-4;
+    }
+    void fitOfAnotherCycleThanTheRecordedOneIsInDoubt() {
+        QFETCH(double, noise);
+        QFETCH(double, quantum);
+        Project project = plunge();
+        Project truth = project;
+        multiplyCompliance(truth, 1.5);
+        const MeasuredTrace size =
+            trace(TraceQuantity::gauge_size, record(truth),
+                  {.hertz = 20, .noise = noise, .quantum = quantum, .offset = 0.03});
+        const IdentificationRequest request{.parameters = {of(FittedKind::alpha),
+                                                           of(FittedKind::beta),
+                                                           of(FittedKind::size_offset)}};
+        project.measured.emplace().traces = {size};
+        const Identification right = identify(project, request);
+        QVERIFY2(right.status == IdentificationStatus::fitted, said(right));
+        QVERIFY2(!right.isInDoubt(), qPrintable(QStringLiteral("%1 of %2")
+                                                    .arg(right.residuals.front().rms)
+                                                    .arg(*right.residuals.front().noise)));
+        // The gauge drifts to and fro, slowly.
+        std::vector<double> values = size.values.values();
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            values[i] += 2e-3 * std::sin(size.time_s[i]);
+        }
+        project.measured->traces.front().values = Samples(std::move(values));
+        const Identification wrong = identify(project, request);
+        QVERIFY2(wrong.status == IdentificationStatus::fitted, said(wrong));
+        QVERIFY(wrong.isInDoubt() && wrong.residuals.front().isInDoubt());
+    }
+
+    /// Counted in processor time: the machine may be doing something else.
+    void stopEndsAFitWithinATenthOfASecond() {
+        Project project = plunge();
+        project.part->stock_mm = 3;
+        project.cycle->stages[0].radial_feed_mm_min = 0.4; // thousands of revolutions
+        project.cycle->stages[0].stock_mm = 2.92;
+        project.measured.emplace().parts = partsAbout(project.part->diameter_mm + 0.001);
+        for (const int delay_ms : {1, 20, 150, 400}) {
+            std::stop_source stop;
+            double asked_ms = 0;
+            std::jthread asks([&] {
+                std::this_thread::sleep_for(std::chrono::milliseconds(delay_ms));
+                asked_ms = processorTime_ms();
+                stop.request_stop();
+            });
+            const Identification result =
+                identify(project,
+                         {.parameters = {of(FittedKind::compliance), of(FittedKind::dullness)},
+                          .withParts = true},
+                         stop.get_token());
+            const double ended_ms = processorTime_ms();
+            asks.join();
+            if (result.status != IdentificationStatus::stopped) {
+                continue; // it was done before
+            }
+            QVERIFY2(ended_ms - asked_ms < 100, qPrintable(QString::number(ended_ms - asked_ms)));
+            QVERIFY(result.values.empty());
+        }
     }
 
     void outliersMoveARobustFitLess() {

@@ -97,8 +97,7 @@ Scatter scatterOf(const Trial& trial, const Project& ground, const TrialNoise& n
                 randomBits(static_cast<std::uint32_t>(repeat + 1), RandomStream::plain, i, 7)));
             group.values[i] = -differences[i] + noise.size_mm * z;
         }
-        const LeastSquares found =
-            minimise(problem, truth, std::vector<bool>(all.size(), false), {});
+        const LeastSquares found = minimise(problem, truth, std::vector<bool>(all.size(), false));
         for (std::size_t p = 0; found.converged && p < scatter.squares.size(); ++p) {
             const TrialExpectation& expected = trial.expected[p];
             scatter.squares[p] += found.q[p] * found.q[p];

@@ -69,8 +69,8 @@ private slots:
     void aFormSaysHowItIsWritten() {
         const Project project = fixtures::shaftBatch(parts);
         PartRowsFile::Form form;
-        form.dialect.separator = ';';
-        form.dialect.decimal = ',';
+        form.dialect.table.delimiter = ';';
+        form.dialect.table.decimal = ',';
         form.head = [](const PartColumns& columns) {
             return std::vector<std::string>(PartTable::keys(columns).size(), "column");
         };

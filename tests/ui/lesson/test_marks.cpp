@@ -11,7 +11,9 @@
 #include "ui/text/language.h"
 
 #include <QDropEvent>
+#include <QLabel>
 #include <QMimeData>
+#include <QProgressBar>
 #include <QSignalSpy>
 #include <QTextBrowser>
 #include <QUrl>
@@ -116,9 +118,37 @@ private slots:
         QVERIFY(dialog.busy());
         QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("marksStop")),
                           Qt::LeftButton);
-        QVERIFY(!dialog.busy());
-        QTest::qWait(300);
-        QVERIFY(dialog.model().works().empty());
+        QTRY_VERIFY(!dialog.busy());
+        QVERIFY(dialog.model().works().size() < all.files.size());
+    }
+
+    void stoppedMarkingShowsTheWorksMarkedByThen() {
+        Class all;
+        for (int i = 0; i < 60; ++i) {
+            const QString name = QStringLiteral("more %1.sparkout-work").arg(i);
+            QVERIFY(!writeFileSafely(all.folder.filePath(name).toStdString(),
+                                     writeWork(samples::solved(all.out, 0))));
+        }
+        Settings settings = Settings::transient();
+        Language language;
+        language.apply(QStringLiteral("en"));
+        MarksDialog dialog(settings, nullptr);
+        dialog.add({shippedLesson(), all.folder.path()});
+        dialog.show();
+        dialog.mark();
+        const auto* progress = dialog.findChild<QProgressBar*>();
+        QTRY_VERIFY_WITH_TIMEOUT(progress->value() >= 2, 60'000);
+        QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("marksStop")),
+                          Qt::LeftButton);
+        QTRY_VERIFY(!dialog.busy());
+        const std::size_t marked = dialog.model().works().size();
+        QVERIFY(marked >= 2 && marked < 64);
+        QVERIFY(dialog.findChild<QLabel*>(QStringLiteral("marksInputs"))
+                    ->text()
+                    .contains(QStringLiteral("Stopped: %1 of 64").arg(marked)));
+        for (const GradedWork& work : dialog.model().works()) {
+            QVERIFY(!work.flags.contains(WorkFlag::missing));
+        }
     }
 
     void aListNamesWhoIsMissing() {

@@ -49,7 +49,7 @@ private slots:
     }
     void theValuesOfATableAreRead() {
         QFETCH(QByteArray, text);
-        const auto read = readProfileCsv(text);
+        const auto read = readProfileCsv(text.toStdString());
         QVERIFY(std::holds_alternative<Values>(read));
         QCOMPARE(std::get<Values>(read), (Values{0, -1.5, -3, -2.25}));
     }
@@ -98,7 +98,7 @@ private slots:
         QFETCH(int, count);
         QFETCH(bool, taken);
         const QByteArray text = QByteArray("-1.5\n").repeated(count);
-        QCOMPARE(std::holds_alternative<Values>(readProfileCsv(text)), taken);
+        QCOMPARE(std::holds_alternative<Values>(readProfileCsv(text.toStdString())), taken);
         if (!taken) {
             const auto fault = faultOf(text.constData());
             QCOMPARE(fault.what, ProfileCsvFault::What::count);

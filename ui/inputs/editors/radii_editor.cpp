@@ -65,7 +65,7 @@ void RadiiEditor::readFrom(const QString& path) {
         emit remarkChanged();
         return;
     }
-    const auto parsed = readProfileCsv(QByteArray::fromStdString(std::get<std::string>(read)));
+    const auto parsed = readProfileCsv(std::get<std::string>(read));
     if (const auto* fault = std::get_if<ProfileCsvFault>(&parsed)) {
         refuse(name, profileCsvFaultText(*fault));
         return;

@@ -23,8 +23,7 @@ struct PartRows {
 
 PartTable::Dialect dialectOfParts(TableFormat format) {
     const bool russian = format == TableFormat::csvRussian;
-    return {russian ? ';' : ',',
-            russian ? ',' : '.',
+    return {tableDialect(russian ? CsvDialect::russianExcel : CsvDialect::english),
             csvBegin().toStdString(),
             "\r\n",
             {PartRows::tr("done").toStdString(), PartRows::tr("does not reach size").toStdString(),
@@ -48,7 +47,7 @@ std::vector<std::string> headOfParts(const PartColumns& columns) {
     }
     std::vector<std::string> head;
     for (const QString& name : names) {
-        head.push_back(harmlessCell(harmlessText(name)).toStdString());
+        head.push_back(name.toStdString());
     }
     return head;
 }

@@ -14,7 +14,6 @@
 #include "ui/dialogs/copy_table.h"
 #include "ui/measured/adequacy_model.h"
 #include "ui/measured/import_dialog.h"
-#include "ui/measured/measured_source.h"
 #include "ui/views/measured/measured_view.h"
 #include "ui/views/overview/overview_tile.h"
 #include "ui/views/overview/overview_view.h"
@@ -430,17 +429,6 @@ private slots:
         QCOMPARE(chart.boxKinds.size(), 2U);
         QCOMPARE(chart.boxes[2].kind, 1U); // behind the predicted NZ
         QVERIFY(std::abs(chart.boxes[2].median - (-8)) < 1e-6);
-    }
-
-    void filesOfRussianSpreadsheetsAreRead() {
-        const QByteArray cp1251("\xE4\xE8\xE0\xEC\xE5\xF2\xF0, \xEC\xEA\xEC\n1\n"); // диаметр, мкм
-        QCOMPARE(QString::fromStdString(measuredSource({}, cp1251.toStdString()).text),
-                 QStringLiteral("диаметр, мкм\n1\n"));
-        QVERIFY(!measuredSource({}, cp1251.toStdString()).digest.empty());
-        const QByteArray utf16("\xFF\xFE\x34\x04\x0A\x00", 6);
-        QCOMPARE(QString::fromStdString(measuredSource({}, utf16.toStdString()).text),
-                 QStringLiteral("д\n"));
-        QVERIFY(measuredSource({}, "d, mm\n1\n").digest.empty());
     }
 };
 

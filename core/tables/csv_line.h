@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tables/table_reader.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+/// Writing tables that TableReader reads again, cell by cell the same.
+namespace sparkout {
+
+/// Whether a spreadsheet would take a cell of this text for a formula: it begins with = + - @, a
+/// tab or a carriage return.
+[[nodiscard]] bool readsAsFormula(std::string_view text);
+
+/// A text as a cell: in quotation marks if need be, with an apostrophe in front of what a
+/// spreadsheet would take for a formula, and what steers a terminal or the reading direction,
+/// apart from tabs and line ends, as \uXXXX. Numbers are no texts.
+[[nodiscard]] std::string csvCell(std::string_view text, char delimiter = ',');
+
+/// The text that csvCell() made such a cell of; its quotation marks are taken off already.
+[[nodiscard]] std::string textOfCell(std::string_view cell);
+/// Whether it may be another than the cell.
+[[nodiscard]] bool isChangedInCell(std::string_view cell);
+
+/// A line of a table while it is written.
+class CsvLine {
+public:
+    explicit CsvLine(TableDialect dialect = {}) : m_dialect(dialect) {}
+
+    CsvLine& text(std::string_view text);
+    /// So that it reads back as the same double; an empty cell where it is not finite.
+    CsvLine& number(double value);
+    CsvLine& whole(std::int64_t value);
+    CsvLine& empty() { return put({}); }
+    /// The line with its end; leaves nothing behind.
+    [[nodiscard]] std::string end(std::string_view lineEnd = "\n");
+
+private:
+    CsvLine& put(std::string_view cell);
+
+    TableDialect m_dialect;
+    std::string m_line;
+    bool m_hasCells = false;
+};
+
+} // namespace sparkout

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/issue.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace sparkout {
+
+/// A cell as a number, spaces around it apart; nothing where it is none in this dialect. Finite.
+[[nodiscard]] std::optional<double> cellNumber(std::string_view cell, char decimal);
+
+/// A cell as it may stand in a message: one line, short.
+[[nodiscard]] Quoted quotedCell(std::string_view cell);
+
+/// A text of Latin, Greek and Cyrillic letters in lower case, ё as е.
+[[nodiscard]] std::string lowerCase(std::string_view text);
+
+} // namespace sparkout

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace sparkout {
+
+namespace limits {
+inline constexpr std::size_t cellBytes = 128U << 10U; ///< of a cell in quotation marks
+} // namespace limits
+
+/// How a table is written.
+struct TableDialect {
+    char delimiter = ','; ///< , ; tab, or | of lines time|key|value
+    char decimal = '.';   ///< . or ,
+    friend bool operator==(const TableDialect&, const TableDialect&) = default;
+};
+
+/// The dialect of a text, from its first rows. A text of one column has a delimiter that it does
+/// not contain.
+[[nodiscard]] TableDialect dialectOf(std::string_view text);
+
+/// The rows of a text one by one, each as its cells [RFC 4180]. Rows end with LF, CR LF or CR. A
+/// cell may stand in quotation marks, which are no part of it; there a doubled one is one, and
+/// delimiters and line ends belong to the cell. A quotation mark that does not open a cell, or is
+/// not closed before a delimiter or a line end, is a character as any other. What csvCell() has
+/// put into a cell is taken out again.
+class TableReader {
+public:
+    enum class Spaces { trimmed, kept }; ///< around cells without quotation marks
+
+    /// The text must outlive it.
+    explicit TableReader(std::string_view text, char delimiter, Spaces spaces = Spaces::trimmed);
+
+    /// Reads a row; false: there are no more.
+    [[nodiscard]] bool next();
+    /// Of the last row; valid until the next one is read.
+    [[nodiscard]] const std::vector<std::string_view>& cells() const { return m_cells; }
+    [[nodiscard]] std::size_t line() const { return m_line; } ///< it begins in, from 1
+    [[nodiscard]] bool isBlank() const { return m_cells.size() == 1 && m_cells.front().empty(); }
+    [[nodiscard]] bool isEmpty() const; ///< none of its cells has anything
+    /// Whether one of its cells begins with a quotation mark that does not close it.
+    [[nodiscard]] bool hasStrayMark() const { return m_hasStrayMark; }
+
+private:
+    struct Place {
+        std::size_t from = 0, size = 0;
+        bool isUnescaped = false;
+    };
+    void readCell();
+    void readQuoted(std::size_t open, std::size_t close);
+    [[nodiscard]] std::size_t closingMark(std::size_t open) const;
+    [[nodiscard]] std::size_t behindSpaces(std::size_t at) const;
+    [[nodiscard]] bool endsCell(std::size_t at) const;
+    void skipLineEnd();
+    void unescapeCells();
+
+    std::string_view m_text;
+    char m_delimiter;
+    Spaces m_spaces;
+    std::size_t m_at = 0;
+    std::size_t m_line = 0, m_nextLine = 1;
+    bool m_hasStrayMark = false;
+    std::vector<Place> m_places;
+    std::string m_unescaped; ///< the cells of the row that are not in the text as they read
+    std::vector<std::string_view> m_cells;
+};
+
+} // namespace sparkout
