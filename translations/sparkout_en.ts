@@ -316,6 +316,13 @@
                 <numerusform>Not pasted: %n further cells</numerusform>
             </translation>
         </message>
+        <message numerus="yes">
+            <source>%n further remark(s) among the messages</source>
+            <translation>
+                <numerusform>%n further remark among the messages</numerusform>
+                <numerusform>%n further remarks among the messages</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>sparkout::NumberLines</name>

@@ -10366,6 +10366,14 @@ With another name both versions stay as they are.</source>
             <translation>байт</translation>
         </message>
         <message>
+            <source>tags</source>
+            <translation>тегов</translation>
+        </message>
+        <message>
+            <source>nested tags</source>
+            <translation>вложенных тегов</translation>
+        </message>
+        <message>
             <source>N</source>
             <translation>Н</translation>
         </message>
@@ -13413,6 +13421,14 @@ With another name both versions stay as they are.</source>
                 <numerusform>Не вставлено: ещё %n ячейка</numerusform>
                 <numerusform>Не вставлено: ещё %n ячейки</numerusform>
                 <numerusform>Не вставлено: ещё %n ячеек</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n further remark(s) among the messages</source>
+            <translation>
+                <numerusform>ещё %n замечание в сообщениях</numerusform>
+                <numerusform>ещё %n замечания в сообщениях</numerusform>
+                <numerusform>ещё %n замечаний в сообщениях</numerusform>
             </translation>
         </message>
         <message>
@@ -17019,6 +17035,10 @@ mm/min</source>
         <message>
             <source>The cycle is too long to be recorded step by step.</source>
             <translation>Цикл слишком длинный для записи по этапам.</translation>
+        </message>
+        <message>
+            <source>%1 of %2 stages: those that take the longest.</source>
+            <translation>Ступени: %1 из %2 — самые продолжительные.</translation>
         </message>
         <message>
             <source>%1 of %2 sections: the ends, the gauge's and the one whose diameter is nearest to its limit.</source>

@@ -36,6 +36,7 @@ StepRecord recordOf(const Work& work, std::size_t step) {
     StepRecord record;
     const bool predicts = isPrediction(work.lesson.steps[step].goal);
     bool isSeen = false;
+    const WorkEntry* counts = nullptr; // copied once: a work may hold thousands of answers
     for (const WorkEntry& entry : work.entries) {
         if (static_cast<std::size_t>(entry.step) != step + 1) {
             continue;
@@ -49,9 +50,8 @@ StepRecord recordOf(const Work& work, std::size_t step) {
             break;
         case WorkEvent::run: isSeen = true; break;
         case WorkEvent::prediction:
-            if (predicts && !record.answer) {
-                record.answer = entry.answer;
-                record.when = entry.when;
+            if (predicts && !counts) {
+                counts = &entry;
                 record.isPredictedLate = isSeen;
             }
             record.attempts += predicts ? 1 : 0;
@@ -59,12 +59,15 @@ StepRecord recordOf(const Work& work, std::size_t step) {
         case WorkEvent::attempt:
             isSeen = true;
             if (!predicts) {
-                record.answer = entry.answer;
-                record.when = entry.when;
+                counts = &entry;
                 ++record.attempts;
             }
             break;
         }
+    }
+    if (counts) {
+        record.answer = counts->answer;
+        record.when = counts->when;
     }
     return record;
 }

@@ -95,6 +95,9 @@ private:
             return std::nullopt;
         }
         std::vector<double> list;
+        if (isTooLong(value, limits::listNumbers, path)) {
+            return std::nullopt;
+        }
         for (const json& item : value) {
             const auto entry = number(item, path + "/" + std::to_string(list.size()));
             list.push_back(entry.value_or(0));
@@ -124,16 +127,23 @@ private:
         return std::nullopt;
     }
 
+    bool isTooLong(const json& list, double mostItems, const std::string& path) {
+        const bool isLong = static_cast<double>(list.size()) > mostItems;
+        if (isLong) {
+            report(IssueCode::wrongCount, path, list.size(), Bounds{{.high = mostItems}});
+        }
+        return isLong;
+    }
+
     void readList(const json& value, const Field& field, void* owner, const std::string& path) {
         if (!value.is_array()) {
             refuse(path, value, Phrase::listOfObjects);
             return;
         }
-        constexpr double usualItems = 1000;
+        constexpr double usualItems = limits::listItems;
         const double mostItems =
             std::isfinite(field.hard.high) ? std::max(field.hard.high, usualItems) : usualItems;
-        if (static_cast<double>(value.size()) > mostItems) {
-            report(IssueCode::wrongCount, path, value.size(), Bounds{{.high = mostItems}});
+        if (isTooLong(value, mostItems, path)) {
             return;
         }
         field.resize(owner, value.size());
@@ -199,7 +209,9 @@ private:
         if (value.is_null()) {
             levels = std::monostate{};
         } else if (value.is_array()) {
-            levels = numbers(value, path).value_or(std::vector<double>{});
+            if (!isTooLong(value, limits::levels, path)) {
+                levels = numbers(value, path).value_or(std::vector<double>{});
+            }
         } else if (value.is_object() && value.size() == 3 && value.contains("from")
                    && value.contains("to") && value.contains("step")) {
             levels = SteppedLevels{number(value.at("from"), path + "/from").value_or(0),
@@ -218,6 +230,9 @@ private:
         }
         if (!value.is_array()) {
             refuse(path, value, Phrase::rowsOrNull);
+            return;
+        }
+        if (isTooLong(value, limits::listItems, path)) {
             return;
         }
         rows.emplace();

@@ -6,10 +6,18 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace sparkout {
+
+namespace limits {
+// Of a list whose row allows any number; what comes after is not even read.
+inline constexpr std::size_t listItems = 1'000;     ///< objects, or rows of numbers
+inline constexpr std::size_t listNumbers = 100'000; ///< numbers
+inline constexpr std::size_t levels = 5'000;        ///< of a grid, listed
+} // namespace limits
 
 /// A key that was not given; whether it had to be is known once the whole project is read.
 struct MissingKey {

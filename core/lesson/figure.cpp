@@ -364,7 +364,7 @@ const StructInfo& tableOf<Figure>() {
                        .hard = {0, 100000}, .nullMeaning = SPARKOUT_NOOP("Input", "none is needed"),
                        .hint = SPARKOUT_NOOP(
                            "Input", "A section by its number from 0, as in a project file.")),
-        SPARKOUT_FIELD(Figure, stage, .label = SPARKOUT_NOOP("Input", "Stage"), .hard = {1, 1000},
+        SPARKOUT_FIELD(Figure, stage, .label = SPARKOUT_NOOP("Input", "Stage"), .hard = {1, 100},
                        .nullMeaning = SPARKOUT_NOOP("Input", "none is needed, or the last one"),
                        .hint = SPARKOUT_NOOP("Input", "Counted from 1.")),
         SPARKOUT_FIELD(Figure, count,

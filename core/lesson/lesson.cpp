@@ -194,7 +194,7 @@ const StructInfo& tableOf<ShownMoment>() {
         SPARKOUT_FIELD(ShownMoment, place, .label = SPARKOUT_NOOP("Input", "Zone or section"),
                        .hard = {0, 100000}, .nullMeaning = SPARKOUT_NOOP("Input", "as it is")),
         SPARKOUT_FIELD(ShownMoment, stage, .label = SPARKOUT_NOOP("Input", "Stage"),
-                       .hard = {1, 1000}, .nullMeaning = SPARKOUT_NOOP("Input", "as it is")),
+                       .hard = {1, 100}, .nullMeaning = SPARKOUT_NOOP("Input", "as it is")),
         SPARKOUT_FIELD(ShownMoment, count,
                        .label = SPARKOUT_NOOP("Input", "Double stroke or revolution"),
                        .hard = {1, 10000000}, .nullMeaning = SPARKOUT_NOOP("Input", "as it is")),

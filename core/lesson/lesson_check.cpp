@@ -34,9 +34,9 @@ public:
     LessonCheck(const Lesson& lesson, LessonOf of) : m_lesson(lesson), m_of(of) {}
 
     Issues run() {
-        needText(m_lesson.title, "/title");
-        checkTags(m_lesson.aim, "/aim");
-        checkTags(m_lesson.theory, "/theory");
+        needText(m_lesson.title, "/title", limits::lessonTitle);
+        checkText(m_lesson.aim, "/aim", limits::lessonLine);
+        checkText(m_lesson.theory, "/theory", limits::lessonText);
         for (std::size_t i = 0; i < m_lesson.steps.size(); ++i) {
             checkStep(m_lesson.steps[i], "/steps/" + std::to_string(i));
         }
@@ -54,20 +54,37 @@ private:
         addIssue(m_issues, {code, Severity::error, path, std::move(value), std::move(limit)});
     }
 
-    void needText(const Bilingual& text, const std::string& path) {
+    void needText(const Bilingual& text, const std::string& path,
+                  const TextSize& most = limits::lessonText) {
         if (text.empty()) {
             add(IssueCode::missingKey, path, {}, Keys{{"ru", "en"}, Keys::Kind::alternatives});
         }
-        checkTags(text, path);
+        checkText(text, path, most);
     }
 
-    void checkTags(const Bilingual& text, const std::string& path) {
+    /// Its length, and its tags: what they are, how many and how deep.
+    void checkText(const Bilingual& text, const std::string& path, const TextSize& most) {
         for (const auto& [key, each] : {std::pair{"/ru", &text.ru}, std::pair{"/en", &text.en}}) {
-            if (const auto tag = foreignTag(*each)) {
+            if (each->size() > most.bytes) {
+                add(IssueCode::stringTooLong, path + key, countOf(each->size(), "bytes"),
+                    countOf(most.bytes, "bytes"));
+            } else if (const auto tag = foreignTag(*each)) {
                 Keys tags{{}, Keys::Kind::alternatives};
                 tags.keys.assign(textTags().begin(), textTags().end());
                 add(IssueCode::notOneOf, path + key, quotedText(*tag), std::move(tags));
+            } else {
+                const TagCounts counts = countTags(*each);
+                checkCount(path + key, counts.tags, most.tags, "tags");
+                checkCount(path + key, counts.depth, limits::lessonTagDepth, "nested tags");
             }
+        }
+    }
+
+    void checkCount(const std::string& path, std::size_t count, std::size_t most,
+                    std::string_view unit) {
+        if (count > most) {
+            add(IssueCode::outOfRange, path, countOf(count, unit),
+                boundsTo(0, static_cast<double>(most), unit));
         }
     }
 
@@ -94,7 +111,7 @@ private:
         double prices = 0;
         for (std::size_t i = 0; i < step.hints.size(); ++i) {
             const std::string at = path + "/hints/" + std::to_string(i);
-            needText(step.hints[i].text, at + "/text");
+            needText(step.hints[i].text, at + "/text", limits::lessonLine);
             prices += step.hints[i].price;
             if (prices > step.points) {
                 add(IssueCode::outOfRange, at + "/price", Amount{step.hints[i].price, "points"},
@@ -256,7 +273,8 @@ private:
     void checkChoice(const ChoiceGoal& choice, const std::string& path) {
         std::size_t right = 0;
         for (std::size_t i = 0; i < choice.options.size(); ++i) {
-            needText(choice.options[i].text, path + "/options/" + std::to_string(i) + "/text");
+            needText(choice.options[i].text, path + "/options/" + std::to_string(i) + "/text",
+                     limits::lessonLine);
             right += choice.options[i].right ? 1 : 0;
         }
         if (m_of == LessonOf::teacher && right == 0) {

@@ -120,7 +120,7 @@ const StructInfo& tableOf<Stage>() {
 template <>
 const StructInfo& tableOf<Cycle>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Cycle, stages, .label = SPARKOUT_NOOP("Input", "Stages"), .hard = {1, 1000},
+        SPARKOUT_FIELD(Cycle, stages, .label = SPARKOUT_NOOP("Input", "Stages"), .hard = {1, 100},
                        .required = conditions::always, .page = Page::cycle,
                        .hint = SPARKOUT_NOOP("Input", "Stages of the cycle in the order they run."),
                        .source = "MODEL-7"),

@@ -238,7 +238,7 @@ template <>
 const StructInfo& tableOf<Shaft>() {
     static const std::array rows{
         SPARKOUT_FIELD(Shaft, segments, .label = SPARKOUT_NOOP("Input", "Segments of the shaft"),
-                       .relevant = conditions::external, .page = Page::part,
+                       .hard = {0, 100}, .relevant = conditions::external, .page = Page::part,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Steps of the shaft from the headstock on; needed when the "
                                     "compliance is computed from the stiffness."),
@@ -262,7 +262,7 @@ const StructInfo& tableOf<Shaft>() {
                            SPARKOUT_NOOP("Input", "Between centres, or overhanging from a chuck."),
                        .source = "MODEL-6"),
         SPARKOUT_FIELD(
-            Shaft, steady_rests, .label = SPARKOUT_NOOP("Input", "Steady rests"),
+            Shaft, steady_rests, .label = SPARKOUT_NOOP("Input", "Steady rests"), .hard = {0, 20},
             .relevant = conditions::external, .page = Page::part,
             .hint = SPARKOUT_NOOP("Input", "Springs that support the shaft along its length."),
             .source = "MODEL-6"),

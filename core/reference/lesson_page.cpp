@@ -57,6 +57,11 @@ void addFigures(std::string& text) {
     }
 }
 
+std::string sizeText(const char* what, const TextSize& most) {
+    return std::string(what) + " has at most " + std::to_string(most.bytes) + " bytes and "
+           + std::to_string(most.tags) + " tags";
+}
+
 } // namespace
 
 std::string lessonPage() {
@@ -66,7 +71,11 @@ std::string lessonPage() {
     for (const char* tag : textTags()) {
         page.text += " `" + std::string(tag) + '`';
     }
-    page.text += ", without attributes but `<p class=\"formula\">`.\n";
+    page.text += ", without attributes but `<p class=\"formula\">`, at most "
+                 + std::to_string(limits::lessonTagDepth) + " within one another. In each language "
+                 + sizeText("a title", limits::lessonTitle) + ", "
+                 + sizeText("the aim, a hint or an option", limits::lessonLine) + ", "
+                 + sizeText("any other text", limits::lessonText) + ".\n";
     page.addStruct(tableOf<LessonSheet>(), {});
     addFigures(page.text);
     page.text +=

@@ -31,12 +31,6 @@ using Shape = BarChart::Shape;
 
 constexpr int lineAlpha = 150, gridAlpha = 35;
 
-/// The bars of a category from the bottom on: Qt Charts puts the first of lying ones there.
-int indexOf(const BarChart& chart, std::size_t category) {
-    const auto i = static_cast<int>(category);
-    return chart.isLying ? static_cast<int>(chart.categories.size()) - 1 - i : i;
-}
-
 QAbstractBarSeries* makeBars(const BarChart& chart) {
     if (chart.shape == Shape::stacked) {
         return chart.isLying ? static_cast<QAbstractBarSeries*>(new QHorizontalStackedBarSeries)
@@ -44,6 +38,30 @@ QAbstractBarSeries* makeBars(const BarChart& chart) {
     }
     return chart.isLying ? static_cast<QAbstractBarSeries*>(new QHorizontalBarSeries)
                          : new QBarSeries;
+}
+
+/// A value as its bar is drawn. What is stacked is cut as a whole, by the axis.
+double drawnValue(const BarChart& chart, const BarScale& scale, double value) {
+    return !std::isfinite(value) ? 0 : chart.shape == Shape::stacked ? value : scale.clamped(value);
+}
+
+/// The bars of a series from the bottom on: Qt Charts puts the first of lying ones there.
+QList<double> drawnValues(const BarChart& chart, const BarScales& scales, std::size_t series) {
+    const BarScale& scale = chart.series[series].onSecond ? scales.second : scales.first;
+    QList<double> values;
+    for (std::size_t c = 0; c < static_cast<std::size_t>(chart.categories.size()); ++c) {
+        values << drawnValue(chart, scale, chart.value(series, c));
+    }
+    if (chart.isLying) {
+        std::ranges::reverse(values);
+    }
+    return values;
+}
+
+/// Whether values that change one by one would take longer than the chart takes to be made.
+bool isLarge(const BarChart& chart) {
+    constexpr std::size_t manyBars = 40;
+    return chart.series.size() * static_cast<std::size_t>(chart.categories.size()) > manyBars;
 }
 
 bool hasSecond(const BarChart& chart) {
@@ -105,7 +123,18 @@ bool ChartScene::isAlike(const BarChart& chart) const {
                                  &BarSeries::onSecond);
 }
 
-void ChartScene::build(const BarChart& chart) {
+/// Of a chart that is alike.
+bool ChartScene::hasValuesOf(const BarChart& chart) const {
+    const auto isSame = [](double a, double b) {
+        return a == b || (std::isnan(a) && std::isnan(b));
+    };
+    return std::ranges::equal(m_shown.series, chart.series,
+                              [&isSame](const BarSeries& a, const BarSeries& b) {
+                                  return std::ranges::equal(a.values, b.values, isSame);
+                              });
+}
+
+void ChartScene::build(const BarChart& chart, const BarScales& scales) {
     m_series.clear();
     m_scene.clear(); // with the chart, its series and axes
     m_values = m_secondValues = nullptr;
@@ -142,7 +171,7 @@ void ChartScene::build(const BarChart& chart) {
     }
     for (const bool onSecond : {false, true}) {
         if (std::ranges::count(chart.series, onSecond, &BarSeries::onSecond) > 0) {
-            buildBars(chart, onSecond);
+            buildBars(chart, scales, onSecond);
         }
     }
 }
@@ -170,14 +199,13 @@ void ChartScene::buildAxes(const BarChart& chart) {
     }
 }
 
-void ChartScene::buildBars(const BarChart& chart, bool onSecond) {
+/// With their values: once it is in a chart, a set has it laid out anew for every value.
+void ChartScene::buildBars(const BarChart& chart, const BarScales& scales, bool onSecond) {
     QAbstractBarSeries* const bars = makeBars(chart);
-    for (const BarSeries& of : chart.series) {
-        if (of.onSecond == onSecond) {
-            auto* set = new QBarSet(of.name);
-            for (qsizetype i = 0; i < chart.categories.size(); ++i) {
-                *set << 0;
-            }
+    for (std::size_t i = 0; i < chart.series.size(); ++i) {
+        if (chart.series[i].onSecond == onSecond) {
+            auto* set = new QBarSet(chart.series[i].name);
+            set->append(drawnValues(chart, scales, i));
             bars->append(set);
         }
     }
@@ -190,8 +218,8 @@ void ChartScene::buildBars(const BarChart& chart, bool onSecond) {
 // --- values and colours -------------------------------------------------------------------------
 
 void ChartScene::show(const BarChart& chart, const BarScales& scales, const ChartLook& look) {
-    if (!isAlike(chart)) {
-        build(chart);
+    if (!isAlike(chart) || (isLarge(chart) && !hasValuesOf(chart))) {
+        build(chart, scales);
     }
     m_shown = chart;
     fill(chart, scales);
@@ -234,14 +262,11 @@ void ChartScene::fill(const BarChart& chart, const BarScales& scales) {
         const qsizetype place = onSecond && m_series.size() > 1 ? 1 : 0;
         QBarSet& set =
             *static_cast<QAbstractBarSeries*>(m_series[place])->barSets()[next.at(axis)++];
-        const BarScale& scale = onSecond ? scales.second : scales.first;
-        for (std::size_t c = 0; c < static_cast<std::size_t>(chart.categories.size()); ++c) {
-            const double value = chart.value(i, c);
-            // What is stacked is cut as a whole, by the axis.
-            const double drawn = !std::isfinite(value)           ? 0
-                                 : chart.shape == Shape::stacked ? value
-                                                                 : scale.clamped(value);
-            set.replace(indexOf(chart, c), drawn);
+        const QList<double> values = drawnValues(chart, scales, i);
+        for (int at = 0; at < static_cast<int>(values.size()); ++at) {
+            if (set.at(at) != values[at]) {
+                set.replace(at, values[at]);
+            }
         }
     }
 }

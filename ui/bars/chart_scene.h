@@ -47,8 +47,8 @@ struct ChartArea {
 };
 
 /// A chart of Qt Charts: its bars, boxes or slices, axes and grid. The texts are not its own: those
-/// of Qt Charts are cut short where they lack room. Values change in place; where the series or
-/// categories do, the chart is made anew.
+/// of Qt Charts are cut short where they lack room. The values of a small chart change in place; of
+/// a large one, and where the series or categories change, the chart is made anew.
 class ChartScene {
 public:
     ChartScene();
@@ -63,8 +63,9 @@ public:
 
 private:
     [[nodiscard]] bool isAlike(const BarChart& chart) const;
-    void build(const BarChart& chart);
-    void buildBars(const BarChart& chart, bool onSecond);
+    [[nodiscard]] bool hasValuesOf(const BarChart& chart) const;
+    void build(const BarChart& chart, const BarScales& scales);
+    void buildBars(const BarChart& chart, const BarScales& scales, bool onSecond);
     void buildAxes(const BarChart& chart);
     void fill(const BarChart& chart, const BarScales& scales);
     void colour(const BarChart& chart, const ChartLook& look);

@@ -2,6 +2,8 @@
 #include "ui/kit/tool_row.h"
 
 #include <QComboBox>
+#include <QStyle>
+#include <QStyleOptionComboBox>
 #include <QWidget>
 
 #include <algorithm>
@@ -21,21 +23,24 @@ int hintOf(const QLayoutItem& item) {
     return box && !box->isHidden() ? box->sizeHint().width() : item.sizeHint().width();
 }
 
-/// A box needs no more than its present text does.
+/// A box needs no more than its present text does. Its other texts are not measured: of hundreds of
+/// them, many times in one layout, that would take its time.
 int leastOf(const QLayoutItem& item) {
     const auto* box = qobject_cast<const QComboBox*>(const_cast<QLayoutItem&>(item).widget());
     if (!box) {
         return item.minimumSize().width();
     }
     constexpr int air = 4;
-    const QFontMetrics metrics = box->fontMetrics();
-    int widest = 0;
-    for (int i = 0; i < box->count(); ++i) {
-        widest = std::max(widest, metrics.boundingRect(box->itemText(i)).width());
-    }
+    QStyleOptionComboBox option;
+    option.initFrom(box);
+    option.frame = box->hasFrame();
+    option.editable = box->isEditable();
     const QString text = box->currentIndex() < 0 ? box->placeholderText() : box->currentText();
-    const int hint = hintOf(item);
-    return std::clamp(hint - widest + metrics.horizontalAdvance(text) + air, 0, hint);
+    const QFontMetrics metrics = box->fontMetrics();
+    const QSize contents(metrics.horizontalAdvance(text), metrics.height());
+    const int need =
+        box->style()->sizeFromContents(QStyle::CT_ComboBox, &option, contents, box).width();
+    return std::clamp(need + air, 0, hintOf(item));
 }
 
 } // namespace

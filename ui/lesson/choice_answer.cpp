@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lesson/choice_answer.h"
 
+#include "ui/kit/markup_text.h"
 #include "ui/kit/metrics.h"
 #include "ui/lesson/lesson_text.h"
 
@@ -17,11 +18,10 @@ namespace sparkout {
 namespace {
 
 /// The text of an option; a click on it is one on its box.
-class OptionText : public QLabel {
+class OptionText : public MarkupText {
 public:
-    OptionText(QCheckBox& box, QWidget* parent) : QLabel(parent), m_box(box) {
-        setWordWrap(true);
-        setTextFormat(Qt::RichText);
+    OptionText(QCheckBox& box, QWidget* parent) : MarkupText(parent), m_box(box) {
+        setTextInteractionFlags(Qt::NoTextInteraction);
     }
 
 protected:
@@ -94,9 +94,8 @@ void ChoiceAnswer::lock() {
 void ChoiceAnswer::retranslate() {
     m_note->setText(tr("Tick every correct answer; there may be more than one."));
     for (std::size_t i = 0; i < m_boxes.size(); ++i) {
-        const QString text = LessonText::of(m_goal.options[i].text);
-        m_texts[i]->setText(text);
-        m_boxes[i]->setAccessibleName(text);
+        m_texts[i]->setMarkup(LessonText::tagged(m_goal.options[i].text));
+        m_boxes[i]->setAccessibleName(m_texts[i]->toPlainText());
     }
 }
 

@@ -10,6 +10,8 @@ class QLabel;
 
 namespace sparkout {
 
+class MarkupText;
+
 /// One or several of some options.
 class ChoiceAnswer : public AnswerField {
     Q_OBJECT
@@ -27,7 +29,7 @@ private:
     ChoiceGoal m_goal;
     QLabel* m_note;
     std::vector<QCheckBox*> m_boxes;
-    std::vector<QLabel*> m_texts;
+    std::vector<MarkupText*> m_texts;
 };
 
 } // namespace sparkout

@@ -4,6 +4,7 @@
 #include "ui/fields/mark.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
+#include "ui/kit/markup_text.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/theme_icon.h"
@@ -30,10 +31,10 @@ namespace {
 
 constexpr int leastLessonWidth = 290;
 
-QLabel* lessonLabel(QWidget* parent, const char* name, Qt::TextFormat format = Qt::PlainText) {
+QLabel* lessonLabel(QWidget* parent, const char* name) {
     auto* label = new QLabel(parent);
     label->setObjectName(QString::fromLatin1(name));
-    label->setTextFormat(format);
+    label->setTextFormat(Qt::PlainText);
     label->setWordWrap(true);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     label->setFocusPolicy(Qt::NoFocus); // read, not used
@@ -61,7 +62,7 @@ LessonPanel::LessonPanel(LessonRun& run, QWidget* parent)
     , m_tabs(new QTabWidget(this))
     , m_theory(new QTextBrowser)
     , m_taskPage(new QWidget)
-    , m_task(lessonLabel(m_taskPage, "lessonTask", Qt::RichText))
+    , m_task(new MarkupText(m_taskPage))
     , m_asked(lessonLabel(m_taskPage, "lessonAsked"))
     , m_note(lessonLabel(m_taskPage, "lessonNote"))
     , m_handIn(new QPushButton(m_taskPage))
@@ -124,6 +125,7 @@ void LessonPanel::buildHead(QVBoxLayout& into) {
 }
 
 void LessonPanel::buildTask() {
+    m_task->setObjectName(QStringLiteral("lessonTask"));
     m_handIn->setObjectName(QStringLiteral("lessonHandIn"));
     m_takeHint->setObjectName(QStringLiteral("lessonHint"));
     auto* layout = new QVBoxLayout(m_taskPage);
@@ -253,12 +255,13 @@ void LessonPanel::showHints() {
     const std::size_t taken = m_run.record(m_run.step()).hints.size();
     emptyLayout(*m_hints);
     for (std::size_t i = 0; i < taken && i < step.hints.size(); ++i) {
-        auto* label = lessonLabel(m_taskPage, "lessonTakenHint", Qt::RichText);
-        label->setText(
-            tr("<b>Hint %1</b> (−%2): %3")
-                .arg(i + 1)
-                .arg(LessonText::points(step.hints[i].price), LessonText::of(step.hints[i].text)));
-        m_hints->addWidget(label);
+        auto* hint = new MarkupText(m_taskPage);
+        hint->setObjectName(QStringLiteral("lessonTakenHint"));
+        hint->setMarkup(tr("<b>Hint %1</b> (−%2): %3")
+                            .arg(i + 1)
+                            .arg(LessonText::points(step.hints[i].price),
+                                 LessonText::tagged(step.hints[i].text)));
+        m_hints->addWidget(hint);
     }
     // What is answered for good, or rightly, needs none.
     const bool isOver = m_run.mark(m_run.step()) == LessonRun::Mark::passed
@@ -302,7 +305,7 @@ void LessonPanel::retranslate() {
                           .arg(tr("Aim"), LessonText::markup(lesson.aim), tr("Theory"),
                                LessonText::markup(lesson.theory)));
     const LessonStep& step = m_run.current();
-    m_task->setText(LessonText::markup(step.task));
+    m_task->setMarkup(LessonText::markup(step.task));
     const QString asked = LessonText::asked(step.goal, m_run.projectOf(m_run.step()));
     m_asked->setText(asked);
     m_asked->setVisible(!asked.isEmpty());

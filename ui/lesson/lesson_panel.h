@@ -17,6 +17,7 @@ namespace sparkout {
 
 class AnswerField;
 class LessonRun;
+class MarkupText;
 
 /// A laboratory work as its student has it: aim and theory, the steps with how they stand, the
 /// task, the answer, what was found, and hints, each taken for its price.
@@ -60,7 +61,7 @@ private:
     QTabWidget* m_tabs;
     QTextBrowser* m_theory;
     QWidget* m_taskPage;
-    QLabel* m_task;
+    MarkupText* m_task;
     QLabel* m_asked;
     AnswerField* m_field = nullptr;
     QVBoxLayout* m_place = nullptr; ///< of the field

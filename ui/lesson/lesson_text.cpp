@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lesson/lesson_text.h"
 
+#include "core/lesson/text_markup.h"
 #include "core/project/operation.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
@@ -49,12 +50,20 @@ QString LessonText::of(const Bilingual& text) {
     return bound(harmlessText(QString::fromStdString(text.in(speaksRussian()))));
 }
 
+QString LessonText::tagged(const Bilingual& text) {
+    const std::string& shown = text.in(speaksRussian());
+    return isLaidOutSoon(shown)
+               ? of(text)
+               : harmlessText(QString::fromStdString(shown.substr(0, limits::lessonText.bytes)))
+                     .toHtmlEscaped();
+}
+
 QString LessonText::markup(const Bilingual& text) {
     const QPalette palette = QGuiApplication::palette();
     return QStringLiteral("<style>p { margin-top: 4px; margin-bottom: 4px; } "
                           "p.formula { margin-left: 12px; background-color: %1; } "
                           "td, th { padding: 2px 8px 2px 0px; }</style>%2")
-        .arg(palette.color(QPalette::AlternateBase).name(), of(text));
+        .arg(palette.color(QPalette::AlternateBase).name(), tagged(text));
 }
 
 QString LessonText::place(const Project& project, std::size_t index) {

@@ -15,7 +15,10 @@ class LessonText {
 public:
     /// In the present language, or the one there is.
     [[nodiscard]] static QString of(const Bilingual& text);
-    /// The same of a text with markup, to be shown by Qt: formulas stand apart.
+    /// The same as markup, to be shown by Qt within other markup. A text that no lesson may have,
+    /// as an editor's may be, shows its tags.
+    [[nodiscard]] static QString tagged(const Bilingual& text);
+    /// The same by itself: formulas stand apart.
     [[nodiscard]] static QString markup(const Bilingual& text);
 
     /// "Actual feed: zone НЗ, stage 1, double stroke 20".

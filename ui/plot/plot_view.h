@@ -38,7 +38,7 @@ public:
     [[nodiscard]] PlotTools* tools() const;     ///< of the plot in front
     [[nodiscard]] PlotCursors* cursors() const; ///< null: the view has none
     [[nodiscard]] LegendStrip* legend() const { return m_legend; }
-    [[nodiscard]] double lastUpdate_ms() const { return m_lastUpdate_ms; } ///< filling and replot
+    [[nodiscard]] double lastUpdate_ms() const { return m_lastUpdate_ms; } ///< processor time
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
     void retranslate() override;
 

@@ -51,6 +51,8 @@ QString translated(const char* context, const char* text) {
     QT_TRANSLATE_NOOP("Unit", "K"),
     QT_TRANSLATE_NOOP("Unit", "°"),
     QT_TRANSLATE_NOOP("Unit", "bytes"),
+    QT_TRANSLATE_NOOP("Unit", "tags"),
+    QT_TRANSLATE_NOOP("Unit", "nested tags"),
     QT_TRANSLATE_NOOP("Unit", "°C"),
     QT_TRANSLATE_NOOP("Unit", "kg/m³"),
     QT_TRANSLATE_NOOP("Unit", "°C, W/(m·K)"),

@@ -136,6 +136,42 @@ private slots:
         QCOMPARE(QString::fromStdString(found.value_or("")), foreign.isNull() ? "" : foreign);
     }
 
+    void textsAtTheirLimitsAreRead() {
+        json file = lessonJsonOf();
+        file["title"]["en"] = std::string(limits::lessonTitle.bytes, 'a');
+        file["aim"]["en"] = std::string(limits::lessonLine.bytes, 'a');
+        file["theory"]["ru"] = std::string(limits::lessonText.bytes, 'a');
+        file["theory"]["en"] = repeated("<br>", limits::lessonText.tags);
+        file["steps"][0]["task"]["en"] = repeated("<sub>", limits::lessonTagDepth);
+        const ReadLesson read = readLesson(file.dump());
+        QVERIFY2(read.lesson.has_value(), samples::listed(read.issues).c_str());
+    }
+
+    void tagsThatEndByThemselvesAreNotNested_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<int>("tags");
+        QTest::addColumn<int>("depth");
+        QTest::newRow("none") << "a &lt; b" << 0 << 0;
+        QTest::newRow("closed") << "<b>a</b><i>b</i>" << 4 << 1;
+        QTest::newRow("paragraphs") << "<p>a<p><b>b<p class=\"formula\">c" << 4 << 2;
+        QTest::newRow("lines") << "a<br>b<br>c" << 2 << 0;
+        QTest::newRow("list") << "<ul><li>a<li>b<li>c</ul><p>d" << 6 << 2;
+        QTest::newRow("list in a list") << "<ul><li>a<ul><li>b</ul></ul>" << 6 << 4;
+        QTest::newRow("rows and cells") << "<table><tr><td>a<td>b<tr><td>c</table>" << 7 << 3;
+        QTest::newRow("table in a cell")
+            << "<table><tr><td><table><tr><td>a</table></table>" << 8 << 6;
+        QTest::newRow("closed from within") << "<b><i><sub>a</b><b>b" << 5 << 3;
+        QTest::newRow("closes nothing") << "</b></i>a<sub>" << 3 << 1;
+    }
+    void tagsThatEndByThemselvesAreNotNested() {
+        QFETCH(QString, text);
+        QFETCH(int, tags);
+        QFETCH(int, depth);
+        const TagCounts counts = countTags(text.toStdString());
+        QCOMPARE(int(counts.tags), tags);
+        QCOMPARE(int(counts.depth), depth);
+    }
+
     void aStudentsLessonHasNoAnswers() {
         const Lesson lesson = samples::lesson();
         const std::string text = writeLesson(forStudents(lesson));
@@ -203,6 +239,14 @@ private slots:
     }
 
 private:
+    static std::string repeated(const std::string& text, std::size_t times) {
+        std::string all;
+        for (std::size_t i = 0; i < times; ++i) {
+            all += text;
+        }
+        return all;
+    }
+
     template <class Visit>
     static void eachText(const json& value, const Visit& visit) {
         if (value.is_object() && (value.contains("ru") || value.contains("en"))) {
@@ -258,6 +302,7 @@ private:
         row("tag in theory", "/theory/ru", "\"<img src='x'>\"", IssueCode::notOneOf, "/theory/ru");
         row("tag in a hint", "/steps/0/hints/0/text/en", "\"<script>\"", IssueCode::notOneOf,
             "/steps/0/hints/0/text/en");
+        textLimitRows();
         row("question without an answer", "/guide/questions/1/answer", "{}", IssueCode::missingKey,
             "/guide/questions/1/answer");
         row("no question", "/guide/questions/0/question", "", IssueCode::missingKey,
@@ -265,6 +310,31 @@ private:
         row("mistake without a text", "/guide/mistakes/0/text", "{}", IssueCode::missingKey,
             "/guide/mistakes/0/text");
         row("no time at all", "/guide/minutes", "0", IssueCode::outOfRange, "/guide/minutes");
+    }
+
+    /// A text at its limit is read; one beyond it is refused where it stands.
+    static void textLimitRows() {
+        const auto refused = [](const char* name, const char* path, const std::string& text,
+                                IssueCode code) {
+            row(name, path, json(text).dump().c_str(), code, path);
+        };
+        const char* const theory = "/theory/ru";
+        const char* const task = "/steps/1/task/en";
+        const char* const hint = "/steps/0/hints/0/text/en";
+        refused("tables in tables", theory,
+                repeated("<table><tr><td>", limits::lessonTagDepth / 3 + 1), IssueCode::outOfRange);
+        refused("too deep in a task", task, repeated("<sub>", limits::lessonTagDepth + 1),
+                IssueCode::outOfRange);
+        refused("too many tags", theory, repeated("<br>", limits::lessonText.tags + 1),
+                IssueCode::outOfRange);
+        refused("too many tags in a hint", hint, repeated("<br>", limits::lessonLine.tags + 1),
+                IssueCode::outOfRange);
+        refused("theory too long", theory, std::string(limits::lessonText.bytes + 1, 'a'),
+                IssueCode::stringTooLong);
+        refused("hint too long", hint, std::string(limits::lessonLine.bytes + 1, 'a'),
+                IssueCode::stringTooLong);
+        refused("title too long", "/title/en", std::string(limits::lessonTitle.bytes + 1, 'a'),
+                IssueCode::stringTooLong);
     }
 
     static void stepRows() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each code of a fault is produced by a file, and has its sentence.
+#include "core/format/table_reader.h"
 #include "tests/core/project/project_places.h"
 #include "tests/registry.h"
 #include "words/issue_words.h"
@@ -305,6 +306,18 @@ private:
             {{"/cycle/stages", json::array()}});
         row("1001 stages", IssueCode::wrongCount, "/cycle/stages", plunge,
             {{"/cycle/stages", std::vector<json>(1001, json::object())}});
+        row("101 stages", IssueCode::wrongCount, "/cycle/stages", plunge,
+            {{"/cycle/stages",
+              std::vector<json>(101, json{{"radial_feed_mm_min", 1}, {"stock_mm", 0.001}})}});
+        row("too many numbers", IssueCode::wrongCount, "/batch/factors/stock_mm/measured", plunge,
+            {{"/batch/factors/stock_mm",
+              {{"measured", std::vector<double>(limits::listNumbers + 1, 0.1)}}}});
+        row("101 steps of the shaft", IssueCode::wrongCount, "/part/shaft/segments", plunge,
+            {{"/part/shaft/segments",
+              std::vector<json>(101, json{{"length_mm", 1}, {"diameter_mm", 30}})}});
+        row("21 steady rests", IssueCode::wrongCount, "/part/shaft/steady_rests", plunge,
+            {{"/part/shaft/steady_rests",
+              std::vector<json>(21, json{{"position_mm", 1}, {"stiffness_n_um", 30}})}});
         row("spark-out first", IssueCode::sparkOutNotLast, stage + "/spark_out", plunge,
             {{stage + "/spark_out", 5},
              {"/cycle/stages/1", {{"radial_feed_mm_min", 0.1}, {"stock_mm", 0.05}}}});

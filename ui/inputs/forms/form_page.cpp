@@ -326,15 +326,20 @@ void FormPage::giveAccess() {
 }
 
 bool FormPage::hasShown() {
-    if (m_access->isFree()) {
-        return true; // no page is without inputs
-    }
-    build();
-    const auto isShown = [this](const std::string& path) { return m_access->hasShown(path); };
-    return std::ranges::any_of(m_rows,
-                               [&](const auto* row) { return isShown(row->editor().path()); })
-           || std::ranges::any_of(m_lists, [&](const auto* list) { return isShown(list->path()); })
-           || std::ranges::any_of(m_inputBoxPaths, isShown);
+    return m_access->isFree() // no page is without inputs
+           || hasShown(tableOf<Project>(), {});
+}
+
+/// By the tables, as the page is built from them: to build all pages at once would take its time.
+bool FormPage::hasShown(const StructInfo& table, const std::string& path) const {
+    return std::ranges::any_of(table.fields, [&](const Field& field) {
+        const std::string at = path + "/" + field.key;
+        const bool isStruct = field.kind == Kind::object || field.kind == Kind::optionalObject;
+        if (isStruct && field.nested != &tableOf<Factor>()) {
+            return hasShown(*field.nested, at);
+        }
+        return field.page == m_page && m_access->hasShown(at);
+    });
 }
 
 /// What all of is locked is not to be clicked in either; what is hidden is not there.

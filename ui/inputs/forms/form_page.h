@@ -92,6 +92,7 @@ private:
     [[nodiscard]] const Box* boxAt(const std::string& path) const;
     [[nodiscard]] InputBox* inputBoxAt(const std::string& path) const;
     [[nodiscard]] bool shows(const StructInfo& table) const;
+    [[nodiscard]] bool hasShown(const StructInfo& table, const std::string& path) const;
     void showProject(bool replaced);
     void showShared();
     void showAccess();

@@ -39,6 +39,7 @@ namespace {
 
 constexpr int shownRows = 8;
 constexpr qsizetype shownFaults = 5; ///< of what was not pasted
+constexpr int shownRemarks = 8;      ///< on what stands in the table
 const QKeySequence copyTableKey(Qt::CTRL | Qt::SHIFT | Qt::Key_C);
 
 bool isCopyTable(const QKeyEvent& key) {
@@ -300,10 +301,15 @@ void ListTable::updateReasons() {
     for (const Refusal& refusal : m_model->refusals()) {
         add(Mark::error, refusal.path, refusal.reason);
     }
-    for (const Issue& issue : m_issues) {
-        if (issue.path == m_path || issue.path.starts_with(m_path + "/")) {
+    int remarks = 0;
+    for (const Issue& issue : m_issues) { // the messages have all of them
+        if ((issue.path == m_path || issue.path.starts_with(m_path + "/"))
+            && ++remarks <= shownRemarks) {
             add(markOf(issue), issue.path, issueText(issue));
         }
+    }
+    if (remarks > shownRemarks) {
+        lines += tr("%n further remark(s) among the messages", nullptr, remarks - shownRemarks);
     }
     m_reasons->setText(lines.join(QStringLiteral("<br>")));
     m_reasons->setVisible(!lines.isEmpty());

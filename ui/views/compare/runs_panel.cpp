@@ -91,6 +91,7 @@ void RunsPanel::build() {
     m_list->setTextElideMode(Qt::ElideRight);
     m_list->setWordWrap(true);
     m_list->setResizeMode(QListView::Adjust);
+    m_list->setLayoutMode(QListView::Batched); // a project may keep a thousand runs
     setTextMinimumWidth(*m_list, 150);
     m_list->addActions({m_restore, m_rename, m_delete});
     m_list->setContextMenuPolicy(Qt::ActionsContextMenu);

@@ -94,11 +94,11 @@ void LayersView::fillRadii() {
     const QSignalBlocker blocker(m_radius);
     const int radii = good() ? good()->trajectory.radii : 0;
     m_radius->clear();
-    m_radius->addItem(tr("Mean of the radii"));
+    QStringList names{tr("Mean of the radii")};
     for (int k = 0; k < radii; ++k) {
-        m_radius->addItem(
-            tr("Radius %1, %2°").arg(k).arg(QLocale().toString(360.0 * k / radii, 'g', 4)));
+        names << tr("Radius %1, %2°").arg(k).arg(QLocale().toString(360.0 * k / radii, 'g', 4));
     }
+    m_radius->addItems(names);
     m_radius->setCurrentIndex(m_wanted && *m_wanted < radii ? *m_wanted + 1 : 0);
 }
 

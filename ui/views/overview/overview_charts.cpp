@@ -18,6 +18,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace sparkout {
@@ -112,6 +113,25 @@ std::vector<BarSeries> OverviewCharts::stepSeries(const Outcome& outcome) {
     return series;
 }
 
+/// All stages, or those that take longest, in their order.
+std::vector<std::size_t> OverviewCharts::stagesShown(const Outcome& outcome) {
+    const std::vector<double>& times = outcome.result.timeByStage_s;
+    std::vector<std::size_t> stages(times.size());
+    std::iota(stages.begin(), stages.end(), std::size_t{0});
+    std::ranges::stable_sort(stages, std::greater(),
+                             [&times](std::size_t stage) { return times[stage]; });
+    stages.resize(std::min(stages.size(), mostStages));
+    std::ranges::sort(stages);
+    return stages;
+}
+
+QString OverviewCharts::stagesRemark(const Outcome& outcome) {
+    const std::size_t all = outcome.result.timeByStage_s.size();
+    return all > mostStages
+               ? tr("%1 of %2 stages: those that take the longest.").arg(mostStages).arg(all)
+               : QString();
+}
+
 BarChart OverviewCharts::times(const Outcome& outcome) {
     BarChart chart;
     chart.isLying = true;
@@ -119,26 +139,31 @@ BarChart OverviewCharts::times(const Outcome& outcome) {
     chart.axis = tr("Time");
     chart.unit = unitText("min");
     chart.number = threeDigits;
-    const std::vector<double>& times = outcome.result.timeByStage_s;
-    for (std::size_t stage = 0; stage < times.size(); ++stage) {
+    const std::vector<std::size_t> stages = stagesShown(outcome);
+    for (const std::size_t stage : stages) {
         chart.categories << tr("Stage %1").arg(stage + 1);
     }
     const auto inMinutes = [](double time_s) { return time_s / units::secondsPerMinute; };
+    QStringList remarks{stagesRemark(outcome)};
     if (outcome.steps.empty()) { // not recorded
         BarSeries all{{}, barColour(Drawn::actualFeed), Hatch::none, {}};
-        std::ranges::transform(times, std::back_inserter(all.values), inMinutes);
+        for (const std::size_t stage : stages) {
+            all.values.push_back(inMinutes(outcome.result.timeByStage_s[stage]));
+        }
         chart.series.push_back(std::move(all));
-        chart.remark = tr("The cycle is too long to be recorded step by step.");
+        remarks << tr("The cycle is too long to be recorded step by step.");
+        chart.remark = remarks.join(u' ').trimmed();
         return chart;
     }
     chart.series = stepSeries(outcome);
     const std::vector<std::size_t> steps = stepsTaken(outcome);
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        for (const StepSums& sums : outcome.steps.time_s) {
-            chart.series[i].values.push_back(inMinutes(sums.of[steps[i]]));
+        for (const std::size_t stage : stages) {
+            chart.series[i].values.push_back(inMinutes(outcome.steps.time_s[stage].of[steps[i]]));
         }
     }
     chart.hasTotals = chart.series.size() > 1;
+    chart.remark = stagesRemark(outcome);
     return chart;
 }
 
@@ -164,10 +189,10 @@ BarChart OverviewCharts::stock(const Outcome& outcome) {
     chart.number = threeDigits;
     chart.series = stepSeries(outcome);
     chart.hasTotals = chart.series.size() > 1;
-    chart.remark = sectionsRemark(outcome);
+    chart.remark = QStringList{stagesRemark(outcome), sectionsRemark(outcome)}.join(u' ').trimmed();
     const std::vector<std::size_t> steps = stepsTaken(outcome);
     std::vector<Zone> zoneOf; // by category
-    for (std::size_t stage = 0; stage < outcome.steps.time_s.size(); ++stage) {
+    for (const std::size_t stage : stagesShown(outcome)) {
         for (const int section : drawnSections(outcome)) {
             const auto index = static_cast<std::size_t>(section);
             chart.categories << tr("Stage %1, %2", "number, zone")

@@ -53,14 +53,18 @@ public:
     static BarChart parts(const BatchOutcome& batch);
     static BarChart runs(const std::vector<RunBars>& runs, int kept); ///< of so many kept ones
 
-    /// What the bars of a chart stand for, category by category: a section, from 0; a requirement.
+    /// What the bars of a chart stand for, category by category: a stage, from 0; a section, from
+    /// 0; a requirement.
+    static std::vector<std::size_t> stagesShown(const Outcome& outcome);
     static std::vector<int> sectionsOfDiameters(const Outcome& outcome);
     static std::vector<ConstraintResult> requirementsShown(const Outcome& outcome);
 
-    static constexpr int mostRuns = 8; ///< kept ones, the newest
+    static constexpr int mostRuns = 8;            ///< kept ones, the newest
+    static constexpr std::size_t mostStages = 24; ///< those that take longest
 
 private:
     static std::vector<BarSeries> stepSeries(const Outcome& outcome);
+    static QString stagesRemark(const Outcome& outcome);
     static QString sectionsRemark(const Outcome& outcome);
     /// A zone by its name, a section by its number.
     static QString briefPlace(const Outcome& outcome, int section);

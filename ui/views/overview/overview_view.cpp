@@ -314,7 +314,9 @@ void OverviewView::follow(OverviewChart chart, std::size_t, std::size_t category
     }
     const auto at = [category](const auto& of) { return of.at(category); };
     switch (chart) {
-    case times: emit stageAsked(static_cast<int>(category) + 1); break;
+    case times:
+        emit stageAsked(static_cast<int>(at(OverviewCharts::stagesShown(*good()))) + 1);
+        break;
     case stock: emit viewAsked(QStringLiteral("layers")); break;
     case diameters: emit sectionAsked(at(OverviewCharts::sectionsOfDiameters(*good()))); break;
     case requirements: emit requirementAsked(at(OverviewCharts::requirementsShown(*good()))); break;

@@ -24,7 +24,10 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QScrollArea>
+#include <QTimer>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace sparkout {
 
@@ -119,7 +122,15 @@ void VerdictPanel::buildTable() {
     setRelativeFont(*header, smallHead);
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setSectionResizeMode(VerdictModel::requirement, QHeaderView::Stretch);
-    connect(m_table, &CopyTable::resized, this, &VerdictPanel::fitTable, Qt::QueuedConnection);
+    // Its rows are as high as its width makes them: another height alone changes nothing.
+    connect(
+        m_table, &CopyTable::resized, this,
+        [this, fitted = -1]() mutable {
+            if (std::exchange(fitted, m_table->width()) != m_table->width()) {
+                fitTable();
+            }
+        },
+        Qt::QueuedConnection);
     connect(m_table, &CopyTable::rowChosen, this, [this](int row) {
         if (const ConstraintResult* constraint = m_model->constraintAt(row)) {
             m_chosen = *constraint;
@@ -149,13 +160,13 @@ void VerdictPanel::setOutcome(OutcomePtr outcome) {
         return;
     }
     m_queued = true;
+    const auto show = [this] {
+        m_queued = false;
+        showOutcome();
+    };
+    // Once the view in front has drawn, and a beat after it: both at once are a pause.
     QMetaObject::invokeMethod(
-        this,
-        [this] {
-            m_queued = false;
-            showOutcome();
-        },
-        Qt::QueuedConnection);
+        this, [this, show] { QTimer::singleShot(0, this, show); }, Qt::QueuedConnection);
 }
 
 void VerdictPanel::forget() {

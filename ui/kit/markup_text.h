@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractTextDocumentLayout>
+#include <QTextEdit>
+#include <QWheelEvent>
+
+#include <cmath>
+
+namespace sparkout {
+
+/// A text with markup that is read like a label, as high as its lines. It is laid out once for a
+/// width, and the rest of a long one bit by bit; a QLabel lays it out many times over, which takes
+/// seconds of a page with tables.
+class MarkupText : public QTextEdit {
+public:
+    explicit MarkupText(QWidget* parent = nullptr) : QTextEdit(parent) {
+        setReadOnly(true);
+        setTextInteractionFlags(Qt::TextSelectableByMouse);
+        setFocusPolicy(Qt::NoFocus); // read, not used
+        setFrameShape(QFrame::NoFrame);
+        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        viewport()->setAutoFillBackground(false);
+        document()->setDocumentMargin(0);
+        connect(document()->documentLayout(), &QAbstractTextDocumentLayout::documentSizeChanged,
+                this, &MarkupText::fit);
+    }
+
+    void setMarkup(const QString& html) {
+        setHtml(html);
+        setAccessibleName(toPlainText());
+        fit();
+    }
+
+    [[nodiscard]] QSize sizeHint() const override {
+        return {QTextEdit::sizeHint().width(), height()};
+    }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {1, height()}; }
+
+protected:
+    void wheelEvent(QWheelEvent* event) override { event->ignore(); } ///< what it stands in scrolls
+
+private:
+    void fit() { setFixedHeight(static_cast<int>(std::ceil(document()->size().height()))); }
+};
+
+} // namespace sparkout
