@@ -151,7 +151,7 @@ private slots:
         QCOMPARE(outcome.status, 130);
         QVERIFY2(outcome.out.find("  Stopped after ") != std::string::npos, outcome.out.c_str());
         QVERIFY2(outcome.out.find("no single setting") == std::string::npos, outcome.out.c_str());
-        QVERIFY(run({"--help"}).out.find("sweep or search for remedies ended by Ctrl+C")
+        QVERIFY(run({"--help"}).out.find("ended by Ctrl+C or SIGTERM before its end")
                 != std::string::npos);
     }
 

@@ -14,16 +14,21 @@
 #include "core/project/optimisation.h"
 #include "core/project/part.h"
 #include "core/simulation/simulate.h"
+#include "core/study/whole_search.h"
 #include "tests/core/optimisation/search_cases.h"
+#include "tests/core/support/project_samples.h"
 #include "tests/processor_time.h"
 #include "tests/registry.h"
 
 #include <QElapsedTimer>
 #include <QTest>
 
+#include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <functional>
 #include <limits>
+#include <random>
 #include <stop_token>
 #include <thread>
 
@@ -64,11 +69,12 @@ Project slow() {
     return p;
 }
 
-/// Time [ms] that the work goes on for after the stop, so long after its begin; the least of three.
+/// Time [ms] that the work goes on for after the stop, so long after its begin; the least of some
+/// tries.
 double stoppedAfter_ms(const char* what, std::chrono::milliseconds delay,
-                       const std::function<void(const std::stop_token&)>& work) {
+                       const std::function<void(const std::stop_token&)>& work, int tries = 3) {
     double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < tries; ++i) {
         std::stop_source stop;
         QElapsedTimer since;
         std::jthread stopper([&] {
@@ -133,6 +139,42 @@ private slots:
         QVERIFY(!found.best); // none came to its end
         QCOMPARE(found.evaluations, 0LL);
         QVERIFY2(took_ms < busy * most_ms, QByteArray::number(took_ms));
+    }
+
+    // The corners of a batch: the margins by time look for their first answer in seeds and phase
+    // cases, which report no progress. They end when their time is up, as long as the search took
+    // and two seconds, and a stop at any moment ends all.
+    void aWholeSearchOfCornersKeepsItsTimeAndStops() {
+        const auto path = samples::sourcePath("resources/examples/shaft-30h6-factory.sparkout");
+        Project p = readProject(samples::readText(path)).project.value();
+        p.optimisation->scenarios = OptimisationScenarios::corners;
+        const bool isLong = std::getenv("SPARKOUT_LONG") != nullptr;
+        if (isLong) {
+            QElapsedTimer took;
+            took.start();
+            double answer_s = 0;
+            const SearchOutcomePtr whole =
+                runWholeSearch(p, {}, {}, {}, [&](const SearchOutcomePtr& answer) {
+                    answer_s = static_cast<double>(took.elapsed()) / 1e3;
+                    QVERIFY(answer->proved() && answer->isFrontComing);
+                });
+            const double all_s = static_cast<double>(took.elapsed()) / 1e3;
+            qInfo("answer after %.1f s, end after %.1f s", answer_s, all_s);
+            QVERIFY(whole->proved() && answer_s > 0);
+            QVERIFY2(all_s < 2 * answer_s + 2 + busy * most_ms / 1e3, QByteArray::number(all_s));
+        }
+        std::mt19937 random(14);
+        const int stops = isLong ? 200 : 3;
+        double worst_ms = 0;
+        for (int i = 0; i < stops; ++i) {
+            const std::chrono::milliseconds delay(random() % (isLong ? 6'000 : 300));
+            const auto search = [&](const std::stop_token& stop) {
+                (void)runWholeSearch(p, {}, stop, {});
+            };
+            worst_ms =
+                std::max(worst_ms, stoppedAfter_ms("whole search", delay, search, isLong ? 1 : 3));
+        }
+        QVERIFY2(worst_ms < busy * most_ms, QByteArray::number(worst_ms));
     }
 
     void whatFollowsASearchStopsWithinACycle() {
