@@ -10,8 +10,11 @@
 
 #include <QDir>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
+
+#include <sys/resource.h>
 
 namespace test_cli_course {
 
@@ -180,6 +183,81 @@ private slots:
                  1);
     }
 
+    /// Lists as Russian Excel writes them; UTF-16 by its mark, Windows-1251 by its letters.
+    void listsInAnyEncodingAreTaken_data() {
+        QTest::addColumn<QByteArray>("list");
+        QTest::newRow("Windows-1251")
+            << QByteArray("\xD4\xC8\xCE;\xC3\xF0\xF3\xEF\xEF\xE0\r\n\xC8\xE2\xE0\xED;\xC0-1\r\n");
+        QTest::newRow("UTF-16") << QByteArray("\xFF\xFE\x24\x04\x18\x04\x1E\x04;\0\x13\x04\x40\x04"
+                                              "\x43\x04\x3F\x04\x3F\x04\x30\x04\n\0\x18\x04\x32\x04"
+                                              "\x30\x04\x3D\x04;\0\x10\x04-\0001\0\n\0",
+                                              42);
+        QTest::newRow("quotation marks") << QByteArray("name;group\n\"Иван\";\"А-1\"\n");
+    }
+    void listsInAnyEncodingAreTaken() {
+        QFETCH(QByteArray, list);
+        const QString group = save("encoded.csv", list.toStdString());
+        const QString folder = m_folder.filePath("encoded");
+        const Outcome outcome = run({"course", "variants", lessonPath(), "--group", group, "--seed",
+                                     "1", "-d", folder, "--force"});
+        QVERIFY2(outcome.status == 0, outcome.text().c_str());
+        QVERIFY(contentOf(folder + "/assignments.csv").find("\n1,Иван,А-1,") != std::string::npos);
+        const Outcome graded = run({"course", "grade", lessonPath(), folder, "--group", group,
+                                    "--answers", folder + "/teacher-best-answers.csv", "--csv"});
+        QVERIFY2(graded.status == 0, graded.text().c_str());
+        QVERIFY2(graded.out.find("sparkout-work,Иван,А-1,1,,,") != std::string::npos,
+                 graded.out.c_str());
+    }
+
+    /// The long run has as many as the largest class may hand in, each as large as is read.
+    void worksAreHeldInMemoryOneAtATime() {
+        const bool isLong = qEnvironmentVariableIsSet("SPARKOUT_LONG");
+        const std::size_t bytes = isLong ? 31'000'000 : 4'000'000;
+        const int works = isLong ? 140 : 8;
+        std::string content = contentOf(firstWork());
+        content.insert(1, bytes, ' ');
+        const QString large = save("large.sparkout-work", content);
+        const QString folder = m_folder.filePath("large");
+        double peak_mb = 0;
+        for (const int count : {1, works}) {
+            QDir().mkpath(folder);
+            for (int i = 0; i < count; ++i) {
+                QFile::link(large, folder + QStringLiteral("/%1.sparkout-work").arg(i));
+            }
+            const Outcome outcome = run({"course", "grade", lessonPath(), folder, "--csv"});
+            QVERIFY2(outcome.status == 0, outcome.err.c_str());
+            QCOMPARE(lines(outcome.out), static_cast<std::size_t>(count) + 1);
+            rusage used{};
+            getrusage(RUSAGE_CHILDREN, &used);
+            const double now_mb = static_cast<double>(used.ru_maxrss) / 1024;
+            QVERIFY2(now_mb < 512, qPrintable(QString::number(now_mb)));
+            QVERIFY2(count == 1 || now_mb - peak_mb < 2e-6 * static_cast<double>(bytes),
+                     qPrintable(QStringLiteral("%1 MB, then %2").arg(peak_mb).arg(now_mb)));
+            peak_mb = now_mb;
+        }
+    }
+
+    void ctrlCLeavesTheTableOfTheWorksMarked() {
+        const QString folder = m_folder.filePath("many");
+        QDir().mkpath(folder);
+        constexpr int works = 3000;
+        for (int i = 0; i < works; ++i) {
+            QFile::link(firstWork(), folder + QStringLiteral("/%1.sparkout-work").arg(i));
+        }
+        QProcess process;
+        process.start(SPARKOUT_CLI, {"course", "grade", lessonPath(), folder, "--csv"});
+        QTest::qWait(1500);
+        endBySignal(process, SIGINT);
+        const Outcome outcome = outcomeOf(process);
+        QCOMPARE(outcome.status, 130);
+        QVERIFY2(outcome.out.starts_with("file,name,group,"), outcome.text().c_str());
+        const std::size_t marked = lines(outcome.out) - 1;
+        QVERIFY(marked < works);
+        QVERIFY2(outcome.err.find("ended after " + std::to_string(marked) + " of 3000 works")
+                     != std::string::npos,
+                 outcome.err.c_str());
+    }
+
     void aFileMayHaveAnyName() {
         const QString folder = m_folder.filePath("bytes");
         QVERIFY(QDir().mkpath(folder));
@@ -261,6 +339,8 @@ private slots:
     }
 
 private:
+    [[nodiscard]] QString firstWork() const { return m_class + "/003-Smith_J_.sparkout-work"; }
+
     [[nodiscard]] QStringList variantsInto(const QString& folder) const {
         return {"course", "variants", lessonPath(), "--group", m_group,
                 "--seed", "731902",   "-d",         folder};

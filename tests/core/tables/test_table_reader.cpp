@@ -210,7 +210,7 @@ private slots:
     void headingsOfOneColumnMakeNoDelimiterOfACommaInACell() {
         QVERIFY((dialectOf("ФИО\nСмит, Джон\nИванов\n").delimiter == ';'));
         QVERIFY((dialectOf("stock_mm\n0,141\n0,147\n") == TableDialect{';', ','}));
-        QVERIFY((dialectOf("\"name; first\",\"a\"\n\"x; y\",\"b\"\n").delimiter == ','));
+        QVERIFY((dialectOf("\"name; first\",\"note\"\n\"x; y\",\"b\"\n").delimiter == ','));
         QVERIFY((dialectOf("name;note\n\"a\nb\";\"c\nd\"\n").delimiter == ';'));
     }
 

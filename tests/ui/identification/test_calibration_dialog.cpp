@@ -21,6 +21,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QScopeGuard>
 #include <QStatusBar>
@@ -31,6 +32,7 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace test_calibration_dialog {
@@ -215,6 +217,46 @@ private slots:
             QVERIFY(!part<QPushButton>(dialog, "fitTake")->isEnabled());
         });
         QVERIFY(!bench.window->document().canUndo());
+    }
+
+    /// The gauge drifts to and fro, slowly, as no parameter of the cycle does.
+    void valuesOfAFitInDoubtAreTakenOnlyByWhoSaysSo() {
+        Bench bench(QStringLiteral("en"));
+        Project project = traced::project();
+        MeasuredTrace& size = project.measured->traces.front();
+        std::vector<double> values = size.values.values();
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            values[i] += 3e-3 * std::sin(size.time_s[i]);
+        }
+        size.values = Samples(std::move(values));
+        bench.window->document().startUntitled(project);
+        QTRY_VERIFY(!bench.window->runs().running());
+        inDialog(bench, [](QDialog& dialog) {
+            fit(dialog);
+            const QString words = part<QLabel>(dialog, "fitWords")->text();
+            QVERIFY2(words.contains(QStringLiteral("In doubt: ")), qPrintable(words));
+            QVERIFY(QLocale().toDouble(cellOf(dialog, "fitResiduals", 0, 2)) > 0);
+            for (const bool isTaken : {false, true}) {
+                QString asked;
+                QTimer::singleShot(0, &dialog, [&asked, isTaken] {
+                    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+                    if (box) {
+                        asked = box->text();
+                        const auto role =
+                            isTaken ? QMessageBox::AcceptRole : QMessageBox::RejectRole;
+                        for (QAbstractButton* button : box->buttons()) {
+                            if (box->buttonRole(button) == role) {
+                                button->click();
+                            }
+                        }
+                    }
+                });
+                click(dialog, "fitTake");
+                QVERIFY2(asked.startsWith(QStringLiteral("In doubt: ")), qPrintable(asked));
+                QCOMPARE(dialog.isVisible(), !isTaken);
+            }
+        });
+        QVERIFY(bench.window->document().canUndo());
     }
 
     void aValueKnownBeforeIsTypedAndTakesPart() {
