@@ -38,6 +38,8 @@ using namespace sparkout;
 
 namespace {
 
+constexpr int patience_ms = 60'000; ///< with a window that comes to the front on a busy machine
+
 void languages() {
     QTest::addColumn<QString>("language");
     QTest::newRow("en") << QStringLiteral("en");
@@ -89,7 +91,7 @@ HelpWindow* helpOf(const Bench& bench) {
 /// Presses F1 in the window and says which topic came up.
 QString topicByF1(Bench& bench, QWidget& widget) {
     widget.window()->activateWindow();
-    if (!QTest::qWaitForWindowActive(widget.window())) {
+    if (!QTest::qWaitForWindowActive(widget.window(), patience_ms)) {
         return QStringLiteral("not active");
     }
     widget.setFocus();
@@ -220,13 +222,13 @@ private slots:
         const Bench bench(QStringLiteral("en"));
         ExamplesDialog dialog(bench.window.get());
         dialog.open(); // modal
-        QVERIFY(QTest::qWaitForWindowActive(&dialog));
+        QVERIFY(QTest::qWaitForWindowActive(&dialog, patience_ms));
         QTest::keyClick(dialog.focusWidget(), Qt::Key_F1);
         auto* help = dialog.findChild<HelpWindow*>();
         QVERIFY(help && help->isVisible());
         QCOMPARE(help->topic(), QStringLiteral("start#examples"));
         QVERIFY(leadsSomewhere(help->book(), help->topic()));
-        QVERIFY(QTest::qWaitForWindowActive(help)); // it can be used
+        QVERIFY(QTest::qWaitForWindowActive(help, patience_ms)); // it can be used
         QTest::keyClick(help->focusWidget(), Qt::Key_Escape);
         QVERIFY(!help->isVisible() && dialog.isVisible());
     }
@@ -377,7 +379,7 @@ private slots:
         Bench bench(QStringLiteral("en"));
         bench.action("helpContents")->trigger();
         HelpWindow* help = helpOf(bench);
-        QVERIFY(QTest::qWaitForWindowActive(help));
+        QVERIFY(QTest::qWaitForWindowActive(help, patience_ms));
         QCOMPARE(help->topic(), QStringLiteral("start"));
         QTest::keyClick(help->focusWidget(), Qt::Key_F, Qt::ControlModifier);
         auto* search = help->findChild<QLineEdit*>(QStringLiteral("helpSearch"));

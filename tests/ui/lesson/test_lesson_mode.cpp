@@ -603,6 +603,7 @@ private slots:
         student.begin();
         student.show(0);
         InputsPanel& inputs = student.window.inputs();
+        QVERIFY(!inputs.pages().empty()); // which builds those that have not been shown
         for (int key = Qt::Key_1; key <= Qt::Key_8; ++key) { // every page there is
             QTest::keyClick(&student.window, Qt::Key(key), Qt::AltModifier);
             student.bench.settle();

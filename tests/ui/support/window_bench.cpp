@@ -67,7 +67,7 @@ bool Bench::open(const QString& path) {
         return false;
     }
     const bool came =
-        QTest::qWaitFor([&] { return shown.count() > 0 && !window->runs().running(); }, 30'000);
+        QTest::qWaitFor([&] { return shown.count() > 0 && !window->runs().running(); }, 120'000);
     settle();
     return came;
 }

@@ -5,6 +5,7 @@
 #include "tests/check_line.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
+#include "tests/ui/support/heartbeat.h"
 #include "tests/ui/window/file_dialogs_bench.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/dialogs/notice_bar.h"
@@ -12,7 +13,6 @@
 #include "ui/window/recent_files_menu.h"
 
 #include <QDropEvent>
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QListWidget>
 #include <QMimeData>
@@ -20,7 +20,6 @@
 #include <QUrl>
 
 #include <algorithm>
-#include <ctime>
 #include <limits>
 
 namespace test_file_dialogs_open {
@@ -29,38 +28,6 @@ using namespace sparkout;
 using namespace file_dialogs_bench;
 
 namespace {
-
-/// Beats every 5 ms and notes the longest time without a beat: by the clock, and how long the
-/// window's thread itself was at work meanwhile, which a busy machine does not change.
-class Heartbeat : public QObject {
-public:
-    Heartbeat() {
-        m_timer.setTimerType(Qt::PreciseTimer);
-        connect(&m_timer, &QTimer::timeout, this, &Heartbeat::beat);
-        m_timer.start(5);
-        m_clock.start();
-        m_work_ms = threadTime_ms();
-    }
-    void beat() {
-        const double work_ms = threadTime_ms();
-        longest_ms = std::max(longest_ms, double(m_clock.nsecsElapsed()) * 1e-6);
-        longestWork_ms = std::max(longestWork_ms, work_ms - m_work_ms);
-        m_work_ms = work_ms;
-        m_clock.restart();
-    }
-    double longest_ms = 0;
-    double longestWork_ms = 0;
-
-private:
-    static double threadTime_ms() {
-        timespec time{};
-        ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-        return double(time.tv_sec) * 1e3 + double(time.tv_nsec) * 1e-6;
-    }
-    QTimer m_timer;
-    QElapsedTimer m_clock;
-    double m_work_ms = 0;
-};
 
 /// A project of some megabytes: a thousand kept runs with their summaries.
 QByteArray largeText() {
@@ -196,19 +163,19 @@ private slots:
             Heartbeat opening;
             const bool opened = bench.open() && QTest::qWaitFor([&] { return !shown.isEmpty(); });
             QTest::qWait(100);
-            opening.beat();
+            const Beats whileOpened = opening.stop();
             Heartbeat saving;
             bench.edit(31);
             const bool saved = bench.window->files().save();
             QTest::qWait(100);
-            saving.beat();
-            const double own_ms = std::max(opening.longestWork_ms, saving.longestWork_ms);
+            const Beats whileSaved = saving.stop();
+            const double own_ms = std::max(worstWork_ms(whileOpened), worstWork_ms(whileSaved));
             qInfo("SPEED %s, %lld KB: the window stood still %.0f ms at most while it was opened "
                   "(%.0f ms of work of its own), %.0f ms (%.0f ms) while it was edited and saved; "
                   "target of its own work %g ms: %s",
-                  QTest::currentDataTag(), text.size() / 1024, opening.longest_ms,
-                  opening.longestWork_ms, saving.longest_ms, saving.longestWork_ms, target_ms,
-                  beside(own_ms, target_ms));
+                  QTest::currentDataTag(), text.size() / 1024, worstGap_ms(whileOpened),
+                  worstWork_ms(whileOpened), worstGap_ms(whileSaved), worstWork_ms(whileSaved),
+                  target_ms, beside(own_ms, target_ms));
             return opened && saved ? own_ms : std::numeric_limits<double>::infinity();
         });
         checkLine("20", worst_ms, 100, worst_ms <= 100,

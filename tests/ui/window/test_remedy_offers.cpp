@@ -55,7 +55,7 @@ struct Offers {
     }
     [[nodiscard]] bool wait() const {
         return QTest::qWaitFor([this] { return !window.runs().running() && !finder.running(); },
-                               30'000);
+                               120'000);
     }
     /// A click as the windowing system sends it.
     void click(const QWidget& widget) const {
@@ -229,7 +229,7 @@ private slots:
         const Offers offers(bench);
         const QPushButton& end =
             *offers.section.findChild<QPushButton*>(QStringLiteral("endRemedies"));
-        QTRY_VERIFY_WITH_TIMEOUT(end.isVisible() && end.isEnabled(), 30'000);
+        QTRY_VERIFY_WITH_TIMEOUT(end.isVisible() && end.isEnabled(), 120'000);
         QVERIFY2(offers.note().contains(QStringLiteral("settings tried")),
                  qPrintable(offers.note()));
         offers.click(end);

@@ -27,8 +27,6 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include <utility>
-
 namespace sparkout {
 
 namespace {
@@ -122,15 +120,7 @@ void VerdictPanel::buildTable() {
     setRelativeFont(*header, smallHead);
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setSectionResizeMode(VerdictModel::requirement, QHeaderView::Stretch);
-    // Its rows are as high as its width makes them: another height alone changes nothing.
-    connect(
-        m_table, &CopyTable::resized, this,
-        [this, fitted = -1]() mutable {
-            if (std::exchange(fitted, m_table->width()) != m_table->width()) {
-                fitTable();
-            }
-        },
-        Qt::QueuedConnection);
+    connect(m_table, &CopyTable::resized, this, &VerdictPanel::fitTable, Qt::QueuedConnection);
     connect(m_table, &CopyTable::rowChosen, this, [this](int row) {
         if (const ConstraintResult* constraint = m_model->constraintAt(row)) {
             m_chosen = *constraint;

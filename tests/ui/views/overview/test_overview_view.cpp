@@ -3,6 +3,7 @@
 // says what will be there.
 #include "core/batch/batch_summary.h"
 #include "core/project/batch.h"
+#include "core/project/cycle.h"
 #include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "core/quality/diameter_shares.h"
@@ -42,6 +43,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace test_overview_view {
 
@@ -415,6 +417,36 @@ private slots:
         QVERIFY(desk.plot(stock).chart().remark.contains(QStringLiteral("200")));
         QVERIFY(desk.see(stock));
         QCOMPARE(desk.plot(times).chart().series.size(), std::size_t(1)); // no steps in plunge
+    }
+
+    /// Those that take longest; a bar leads to its own stage.
+    void manyStagesAreCappedAndSaidSo() {
+        const Desk desk;
+        Project project = fixtures::traverseProject();
+        const Stage first = project.cycle->stages.front();
+        const std::size_t count = 2 * OverviewCharts::mostStages;
+        project.cycle->stages.assign(count, first);
+        for (std::size_t i = 0; i < count; ++i) { // the second half takes longer
+            project.cycle->stages[i].stock_mm =
+                project.part->stock_mm * (i < count / 2 ? 0.5 : 1.5) / double(count);
+        }
+        QVERIFY(desk.open(project));
+        const std::vector<std::size_t> shown = OverviewCharts::stagesShown(desk.outcome());
+        const BarChart& bars = desk.plot(OverviewChart::times).chart();
+        QCOMPARE(shown.size(), OverviewCharts::mostStages);
+        QCOMPARE(std::size_t(bars.categories.size()), shown.size());
+        QVERIFY(std::ranges::is_sorted(shown));
+        double least_s = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < shown.size(); ++i) {
+            const double time_s = desk.outcome().result.timeByStage_s[shown[i]];
+            QVERIFY(std::abs(bars.total(i) * 60 - time_s) < 1e-9 * time_s);
+            least_s = std::min(least_s, time_s);
+        }
+        for (std::size_t stage = 0; stage < count; ++stage) {
+            QVERIFY(std::ranges::count(shown, stage) > 0
+                    || desk.outcome().result.timeByStage_s[stage] <= least_s);
+        }
+        QVERIFY(bars.remark.startsWith(QStringLiteral("24 of 48 stages")));
     }
 
     void aThousandKeptRunsAreCappedAndSaidSo() {
