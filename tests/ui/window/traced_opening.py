@@ -29,8 +29,8 @@ GIVEN = [os.path.abspath(name) for name in sys.argv[5:]]
 # The system, the program's own folder and what the scene gives it; the rest is nobody's business.
 SYSTEM = ("/usr/", "/lib/", "/lib64/", "/etc/", "/proc/", "/sys/devices/system/", "/dev/null/",
           "/dev/urandom/", "/dev/shm/", "/var/cache/fontconfig/", "/var/lib/dbus/machine-id/")
-PATIENCE_S = 30
-LOOKS, IDLE_LOOKS = 14, 10  # every 50 ms; a cursor that blinks is work as well
+PATIENCE_S = 60
+LOOKS, IDLE_LOOKS = 14, 5  # every 50 ms; computing has none idle, a cursor that blinks beside load has some
 failures = 0
 
 
