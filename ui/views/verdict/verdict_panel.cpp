@@ -24,7 +24,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QScrollArea>
-#include <QTimer>
 #include <QVBoxLayout>
 
 namespace sparkout {
@@ -150,13 +149,13 @@ void VerdictPanel::setOutcome(OutcomePtr outcome) {
         return;
     }
     m_queued = true;
-    const auto show = [this] {
-        m_queued = false;
-        showOutcome();
-    };
-    // Once the view in front has drawn, and a beat after it: both at once are a pause.
     QMetaObject::invokeMethod(
-        this, [this, show] { QTimer::singleShot(0, this, show); }, Qt::QueuedConnection);
+        this,
+        [this] {
+            m_queued = false;
+            showOutcome();
+        },
+        Qt::QueuedConnection);
 }
 
 void VerdictPanel::forget() {
