@@ -36,6 +36,7 @@ struct RemovedMetal {
     friend RemovedMetal operator*(double parts, const RemovedMetal& of) {
         return {parts * of.volume_mm3, parts * of.perContact_mm2};
     }
+    friend bool operator==(const RemovedMetal&, const RemovedMetal&) = default;
 };
 
 /// What the cycle of a project has removed, so much in all.

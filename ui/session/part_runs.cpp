@@ -16,7 +16,8 @@ namespace sparkout {
 namespace {
 
 SurfaceStatus statusFrom(const SimulationResult& result,
-                         const std::vector<ConstraintResult>& constraints, double removed_mm3) {
+                         const std::vector<ConstraintResult>& constraints,
+                         const RemovedMetal& removed) {
     SurfaceStatus status;
     status.state = SurfaceStatus::State::ran;
     status.isCompleted = result.status == RunStatus::completed;
@@ -31,7 +32,7 @@ SurfaceStatus statusFrom(const SimulationResult& result,
     }
     status.requirements = worstByKind(constraints);
     status.isRoughnessEstimate = !isRoughnessCalibrated(result.project);
-    status.removed_mm3 = removed_mm3;
+    status.removed = removed;
     return status;
 }
 
@@ -45,7 +46,7 @@ SurfaceStatus refusedStatus() {
 
 bool PartRuns::Known::isOf(const Known& wanted) const {
     return surface == wanted.surface && wear == wanted.wear
-           && removedBefore_mm3 == wanted.removedBefore_mm3;
+           && removedBefore == wanted.removedBefore;
 }
 
 PartRuns::PartRuns(Document& document, QObject* parent) : QObject(parent), m_document(document) {
@@ -72,8 +73,9 @@ void PartRuns::setOutcome(const OutcomePtr& outcome) {
     if (m_document.surfaceCount() > 1) {
         return;
     }
-    m_statuses = {outcome->ran() ? statusFrom(outcome->result, outcome->constraints,
-                                              outcome->shop.cycle.removedVolume_mm3)
+    m_statuses = {outcome->ran() ? statusFrom(
+                      outcome->result, outcome->constraints,
+                      removedMetal(outcome->result.project, outcome->shop.cycle.removedVolume_mm3))
                                  : refusedStatus()};
     emit changed();
 }
@@ -83,29 +85,30 @@ SurfaceStatus PartRuns::statusOf(const SetupState& state, const Known& wanted,
     Setup one;
     one.surfaces.push_back({{}, wanted.surface->project});
     one.wear = state.wear;
-    const WornProject worn = wornProject(one, 0, wanted.removedBefore_mm3);
+    const WornProject worn = wornProject(one, 0, wanted.removedBefore);
     if (!wanted.surface->open.empty() || hasErrors(validate(worn.project))) {
         return refusedStatus();
     }
     const SurfaceRun run = runSurface({}, worn.project, stop);
-    return statusFrom(run.result, run.constraints, run.removed_mm3);
+    return statusFrom(run.result, run.constraints, run.removed());
 }
 
 /// Shows what is known already; true when that is all.
 bool PartRuns::takeKnown() {
     const SetupState& state = m_document.state();
     m_statuses.assign(state.surfaces.size(), {});
-    double removed_mm3 = 0;
+    RemovedMetal removed;
     bool isAll = true;
     for (std::size_t i = 0; i < state.surfaces.size(); ++i) {
-        const Known run{state.surfaces[i], state.wear, state.wear.isGiven() ? removed_mm3 : 0, {}};
+        const Known run{
+            state.surfaces[i], state.wear, state.wear.isGiven() ? removed : RemovedMetal(), {}};
         const auto found =
             std::ranges::find_if(m_known, [&run](const Known& each) { return each.isOf(run); });
         if (found == m_known.end()) {
             isAll = false;
         } else {
             m_statuses[i] = found->status;
-            removed_mm3 += found->status.removed_mm3;
+            removed += found->status.removed;
         }
         if (state.wear.isGiven() && !m_statuses[i].ran()) {
             break;
@@ -127,16 +130,17 @@ void PartRuns::follow() {
     }
     m_job.start([this, state = m_document.state(), known = m_known](const std::stop_token& stop,
                                                                     const NewestJob::Post& post) {
-        double removed_mm3 = 0;
+        RemovedMetal removed;
         for (std::size_t i = 0; i < state.surfaces.size(); ++i) {
-            Known run{state.surfaces[i], state.wear, state.wear.isGiven() ? removed_mm3 : 0, {}};
+            Known run{
+                state.surfaces[i], state.wear, state.wear.isGiven() ? removed : RemovedMetal(), {}};
             const auto found =
                 std::ranges::find_if(known, [&run](const Known& each) { return each.isOf(run); });
             run.status = found != known.end() ? found->status : statusOf(state, run, stop);
             if (stop.stop_requested()) {
                 return;
             }
-            removed_mm3 += run.status.removed_mm3;
+            removed += run.status.removed;
             const bool isOver = state.wear.isGiven() && !run.status.ran();
             post([this, i, run] { take(i, run); });
             if (isOver) {

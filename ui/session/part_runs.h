@@ -40,7 +40,7 @@ private:
     struct Known {
         SurfaceStatePtr surface;
         WheelWear wear;
-        double removedBefore_mm3 = 0;
+        RemovedMetal removedBefore;
         SurfaceStatus status;
 
         [[nodiscard]] bool isOf(const Known& wanted) const;

@@ -3,6 +3,7 @@
 
 #include "core/quality/constraints.h"
 #include "core/quality/light.h"
+#include "core/setup/wheel_wear.h"
 
 #include <optional>
 #include <vector>
@@ -23,7 +24,7 @@ struct SurfaceStatus {
     std::optional<ConstraintResult> worst;        ///< the requirement to speak of first
     std::vector<ConstraintResult> requirements{}; ///< the worst of each kind
     bool isRoughnessEstimate = false;             ///< Ra rests on no calibration
-    double removed_mm3 = 0;
+    RemovedMetal removed{};
 
     [[nodiscard]] bool ran() const { return state == State::ran; }
     [[nodiscard]] bool holds() const { return ran() && isCompleted && light != Light::fails; }
