@@ -162,7 +162,8 @@ StepOutcome replaceOld(SaveTarget& target, const std::string& temporary,
 }
 
 /// Puts the temporary file in its place, whatever the caller expects there.
-StepOutcome putInPlace(SaveTarget& target, const std::string& temporary, const WriteOptions& options) {
+StepOutcome putInPlace(SaveTarget& target, const std::string& temporary,
+                       const WriteOptions& options) {
     if (!target.exists && options.expected) {
         const int error = renameToFree(target.folder, temporary, target.name);
         return error == EEXIST ? StepFailure{FileStep::changed, 0}
