@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a program is entered from outside. Code compiled with -fcf-protection marks each place that may
-// be jumped to; the start files of Debian's C library (Scrt1.o, crti.o) are compiled without. The loader
-// jumps here instead, and from here the jump is a direct one, which needs no mark.
+// Where a program is entered from outside. Code compiled with -fcf-protection marks each place that
+// may be jumped to; the start files of Debian's C library (Scrt1.o, crti.o) are compiled without.
+// The loader jumps here instead, and from here the jump is a direct one, which needs no mark.
 asm(R"(
     .text
     .globl sparkout_start, sparkout_init, sparkout_fini
