@@ -7121,23 +7121,23 @@ With another name both versions stay as they are.</source>
             <translation>Бесступенчатый предел %1 мин, на %2 % меньше.</translation>
         </message>
         <message>
-            <source>Margins by time are being looked for.</source>
+            <source>The search for margins by time continues.</source>
             <translation>Запасы по времени ещё ищутся.</translation>
         </message>
         <message>
-            <source>It is that of cycles with a continuous infeed of up to %1 mm/min.</source>
+            <source>The limit holds for cycles with a continuous infeed of up to %1 mm/min.</source>
             <translation>Это предел циклов с непрерывной подачей до %1 мм/мин.</translation>
         </message>
         <message>
-            <source>It is that of cycles without a continuous infeed.</source>
+            <source>The limit holds for cycles without a continuous infeed.</source>
             <translation>Это предел циклов без непрерывной подачи.</translation>
         </message>
         <message>
-            <source>It is also that of cycles that draw the wheel head back.</source>
+            <source>The limit also holds for cycles that draw the wheel head back.</source>
             <translation>Он верен и для циклов с отводом шлифовальной бабки.</translation>
         </message>
         <message>
-            <source>It is that of cycles that never draw the wheel head back.</source>
+            <source>The limit holds for cycles that never draw the wheel head back.</source>
             <translation>Это предел циклов без отвода шлифовальной бабки.</translation>
         </message>
         <message>
@@ -12794,8 +12794,8 @@ With another name both versions stay as they are.</source>
             <translation>Это восстановленная работа от %1 над «%2». Она ещё не сохранена; сам файл прежний.</translation>
         </message>
         <message>
-            <source>The settings file was damaged and is kept as %1. The settings are the default ones.</source>
-            <translation>Файл настроек был повреждён и сохранён как %1. Действуют настройки по умолчанию.</translation>
+            <source>The settings file was damaged and is kept as %1. Settings that could not be read have their default values.</source>
+            <translation>Файл настроек был повреждён и сохранён как %1. Настройки, которые не удалось прочитать, имеют значения по умолчанию.</translation>
         </message>
         <message>
             <source>The settings were not kept. %1</source>
@@ -16253,19 +16253,19 @@ target, µm</source>
         </message>
         <message>
             <source>It holds for every stock per side of {from}…{to} mm: decided, not sampled.</source>
-            <translation>Годен для всех припусков на сторону {from}…{to} мм: решено точно, а не по выборке.</translation>
+            <translation>Цикл годен для всех припусков на сторону {from}…{to} мм: решено точно, а не по выборке.</translation>
         </message>
         <message>
             <source>It holds for all of {phases} stocks drawn at random within one infeed: with 95 % confidence at most {share} % of them fail.</source>
-            <translation>Годен для всех {phases} случайных припусков в пределах одной подачи: с вероятностью 95 % не годен не более чем для {share} % из них.</translation>
+            <translation>Цикл годен для всех {phases} случайных припусков в пределах одной подачи: с вероятностью 95 % не годен не более чем для {share} % из них.</translation>
         </message>
         <message>
             <source>Each holds for every stock within half an infeed of the stated one.</source>
-            <translation>Каждое годно для всех припусков в пределах половины подачи от заданного.</translation>
+            <translation>С каждым изменением цикл годен для всех припусков в пределах половины подачи от заданного.</translation>
         </message>
         <message>
             <source>Each holds for the stocks tried within half an infeed of the stated one; under position control that is sampled, not decided.</source>
-            <translation>Каждое годно для проверенных припусков в пределах половины подачи от заданного; при управлении по положению это проверено выборкой, а не решено.</translation>
+            <translation>С каждым изменением цикл годен для проверенных припусков в пределах половины подачи от заданного; при управлении по положению это проверено выборкой, а не решено.</translation>
         </message>
         <message>
             <source>Among the values tried, no single setting gives room: with {change}, nothing is close to its limit for the stated stock, but with a stock of {stock} mm the cycle does not end by itself.</source>
@@ -18147,10 +18147,10 @@ good</source>
         </message>
         <message>
             <source>&amp;Apply anyway</source>
-            <translation>&amp;Всё равно принять</translation>
+            <translation>&amp;Всё равно применить</translation>
         </message>
         <message>
-            <source>C&amp;ancel</source>
+            <source>&amp;Cancel</source>
             <translation>О&amp;тмена</translation>
         </message>
         <message>
@@ -20242,7 +20242,7 @@ s</source>
             <translation>Рисунок SVG не может быть логотипом: логотип — рисунок PNG или JPEG, не более %1 пикселей по каждой стороне. Откройте его в графическом редакторе или браузере и сохраните как PNG: в Inkscape командой «Файл › Экспортировать», в командной строке «rsvg-convert -w 1200 -o logo.png logo.svg».</translation>
         </message>
         <message>
-            <source>This is no picture in PNG or JPEG. A logo is one of at most %1 pixels a side: open the picture in an image program and save it as PNG.</source>
+            <source>This is not a PNG or JPEG picture. A logo has at most %1 pixels a side: open the picture in an image program and save it as PNG.</source>
             <translation>Это не рисунок PNG или JPEG. Логотип — такой рисунок, не более %1 пикселей по каждой стороне: откройте его в графическом редакторе и сохраните как PNG.</translation>
         </message>
         <message>
@@ -21327,7 +21327,7 @@ s</source>
             <translation>Работа не сохранена: сданное есть только в этом окне.</translation>
         </message>
         <message>
-            <source>“%1” is open read-only. What is handed in asks for another file.</source>
+            <source>“%1” is open read-only. Answers handed in are saved to another file.</source>
             <translation>«%1» открыт только для чтения. При сдаче ответа будет спрошен другой файл.</translation>
         </message>
         <message>

@@ -245,7 +245,7 @@ int runCourseGrade(const CourseOptions& options) {
                       : options.csv ? gradesCsv(*lesson, works)
                                     : gradesText(*lesson, works));
     }
-    if (caughtSignal() == 0) {
+    if (caughtSignal() == 0 || works.size() >= files->size()) {
         return status;
     }
     print(stderr, "sparkout-cli: ended after " + std::to_string(works.size()) + " of "

@@ -13,9 +13,9 @@ namespace sparkout::cli {
 /// request of Ctrl+C or SIGTERM. A second Ctrl+C ends the program at once.
 class BatchWatch {
 public:
+    static constexpr std::int64_t uncounted = 0; ///< parts, of work that is only to be stopped
     /// `parts` is what `done` will count up to; `tells`: also when stderr is no terminal; `what`
     /// they are called.
-    static constexpr std::int64_t uncounted = 0; ///< parts, of work that is only to be stopped
     BatchWatch(std::int64_t parts, bool tells, const char* what = "parts");
     ~BatchWatch();
     BatchWatch(const BatchWatch&) = delete;

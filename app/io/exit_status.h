@@ -13,7 +13,8 @@ enum Exit {
     cannotReachSize = 3,
     requirementFails = 4,
     nothingFeasible = 5,
-    undecided = 6, ///< no cycle was found, but there may be one: the time was up, or by a heuristic
+    undecided = 6, ///< no cycle was found, but there may be one: the time was up, or the method
+                   ///< proves nothing
     interrupted = 128
 };
 

@@ -42,6 +42,7 @@ public:
     /// The same by the guarded file itself.
     [[nodiscard]] Outcome save(const QString& path, Reloading reloading, const MakeContent& make);
     [[nodiscard]] const std::optional<FileError>& error() const { return m_error; }
+    void forgetError() { m_error.reset(); } ///< before a path is asked for
 
 private:
     [[nodiscard]] SaveAnswer clearTheWay(const QString& path, Reloading reloading);

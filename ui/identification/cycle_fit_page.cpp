@@ -258,7 +258,7 @@ bool CycleFitPage::isTakenInDoubt() {
                     doubts.join(QStringLiteral("\n\n")), QMessageBox::NoButton, this);
     box.setTextFormat(Qt::PlainText);
     const QPushButton* const apply = box.addButton(tr("&Apply anyway"), QMessageBox::AcceptRole);
-    box.setDefaultButton(box.addButton(tr("C&ancel"), QMessageBox::RejectRole));
+    box.setDefaultButton(box.addButton(tr("&Cancel"), QMessageBox::RejectRole));
     box.exec();
     return box.clickedButton() == apply;
 }

@@ -274,6 +274,10 @@ void LessonDesk::openWork(const QString& given) {
             askPath(QFileInfo(path).path() + u'/'
                     + tr("%1 copy").arg(QFileInfo(path).completeBaseName()) + workEnding);
         if (copy.isEmpty() || keep(*read.work, copy) != GuardQuestions::Outcome::saved) {
+            if (const auto& error = m_questions.error(); !copy.isEmpty() && error) {
+                m_file.dropClaim();
+                showFailure(m_window, tr("The work is not saved"), saveErrorText(*error));
+            }
             return;
         }
         start(std::move(*read.work), copy, true);
@@ -345,6 +349,7 @@ bool LessonDesk::write(QString path) {
     if (m_wait.busy()) {
         return false;
     }
+    m_questions.forgetError();
     if (isReadOnly() && path == m_run.file()) {
         path = askPath(path);
     }
@@ -383,14 +388,15 @@ void LessonDesk::showFileState() {
         m_notices.remove(key);
     }
     if (m_file.isReadOnly()) {
-        m_notices.add({readOnlyNotice,
-                       Mark::none,
-                       [name = printableText(QFileInfo(m_run.file()).fileName())] {
-                           return tr("“%1” is open read-only. What is handed in asks for another "
-                                     "file.")
-                               .arg(name);
-                       },
-                       {{[] { return tr("Save elsewhere…"); }, [this] { saveAs(); }}}});
+        m_notices.add(
+            {readOnlyNotice,
+             Mark::none,
+             [name = printableText(QFileInfo(m_run.file()).fileName())] {
+                 return tr("“%1” is open read-only. Answers handed in are saved to another "
+                           "file.")
+                     .arg(name);
+             },
+             {{[] { return tr("Save elsewhere…"); }, [this] { saveAs(); }}}});
     }
     if (const QString strange = m_file.strangeLock(); !strange.isEmpty()) {
         m_notices.add(
@@ -399,6 +405,7 @@ void LessonDesk::showFileState() {
 }
 
 void LessonDesk::showChangedOnDisk() {
+    m_run.markUnsaved();
     m_notices.add({diskNotice,
                    Mark::warning,
                    [name = printableText(QFileInfo(m_run.file()).fileName())] {
@@ -406,7 +413,7 @@ void LessonDesk::showChangedOnDisk() {
                                  "here. Saving will ask which version counts.")
                            .arg(name);
                    },
-                   {}});
+                   {{[] { return tr("Save elsewhere…"); }, [this] { saveAs(); }}}});
 }
 
 void LessonDesk::showStep(std::size_t step) {

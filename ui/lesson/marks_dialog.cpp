@@ -282,8 +282,8 @@ void MarksDialog::mark() {
 }
 
 void MarksDialog::take(std::vector<GradedWork> works) {
-    const bool isStopped = m_marking.stop_requested();
     const auto marks = static_cast<qsizetype>(works.size());
+    const bool isStopped = m_marking.stop_requested() && marks < m_works.size();
     m_model->setMarks(*m_lesson, std::move(works));
     setBusy(false);
     showInputs();

@@ -80,6 +80,8 @@ public:
 
     /// A file, which may be another one, holds the work with its first entries.
     void markSaved(const QString& file, std::size_t entries);
+    /// The file no longer holds the work: another program has changed or removed it.
+    void markUnsaved() { m_savedEntries.reset(); }
     void flush(); ///< until the draft is written
     [[nodiscard]] bool isSaved() const { return m_savedEntries == m_work->entries.size(); }
 

@@ -59,6 +59,12 @@ std::optional<SettingsFile::Content> SettingsFile::read() {
             return Content{document.object().toVariantMap(), sha256(*text)};
         }
     }
+    // Another instance may have written a sound one since.
+    const auto again = readFile(systemPath(m_path), limits::settingsBytes);
+    if (const auto* now = std::get_if<std::string>(&again);
+        now != nullptr && (text == nullptr || *now != *text)) {
+        return read();
+    }
     const auto aside = putAside(systemPath(m_path));
     if (const auto* failed = std::get_if<FileError>(&aside)) {
         m_unreadable = *failed;
@@ -87,10 +93,12 @@ QStringList SettingsFile::damaged() const {
 QStringList SettingsFile::takeDamaged() {
     const QStringList found = damaged();
     QStringList reported = m_values.value(reportedKey).toStringList();
+    const QDir folder = QFileInfo(m_path).dir();
+    reported.removeIf([&folder](const QString& name) { return !folder.exists(name); });
     for (const QString& path : found) {
         reported += QFileInfo(path).fileName();
     }
-    if (!found.isEmpty()) {
+    if (reported != m_values.value(reportedKey).toStringList()) {
         set(reportedKey, reported);
     }
     return found;

@@ -17,9 +17,8 @@ QString pastedCell(const CsvCell& cell, const TableDialect& dialect) {
     if (!text) {
         return {};
     }
-    const QString plain = harmlessText(*text);
-    const bool isFormula = readsAsFormula(plain.left(1).toStdString());
-    return ((isFormula ? QStringLiteral("'") : QString()) + plain).simplified();
+    const QString plain = harmlessText(*text).simplified();
+    return readsAsFormula(plain.left(1).toStdString()) ? u'\'' + plain : plain;
 }
 
 /// Spreadsheets and programs look the names up: they have plain spaces.

@@ -169,8 +169,8 @@ void FileNotices::showDamagedSettings() {
         m_bar.add({settingsKey,
                    Mark::warning,
                    [aside] {
-                       return tr("The settings file was damaged and is kept as %1. The "
-                                 "settings are the default ones.")
+                       return tr("The settings file was damaged and is kept as %1. "
+                                 "Settings that could not be read have their default values.")
                            .arg(printableText(aside.join(QStringLiteral(", "))));
                    },
                    {}});

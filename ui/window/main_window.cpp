@@ -395,9 +395,15 @@ void MainWindow::connectReports() {
     };
     on(m_actions->company, [this] { editCompany(); });
     showLogoFault();
-    on(m_actions->importPack, [this] { m_packs->importPack(); });
+    on(m_actions->importPack, [this] {
+        m_packs->importPack();
+        showLogoFault();
+    });
     on(m_actions->exportPack, [this] { m_packs->exportPack(); });
-    connect(m_files, &FileCommands::packChosen, m_packs, &PackCommands::importFile);
+    connect(m_files, &FileCommands::packChosen, this, [this](const QString& path) {
+        m_packs->importFile(path);
+        showLogoFault();
+    });
     on(m_actions->titlePage, [this] { TitlePageDialog(m_settings, this).exec(); });
     on(m_actions->exportResults, [exports] { exports->exportResults(); });
     auto* output = new ReportOutput(m_settings, this);

@@ -120,8 +120,8 @@ QString Logo::fault(const QByteArray& bytes) {
                         "and export it as PNG: in Inkscape by File › Export, on the command line "
                         "by “rsvg-convert -w 1200 -o logo.png logo.svg”.")
                          .arg(most)
-                   : tr("This is no picture in PNG or JPEG. A logo is one of at most %1 pixels a "
-                        "side: open the picture in an image program and save it as PNG.")
+                   : tr("This is not a PNG or JPEG picture. A logo has at most %1 pixels a side: "
+                        "open the picture in an image program and save it as PNG.")
                          .arg(most);
     }
     if (bytes.size() > mostBytes) {

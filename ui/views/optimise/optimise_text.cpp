@@ -268,7 +268,7 @@ QString OptimiseText::front(const SearchOutcome& outcome) {
                   "this search is of parts between dressings.");
     }
     if (outcome.isFrontComing) {
-        return tr("Margins by time are being looked for.");
+        return tr("The search for margins by time continues.");
     }
     const std::vector<const FoundCycle*> points = outcome.front();
     if (points.empty() && outcome.robust && outcome.best() && !outcome.best()->decided) {
@@ -347,15 +347,16 @@ QString OptimiseText::limitCycles(const SearchOutcome& outcome) {
     const LimitedCycles& cycles = outcome.limitCycles;
     QStringList lines;
     if (outcome.searched.operation->travels) {
-        lines << (cycles.continuousFeed_mm_min > 0
-                      ? tr("It is that of cycles with a continuous infeed of up to %1 mm/min.")
-                            .arg(printedNumber(cycles.continuousFeed_mm_min))
-                      : tr("It is that of cycles without a continuous infeed."));
+        lines
+            << (cycles.continuousFeed_mm_min > 0
+                    ? tr("The limit holds for cycles with a continuous infeed of up to %1 mm/min.")
+                          .arg(printedNumber(cycles.continuousFeed_mm_min))
+                    : tr("The limit holds for cycles without a continuous infeed."));
     }
     if (outcome.searched.operation->mayRetract) {
         lines << (cycles.drawBack
-                      ? tr("It is also that of cycles that draw the wheel head back.")
-                      : tr("It is that of cycles that never draw the wheel head back."));
+                      ? tr("The limit also holds for cycles that draw the wheel head back.")
+                      : tr("The limit holds for cycles that never draw the wheel head back."));
     }
     return lines.join(u' ');
 }
