@@ -94,6 +94,9 @@ void bindRemedy(py::module_& module) {
             "stocks per side, for each of which it holds; None under position control, where it "
             "holds for stocks drawn at random")
         .def_property_readonly(
+            "phases", [](const FoundRemedy& self) { return self.remedy.phases; },
+            "number of stocks drawn at random that it holds for; 0 where stock_mm is decided")
+        .def_property_readonly(
             "requirements",
             [](const FoundRemedy& self) { return requirementList(self.remedy.requirements); },
             "the worst of each kind")
@@ -127,9 +130,20 @@ void bindConflict(py::module_& module) {
                 return setting ? std::optional(setting->path(self.project)) : std::nullopt;
             },
             "JSON pointer of the setting that comes nearest")
-        .def_property_readonly("value", [](const FoundConflict& self) {
-            return self.conflict.setting ? std::optional(self.conflict.value) : std::nullopt;
-        });
+        .def_property_readonly(
+            "value",
+            [](const FoundConflict& self) {
+                return self.conflict.setting ? std::optional(self.conflict.value) : std::nullopt;
+            },
+            "of that setting")
+        .def_property_readonly(
+            "stock_mm",
+            [](const FoundConflict& self) {
+                return self.conflict.kind == RemedyConflict::Kind::stocks
+                           ? std::optional(self.conflict.stock_mm)
+                           : std::nullopt;
+            },
+            "stock per side for which the cycle fails with it; None unless the kind is stocks");
 }
 
 } // namespace

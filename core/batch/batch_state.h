@@ -12,7 +12,7 @@
 namespace sparkout {
 
 inline constexpr const char* batchStateFormat = "sparkout-batch";
-inline constexpr int batchStateVersion = 2;
+inline constexpr int batchStateVersion = 3;
 
 /// One UTF-8 JSON text with everything, bit for bit: equal results, equal bytes.
 [[nodiscard]] std::string writeBatchState(const BatchResult& result);

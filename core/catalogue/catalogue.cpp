@@ -193,6 +193,14 @@ std::vector<Entry> mergedEntries(const std::vector<Entry>& shipped, const std::v
     return all;
 }
 
+/// A wheel of a catalogue is a new one: its radius is worn by nothing.
+template <class Value>
+void compensate(Value& value) {
+    if constexpr (std::is_same_v<Value, Wheel>) {
+        value.radius_wear_um = 0;
+    }
+}
+
 template <class Entry>
 void applyEntry(const Entry& entry, Project& project) {
     auto& target = *(project.*Kindred<Entry>::member);
@@ -206,6 +214,7 @@ void applyEntry(const Entry& entry, Project& project) {
     Issues issues;
     std::vector<MissingKey> missing;
     readByTable(json(given), valueTable<Entry>(), &target, {}, issues, missing);
+    compensate(target);
 }
 
 template <class Entry>
@@ -213,6 +222,7 @@ Entry entryOf(const Project& project, const std::string& name) {
     Entry entry;
     entry.name = name;
     entry.value = *(project.*Kindred<Entry>::member);
+    compensate(entry.value);
     const ordered_json value = writeByTable(valueTable<Entry>(), &entry.value);
     eachValue(value, valueTable<Entry>(), {}, [&](const std::string& key, const ordered_json&) {
         ValueSource source;

@@ -32,7 +32,9 @@ public:
         const Lesson variant = withVariant(lesson, levels, std::nullopt);
         const auto best = bestAnswer(variant.base.surfaces[variedSurface(lesson)].project, stop);
         const auto best_min = best ? std::optional(best->time_min) : std::nullopt;
-        m_known.emplace(levels, best_min);
+        if (!stop.stop_requested()) {
+            m_known.emplace(levels, best_min);
+        }
         return best_min;
     }
 
@@ -46,6 +48,7 @@ struct ReadForClass {
     std::string content; ///< contentDigest()
     VariantLevels levels;
     std::u32string name, group; ///< comparedName()
+    bool isRead = false;
 };
 
 const BestRow* rowOfVariant(const GradeWish& wish, int variant) {
@@ -87,6 +90,7 @@ public:
         read.group = comparedName(work.group);
         read.levels = work.variantLevels();
         read.content = contentDigest(work);
+        read.isRead = true;
         graded.brokenAt = brokenSeal(work);
         if (graded.brokenAt) {
             graded.flags.insert(WorkFlag::edited);
@@ -128,7 +132,11 @@ private:
         if (isKnown) {
             graded.best_min = row->best_min;
         } else if (needsSearch(m_lesson)) {
-            graded.best_min = m_best.of(m_lesson, levels, m_stop);
+            const DeadlineStop within(m_stop, m_wish.budget);
+            graded.best_min = m_best.of(m_lesson, levels, within.token());
+            if (within.token().stop_requested()) {
+                graded.flags.insert(WorkFlag::overBudget);
+            }
         }
         Lesson given = withVariant(m_lesson, levels, graded.best_min);
         const std::string digest = variantDigest(forStudents(given));
@@ -224,8 +232,7 @@ void addCopy(GradedWork& work, const GradedWork& other) {
 /// What two works tell of each other. Whom a variant was given to is known by the teacher's table;
 /// then he has copied nothing by having it.
 void compareWorks(ReadForClass& a, ReadForClass& b, bool hasTable) {
-    const bool areRead = !a.name.empty() && !b.name.empty();
-    if (!areRead) {
+    if (!a.isRead || !b.isRead) {
         return;
     }
     if (a.name == b.name && a.group == b.group) {

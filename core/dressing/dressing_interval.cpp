@@ -151,7 +151,8 @@ std::optional<BestInterval> bestInterval(const DressingInterval& interval, const
 
 } // namespace
 
-DressingInterval dressingInterval(const Setup& setup, const DressingOptions& options) {
+DressingInterval dressingInterval(const Setup& given, const DressingOptions& options) {
+    const Setup setup = dressedSetup(given);
     DressingInterval found;
     if (!setup.wear.isGiven()) {
         found.fault = DressingFault::noWear;
@@ -173,6 +174,7 @@ DressingInterval dressingInterval(const Setup& setup, const DressingOptions& opt
     for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
         Case asItStands{i, std::nullopt, setup.surfaces[i].project};
         asItStands.project.runs.clear();
+        asItStands.project.measured.reset();
         if (!walk.walk(asItStands, true)) {
             return found;
         }

@@ -143,7 +143,7 @@ bool takeWorst(const Project& project, const StockRange& stocks, double least,
 
 PhaseCases phaseCases(const Project& project) {
     double infeed_mm = 0;
-    for (const double each_mm : infeedsOfStages(project)) {
+    for (const double each_mm : fedByStep_mm(project)) {
         infeed_mm = std::max(infeed_mm, each_mm);
     }
     PhaseCases cases{widened(wholeStocks(project), infeed_mm)};

@@ -148,7 +148,7 @@ StockRange widened(const StockRange& stocks, double largestInfeed_mm) {
 
 StockRange usualPhases(const Project& project) {
     double most_mm = 0;
-    for (const double infeed_mm : infeedsOfStages(project)) {
+    for (const double infeed_mm : fedByStep_mm(project)) {
         most_mm = std::max(most_mm, infeed_mm);
     }
     return widened({project.part->stock_mm, project.part->stock_mm}, most_mm);

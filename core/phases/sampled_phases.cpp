@@ -24,7 +24,7 @@ void addPhase(Project& project, double infeed_mm, double share) {
 
 std::vector<Project> stockPhases(const Project& project, int phases, double from) {
     std::vector<Project> spread;
-    for (const double infeed_mm : infeedsOfStages(project)) {
+    for (const double infeed_mm : fedByStep_mm(project)) {
         for (int i = 0; i < phases && infeed_mm > 0; ++i) {
             spread.push_back(project);
             addPhase(spread.back(), infeed_mm, (i + from) / phases);
@@ -35,7 +35,7 @@ std::vector<Project> stockPhases(const Project& project, int phases, double from
 
 std::optional<Project> failingPhase(const Project& best, std::uint32_t draw,
                                     const std::stop_token& stop, int count) {
-    std::vector<double> infeeds_mm = infeedsOfStages(best);
+    std::vector<double> infeeds_mm = fedByStep_mm(best);
     std::erase_if(infeeds_mm, [](double infeed_mm) { return infeed_mm <= 0; });
     Project drawn = best;
     drawn.runs.clear();

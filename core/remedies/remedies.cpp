@@ -153,7 +153,11 @@ private:
                     continue;
                 }
                 std::optional<Remedy> remedy = refined(setting, way, *k, *std::move(trial));
-                if (remedy && (!best || remedy->time_s < best->time_s)) {
+                if (!remedy) { // refused on stocks drawn for it; farther ones may hold
+                    way.tried(*k, true);
+                    continue;
+                }
+                if (!best || remedy->time_s < best->time_s) {
                     best = std::move(remedy);
                 }
                 way.end(); // farther on every edge is one from a value that holds

@@ -138,6 +138,9 @@ bool RemedyTrials::confirm(Remedy& remedy) {
 
 void RemedyTrials::learnStock(const RemedySetting& setting, double value, Project fails) {
     const SimulationResult result = simulateUnchecked(fails, nullptr, m_end.token());
+    if (isOver()) {
+        return;
+    }
     std::optional<ConstraintResult> worst;
     double margin = -std::numeric_limits<double>::infinity();
     if (result.status == RunStatus::completed) {

@@ -24,8 +24,8 @@ std::string digitsOf(double number) {
     return error == std::errc() ? std::string(text.data(), end) : std::string();
 }
 
-/// More than any search counts, and so few that sums of them are whole numbers still.
-constexpr std::int64_t mostCounted = 1'000'000'000'000'000'000;
+/// More than any search counts; a thousand of them can be summed without an overflow.
+constexpr std::int64_t mostCounted = 1'000'000'000'000'000;
 
 /// What may stand at a place of the text: thrown with what does, and caught here alone.
 [[noreturn]] void refuse(const std::string& path, const std::string& found, double least,

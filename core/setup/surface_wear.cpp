@@ -19,7 +19,15 @@ double nominalVolume_mm3(const Project& project) {
            * engagedShare(part);
 }
 
-SurfaceWear::SurfaceWear(Setup of, std::size_t at) : setup(std::move(of)), surface(at) {
+Setup dressedSetup(Setup setup) {
+    for (GroundSurface& each : setup.surfaces) {
+        each.project.wheel->radius_wear_um = 0;
+    }
+    return setup;
+}
+
+SurfaceWear::SurfaceWear(Setup of, std::size_t at)
+    : setup(dressedSetup(std::move(of))), surface(at) {
     for (GroundSurface& each : setup.surfaces) {
         each.project.batch.reset();
         each.project.optimisation.reset();

@@ -13,9 +13,12 @@ namespace sparkout {
 /// the nominal diameter, over the ground length without its gaps.
 [[nodiscard]] double nominalVolume_mm3(const Project& project);
 
+/// The set-up with a wheel that was just dressed, which compensates the wear of its radius.
+[[nodiscard]] Setup dressedSetup(Setup setup);
+
 /// One surface of a set-up, which is ground in part after part from one dressing to the next.
 struct SurfaceWear {
-    /// Of the set-up as it is read: its projects have the dressed wheel.
+    /// Of the set-up as it is read; the wheel is taken to be dressed.
     SurfaceWear(Setup setup, std::size_t surface);
     /// Of a wheel that does not wear.
     explicit SurfaceWear(const Project& project);

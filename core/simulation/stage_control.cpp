@@ -4,7 +4,9 @@
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
+#include "core/project/part.h"
 #include "core/project/wheel.h"
+#include "core/simulation/traverse.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -20,6 +22,27 @@ std::vector<double> infeedsOfStages(const Project& project) {
                                         project.machine->work_speed_rpm));
     }
     return feeds;
+}
+
+std::vector<double> fedByStep_mm(const Project& project) {
+    std::vector<double> fed = infeedsOfStages(project);
+    const Machine& machine = *project.machine;
+    const double n = machine.work_speed_rpm;
+    const double dwellTurns =
+        2 * dwellRevolutions(machine.dwell_entry_s, n) + dwellRevolutions(machine.dwell_exit_s, n);
+    const double travel_mm = project.part->length_mm - project.wheel->width_mm
+                             + machine.overrun_entry_mm + machine.overrun_exit_mm;
+    for (std::size_t z = 0; z < fed.size() && project.operation->travels; ++z) {
+        const Stage& stage = project.cycle->stages[z];
+        if (stage.continuousFeed_mm_min() > 0 && stage.axial_feed_mm_min) {
+            // plunging in at either reversal takes whole revolutions
+            const double turns =
+                n * std::max(fed[z], 0.0) / machine.plunge_feed_mm_min + 2 + dwellTurns;
+            fed[z] += stage.continuousFeed_mm_min()
+                      * (turns / n + 2 * travel_mm / *stage.axial_feed_mm_min);
+        }
+    }
+    return fed;
 }
 
 StageControl::StageControl(const Project& project, std::vector<double> feeds_mm,

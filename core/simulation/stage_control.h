@@ -14,6 +14,9 @@ namespace sparkout {
 
 /// Infeed per step of each stage of the project's cycle [mm]; 0 where none is set.
 [[nodiscard]] std::vector<double> infeedsOfStages(const Project& project);
+/// What a step of each stage feeds at most [mm]: its infeed, and the continuous infeed S_c during
+/// the longest of its double strokes.
+[[nodiscard]] std::vector<double> fedByStep_mm(const Project& project);
 
 /// Decides what is fed next and when a stage of the cycle ends [MODEL-7]. One step is a double
 /// stroke (traverse) or a revolution (plunge).

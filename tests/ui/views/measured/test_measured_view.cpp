@@ -49,7 +49,8 @@ constexpr int patience_ms = 120'000;
 
 QString factoryPath() {
     const QStringList paths = examplePaths();
-    return *std::ranges::find(paths, QStringLiteral("shaft-30h6-factory"), nameOf);
+    return *std::ranges::find(paths, QStringLiteral("shaft-30h6-factory"),
+                              [](const QString& path) { return nameOf(path); });
 }
 
 /// A window with a project that has a batch, and the view in front.
