@@ -284,7 +284,7 @@ private slots:
     void aShardOf200000LevelsIsRefusedInWords() {
         const std::string levels(200'000, '[');
         const QString deep =
-            save("deep.json", R"({"format":"sparkout-batch","version":2,"checksum":"0","project":)"
+            save("deep.json", R"({"format":"sparkout-batch","version":3,"checksum":"0","project":)"
                                   + levels + std::string(levels.size(), ']') + "}");
         const Outcome outcome = run({"batch-merge", deep});
         QCOMPARE(outcome.status, 1);

@@ -4,6 +4,7 @@
 #include "core/dressing/part_cost.h"
 #include "core/process/force.h"
 #include "core/project/batch.h"
+#include "core/project/gauge.h"
 #include "core/project/machine.h"
 #include "core/project/material.h"
 #include "core/project/optimisation.h"
@@ -118,6 +119,22 @@ class TestDressingInterval : public QObject {
     Q_OBJECT
 
 private slots:
+    /// What the file states of wear is of the wheel as it is; the dressing compensates it.
+    void theDressingCompensatesTheStatedWear() {
+        Setup setup = stiffPlunge();
+        setup.wear = {.grinding_ratio = 20};
+        Project& project = setup.surfaces[0].project;
+        project.gauge->control = Control::position;
+        const DressingInterval plain = dressingInterval(setup);
+        QVERIFY(plain.ran());
+        project.wheel->radius_wear_um = 30;
+        const DressingInterval stated = dressingInterval(setup);
+        QVERIFY(stated.ran());
+        QVERIFY(plain.parts > 1);
+        QCOMPARE(stated.parts, plain.parts);
+        QCOMPARE(SurfaceWear(setup, 0).setup.surfaces[0].project.wheel->radius_wear_um, 0.0);
+    }
+
     void aStiffPlungeGrindsUntilItsDriveIsLoaded() {
         for (const double exponent : {1.0, 0.6, 1.3}) {
             for (const double over : {1.05, 1.2, 1.5}) {

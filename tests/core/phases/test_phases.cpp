@@ -4,6 +4,7 @@
 #include "core/phases/failing_share.h"
 #include "core/phases/failing_stock.h"
 #include "core/phases/phase_decision.h"
+#include "core/phases/sampled_phases.h"
 #include "core/process/profile.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
@@ -119,6 +120,35 @@ class TestPhases : public QObject {
     Q_OBJECT
 
 private slots:
+    /// A stage without an infeed at the reversals has a phase all the same: what its continuous
+    /// infeed feeds during a double stroke.
+    void aPhaseCountsTheContinuousInfeed() {
+        constexpr double feed_mm_min = 0.02;
+        Project project = fixtures::traverse();
+        for (Stage& stage : project.cycle->stages) {
+            stage.radial_feed_mm = 0;
+            stage.continuous_feed_mm_min = feed_mm_min;
+        }
+        const SimulationResult result = simulateUnchecked(project);
+        QCOMPARE(result.status, RunStatus::completed);
+        double most_mm = 0;
+        for (std::size_t z = 0; z < result.timeByStage_s.size(); ++z) {
+            if (result.countsByStage[z] > 0) {
+                most_mm = std::max(most_mm, feed_mm_min / 60 * result.timeByStage_s[z]
+                                                / result.countsByStage[z]);
+            }
+        }
+        QVERIFY(most_mm > 1e-3);
+        for (const Control control : {Control::gauge, Control::position}) {
+            project.gauge->control = control;
+            const StockRange range = usualPhases(project);
+            const double phase_mm = range.to_mm - range.from_mm;
+            QVERIFY2(phase_mm >= most_mm && phase_mm < 1.2 * most_mm,
+                     qPrintable(QStringLiteral("%1 of %2").arg(phase_mm).arg(most_mm)));
+            QCOMPARE(stockPhases(project, 4).size(), 4 * project.cycle->stages.size());
+        }
+    }
+
     /// Of a rigid system G_m of the deepest diameter is what has been fed to it, m·S − S/2·…: the
     /// ends of the pieces of one stage lie one infeed apart.
     void ofARigidSystemPiecesAreAnInfeedLong() {
