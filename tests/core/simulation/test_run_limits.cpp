@@ -333,6 +333,8 @@ private slots:
         Project p = asking(fixtures::traverse());
         p.least_overlap_last = 2;
         p.least_steps = 2;
+        p.machine->limits.continuous_feed_mm_min = std::vector<double>{0.01, 1, 0.01};
+        p.cycle->stages[0].continuous_feed_mm_min = 0.02;
         auto stroke = evaluateConstraints(simulateUnchecked(p));
         p.least_overlap = 1.05; // takes the place of the overlap that leaves no strips
         std::ranges::copy(evaluateConstraints(simulateUnchecked(p)), std::back_inserter(stroke));
