@@ -78,13 +78,9 @@ StepOutcome compareWithExpected(const Folder& folder, const std::string& name,
 
 /// Waits until no other save of an expected version is comparing and replacing in the folder. Where
 /// that cannot be known, or takes too long, it goes on: the exchange is looked at once more.
-void waitForTurn(std::filesystem::path path, Descriptor& turn) {
-    Standing standing = Standing::nothing;
-    if (followLinks(path, standing) != 0)
-        return;
-    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+void waitForTurn(const SaveTarget& target, Descriptor& turn) {
     const auto end = std::chrono::steady_clock::now() + longestWait;
-    while (lockFolder(folder, turn) == Locking::heldElsewhere
+    while (lockFolder(target.parent, turn) == Locking::heldElsewhere
            && std::chrono::steady_clock::now() < end)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
@@ -174,8 +170,7 @@ StepOutcome putInPlace(SaveTarget& target, const std::string& temporary,
                : moveIntoPlace(target, temporary);
 }
 
-StepOutcome save(const std::filesystem::path& path, SaveTarget& target, std::string_view bytes,
-                 const WriteOptions& options) {
+StepOutcome save(SaveTarget& target, std::string_view bytes, const WriteOptions& options) {
     const bool exists = target.exists;
     // First, so that nothing is written for nothing.
     if (StepOutcome changed = compareWithExpected(target.folder, target.name, options.expected))
@@ -195,7 +190,7 @@ StepOutcome save(const std::filesystem::path& path, SaveTarget& target, std::str
     {
         Descriptor turn;
         if (options.expected)
-            waitForTurn(path, turn);
+            waitForTurn(target, turn);
         if (StepOutcome failed = putInPlace(target, name, options))
             return failed;
         temporary.release();
@@ -240,7 +235,7 @@ std::optional<FileError> writeFileSafely(const std::filesystem::path& path, std:
     SaveTarget target;
     StepOutcome failed = openTarget(path, target);
     if (!failed)
-        failed = save(path, target, bytes, options);
+        failed = save(target, bytes, options);
     if (!failed)
         return {};
     return errorOf(*failed, path, target);

@@ -31,8 +31,8 @@ StepOutcome openTarget(std::filesystem::path path, SaveTarget& target) {
     target.name = utf8(path.filename());
     if (target.name.empty())
         return StepFailure{FileStep::notRegular, 0};
-    const auto parent = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    if (const int error = openFolder(parent, target.folder))
+    target.parent = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    if (const int error = openFolder(target.parent, target.folder))
         return StepFailure{FileStep::open, error};
 
     const int error = openIn(target.folder, target.name, Opening::readAndWrite, target.old);
@@ -53,7 +53,8 @@ StepOutcome openTarget(std::filesystem::path path, SaveTarget& target) {
 
 StepOutcome beginTemporary(const SaveTarget& target, Descriptor& file, std::string& name) {
     const std::string prefix = temporaryPrefix(target.name);
-    removeLeftovers(target.folder, prefix);
+    if (Descriptor turn; lockFolder(target.parent, turn) != Locking::heldElsewhere)
+        removeLeftovers(target.folder, prefix);
     return outcomeOf(FileStep::create, createTemporary(target.folder, prefix,
                                                        target.exists ? 0600 : 0666, file, name));
 }

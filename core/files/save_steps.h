@@ -25,6 +25,7 @@ using StepOutcome = std::optional<StepFailure>;
 /// The file a save replaces: its folder, its name there and, if it exists, the old file, which is
 /// open where a file can be replaced so.
 struct SaveTarget {
+    std::filesystem::path parent; ///< of the folder
     Folder folder;
     std::string name;
     bool exists = false;
@@ -38,8 +39,9 @@ struct SaveTarget {
 /// A step whose call gave an error, or none.
 [[nodiscard]] StepOutcome outcomeOf(FileStep step, int error, bool replaced = false);
 
-/// Removes what killed saves of the target left, then makes its temporary file. A new file gets
-/// its mode from the umask, a replaced one stays private until it is whole.
+/// Removes what killed saves of the target left, unless another save has its turn in the folder:
+/// the file that it replaces has a temporary name for a moment. Then makes its temporary file. A
+/// new file gets its mode from the umask, a replaced one stays private until it is whole.
 [[nodiscard]] StepOutcome beginTemporary(const SaveTarget& target, Descriptor& file,
                                          std::string& name);
 

@@ -236,7 +236,8 @@ void verify(const Project& project, const RemedyResult& found) {
     for (const Remedy& remedy : found.remedies) {
         const Project changed = remedy.applied(project);
         const OutcomePtr after = evaluate(changed);
-        QVERIFY(reaches(*after, *before, goal));
+        QVERIFY2(reaches(*after, *before, goal),
+                 (remedy.setting.path(project) + " = " + numberText(remedy.value)).c_str());
         QCOMPARE(remedy.time_s, after->result.time_s);
         QCOMPARE(remedy.timeChange_s.has_value(), before->result.status == RunStatus::completed);
         if (remedy.timeChange_s) {
@@ -846,13 +847,13 @@ private slots:
     void theProofSaysHowTheNearerValueCameOut() {
         const Project project = example("slender-shaft");
         const RemedyResult found = remediesOf(project);
-        Remedy remedy = *remedyOf(found, RemedyKind::workSpeed);
+        Remedy remedy = *remedyOf(found, RemedyKind::axialFeed);
         const auto says = [&](RemedyGoal goal, const char* sentence) {
             return RemedyWording().proof(project, goal, remedy).find(sentence) != std::string::npos;
         };
         const RemedyGoal holds = RemedyGoal::holds, room = RemedyGoal::room;
         QVERIFY(*remedy.failing != remedy.setting.before);
-        QVERIFY(says(holds, ", one step nearer to the present 230 rev/min, it is not so yet."));
+        QVERIFY(says(holds, ", one step nearer to the present 1500 mm/min, it is not so yet."));
         remedy.failing = remedy.setting.before;
         QVERIFY(says(holds, "The present value fails."));
         QVERIFY(says(room, "The present value leaves too little room."));

@@ -230,11 +230,12 @@ private slots:
     }
 
     void aLongTableRepeatsItsHeadOnEveryPage() {
+        constexpr int most = 100; // stages of a cycle
         Project project = fixtures::traverseProject();
         project.gauge->control = Control::position;
         Stage stage = project.cycle->stages.front();
-        stage.stock_mm = project.part->stock_mm / 120;
-        project.cycle->stages.assign(120, stage);
+        stage.stock_mm = project.part->stock_mm / most;
+        project.cycle->stages.assign(most, stage);
         const OutcomePtr outcome = fixtures::run(project);
         QVERIFY(outcome->ran());
         const QString text = textOf(made(outcome, Format::pdf));
@@ -255,7 +256,7 @@ private slots:
             }
         }
         QVERIFY(withRows >= 3);
-        QCOMPARE(rows, 120); // none is lost or cut
+        QCOMPARE(rows, most); // none is lost or cut
     }
 
     void hostileTextsStayTexts() {

@@ -53,6 +53,7 @@ constexpr Meaning meanings[] = {
     {"a", QT_TRANSLATE_NOOP("Symbol", "actual feed: the depth of this cut")},
     {"b", QT_TRANSLATE_NOOP("Symbol", "effective width of cut")},
     {"t_П", QT_TRANSLATE_NOOP("Symbol", "accumulated programmed feed, from the first touch on")},
+    {"w", QT_TRANSLATE_NOOP("Symbol", "wear of the wheel's radius since the last compensation")},
     {"R_max0", QT_TRANSLATE_NOOP("Symbol", "maximum radius of the blank")},
     {"R_min0", QT_TRANSLATE_NOOP("Symbol", "minimum radius of the blank")},
     {"R_k", QT_TRANSLATE_NOOP("Symbol", "radius k before the cut")},
