@@ -8,6 +8,7 @@
 #include "core/project/optimisation.h"
 #include "core/project/validate.h"
 #include "core/project/wheel.h"
+#include "core/setup/surface_wear.h"
 #include "core/simulation/simulate.h"
 
 #include <algorithm>
