@@ -122,7 +122,8 @@ private slots:
     /// What the file states of wear is of the wheel as it is; the dressing compensates it.
     void theDressingCompensatesTheStatedWear() {
         Setup setup = stiffPlunge();
-        setup.wear = {.grinding_ratio = 20};
+        setup.wear = {};
+        setup.wear.grinding_ratio = 20;
         Project& project = setup.surfaces[0].project;
         project.gauge->control = Control::position;
         const DressingInterval plain = dressingInterval(setup);

@@ -89,7 +89,18 @@ std::ptrdiff_t idleStages(const Outcome& outcome) {
 /// Whether it holds for the other stocks of the phase: decided where that can be, else sampled.
 bool holdsOtherStocks(const Project& project) {
     if (canDecidePhases(project)) {
-        return decidePhases(project, usualPhases(project)).holds();
+        const PhaseDecision decision = decidePhases(project, usualPhases(project));
+        // at the rounded end of a piece the control may make the steps of its neighbour
+        return decision.isDecided
+               && std::ranges::all_of(decision.failing, [&](const FailingStocks& each) {
+                      const auto holdsAt = [&](double stock_mm) {
+                          Project made = project;
+                          made.part->stock_mm = stock_mm;
+                          return tried(made, {}).value().holds;
+                      };
+                      return each.stocks.to_mm - each.stocks.from_mm < 1e-8
+                             && holdsAt(each.stocks.from_mm) && holdsAt(each.stocks.to_mm);
+                  });
     }
     return std::ranges::all_of(stockPhases(project),
                                [](const Project& phase) { return tried(phase, {}).value().holds; });
