@@ -6,6 +6,7 @@
 #include "core/course/work_seal.h"
 #include "core/format/project_file.h"
 #include "core/lesson/lesson_file.h"
+#include "core/lesson/text_markup.h"
 #include "core/pack/pack_file.h"
 #include "core/project/part.h"
 #include "core/setup/setup_file.h"
@@ -39,9 +40,8 @@ struct Writer {
     std::function<bool(const QString& path, std::size_t bytes)> reads;
 };
 
-/// Texts of at most 60,000 letters each, together so many bytes.
-std::vector<std::string> texts(std::size_t bytes) {
-    constexpr std::size_t longest = 60'000;
+/// Texts of at most so many letters each, together so many bytes.
+std::vector<std::string> texts(std::size_t bytes, std::size_t longest = 60'000) {
     std::vector<std::string> all;
     for (std::size_t left = bytes; left > 0;) {
         const std::size_t length = std::min(left, longest);
@@ -78,12 +78,14 @@ Setup setupWith(std::size_t bytes, int surfaces) {
 
 Lesson lessonWith(std::size_t bytes) {
     Lesson lesson;
-    lesson.base = setupWith(bytes, 1);
+    lesson.base = plainSetup(newProject(Operation::traverse));
     lesson.title = {"A lesson", "Работа"};
-    LessonStep step;
-    step.task = {"A task", "Задание"};
-    step.goal.text.emplace();
-    lesson.steps.push_back(std::move(step));
+    for (const std::string& text : texts(bytes, limits::lessonText.bytes)) {
+        LessonStep step;
+        step.task = {text, "Задание"};
+        step.goal.text.emplace();
+        lesson.steps.push_back(std::move(step));
+    }
     return lesson;
 }
 
@@ -118,8 +120,9 @@ std::vector<CatalogueEntry> wheelsWith(std::size_t bytes) {
 }
 
 /// Written by the guarded file, as the window does.
-Writer guarded(std::function<std::optional<std::string>(std::size_t bytes)> make) {
-    return {limits::fileBytes,
+Writer guarded(std::function<std::optional<std::string>(std::size_t bytes)> make,
+               std::size_t most = limits::fileBytes) {
+    return {most,
             [make](const QString& path, std::size_t bytes) {
                 GuardedFile file;
                 return !file.write(path, [&] { return make(bytes); });
@@ -130,12 +133,18 @@ Writer guarded(std::function<std::optional<std::string>(std::size_t bytes)> make
 }
 
 template <class Value, class Write, class Read>
-Writer guarded(Value (*value)(std::size_t), Write write, Read read) {
-    return guarded([=](std::size_t bytes) -> std::optional<std::string> {
-        std::string text = write(value(bytes));
-        return read(text) ? std::optional(std::move(text)) : std::nullopt;
-    });
+Writer guarded(Value (*value)(std::size_t), Write write, Read read,
+               std::size_t most = limits::fileBytes) {
+    return guarded(
+        [=](std::size_t bytes) -> std::optional<std::string> {
+            std::string text = write(value(bytes));
+            return read(text) ? std::optional(std::move(text)) : std::nullopt;
+        },
+        most);
 }
+
+/// The tasks of as many steps as a lesson may have, as long as they may be.
+constexpr std::size_t lessonTasks = 100 * limits::lessonText.bytes;
 
 QVariantMap settingsWith(std::size_t bytes) {
     QVariantMap texts;
@@ -149,11 +158,12 @@ std::map<QByteArray, Writer> writers() {
     all["set-up"] = guarded([](std::size_t bytes) { return projectText(setupWith(bytes, 3)); });
     all["work"] = guarded(workWith, writeWork,
                           [](const std::string& text) { return readWork(text).work.has_value(); });
-    all["lesson"] = guarded(lessonWith, writeLesson, [](const std::string& text) {
-        return readLesson(text).lesson.has_value();
-    });
-    all["pack"] = guarded(packWith, writePack,
-                          [](const std::string& text) { return readPack(text).pack.has_value(); });
+    all["lesson"] = guarded(
+        lessonWith, writeLesson,
+        [](const std::string& text) { return readLesson(text).lesson.has_value(); }, lessonTasks);
+    all["pack"] = guarded(
+        packWith, writePack,
+        [](const std::string& text) { return readPack(text).pack.has_value(); }, lessonTasks);
     all["catalogue"] = {
         limits::fileBytes,
         [](const QString& path, std::size_t bytes) {
