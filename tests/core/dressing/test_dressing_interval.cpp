@@ -218,7 +218,7 @@ private slots:
             if (!found.ran()) {
                 continue;
             }
-            const ByHand byHand(*setup, most);
+            const ByHand byHand(dressedSetup(*setup), most);
             QCOMPARE(found.parts, byHand.parts);
             QCOMPARE(found.time_s.size(), byHand.time_s.size());
             for (std::size_t i = 0; i < byHand.time_s.size(); ++i) {
