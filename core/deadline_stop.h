@@ -24,7 +24,11 @@ public:
             if (time && *time < longest) {
                 wait(done, *time);
             }
-        }) {}
+        }) {
+        if (time && *time <= Duration(0)) { // whatever the timer's thread waits for
+            m_over.request_stop();
+        }
+    }
     DeadlineStop(const DeadlineStop&) = delete;
     DeadlineStop& operator=(const DeadlineStop&) = delete;
 

@@ -7,6 +7,7 @@
 #include "core/optimisation/variants.h"
 #include "core/phases/cycle_trial.h"
 #include "core/project/validate.h"
+#include "core/project/wheel.h"
 #include "core/quality/shop_numbers.h"
 #include "core/simulation/simulate.h"
 
@@ -451,9 +452,13 @@ double IntervalSummary::value(SearchObjective objective) const {
                                                       : std::numeric_limits<double>::infinity();
 }
 
-IntervalSummary searchInterval(const Project& project, const SurfaceWear& wear,
+IntervalSummary searchInterval(const Project& given, const SurfaceWear& wear,
                                const IntervalOptions& options) {
     const bool wears = wear.wear().isGiven();
+    Project project = given;
+    if (wears) {
+        project.wheel->radius_wear_um = 0; // a dressing compensates it
+    }
     IntervalSummary summary =
         wears ? IntervalSearch(project, wear, options).run() : withoutWear(project, options.search);
     if (!summary.search.best) {

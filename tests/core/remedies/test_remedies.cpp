@@ -93,13 +93,12 @@ bool holdsOtherStocks(const Project& project) {
         // at the rounded end of a piece the control may make the steps of its neighbour
         return decision.isDecided
                && std::ranges::all_of(decision.failing, [&](const FailingStocks& each) {
-                      const auto holdsAt = [&](double stock_mm) {
+                      return std::ranges::all_of(std::array{0.01, 0.5, 0.99}, [&](double share) {
                           Project made = project;
-                          made.part->stock_mm = stock_mm;
+                          made.part->stock_mm =
+                              std::lerp(each.stocks.from_mm, each.stocks.to_mm, share);
                           return tried(made, {}).value().holds;
-                      };
-                      return each.stocks.to_mm - each.stocks.from_mm < 1e-8
-                             && holdsAt(each.stocks.from_mm) && holdsAt(each.stocks.to_mm);
+                      });
                   });
     }
     return std::ranges::all_of(stockPhases(project),
