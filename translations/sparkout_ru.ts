@@ -8836,7 +8836,7 @@ With another name both versions stay as they are.</source>
         </message>
         <message>
             <source>Mean wheel power: the energy over the machining time of the stage, in all of which the wheel grinds: plunging, dwells and strokes of the table.</source>
-            <translation>Средняя мощность на круге: энергия, делённая на время обработки на ступени; круг шлифует всё это время — при врезании, выстоях и ходах стола.</translation>
+            <translation>Средняя мощность на круге: энергия, делённая на время обработки на ступени; круг шлифует всё это время — при врезании, задержках и ходах стола.</translation>
         </message>
         <message>
             <source>Maximum normal force P_y of any pass of the stage.</source>
