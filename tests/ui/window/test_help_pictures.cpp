@@ -35,7 +35,9 @@ struct Scene {
 
 void press(Bench& bench, const char* button) {
     auto* const found = bench.window->findChild<QPushButton*>(QString::fromLatin1(button));
-    QVERIFY2(found && found->isEnabled(), button);
+    QVERIFY2(found, button);
+    QTRY_VERIFY2_WITH_TIMEOUT(found->isEnabled(), button,
+                              patience_ms); // a quick study runs by itself
     QTest::mouseClick(found, Qt::LeftButton);
 }
 
