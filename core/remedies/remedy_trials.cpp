@@ -132,8 +132,9 @@ bool RemedyTrials::confirm(Remedy& remedy) {
         failingPhase(changed, static_cast<std::uint32_t>(m_candidates), m_end.token());
     if (fails) {
         learnStock(remedy.setting, remedy.value, *std::move(fails));
+        return false;
     }
-    return !fails && !isOver();
+    return !isOver();
 }
 
 void RemedyTrials::learnStock(const RemedySetting& setting, double value, Project fails) {

@@ -19,7 +19,7 @@ namespace sparkout {
 /// One surface of a set-up, which is ground in part after part from one dressing to the next.
 struct SurfaceWear {
     /// Of the set-up as it is read; the wheel is taken to be dressed.
-    SurfaceWear(Setup setup, std::size_t surface);
+    SurfaceWear(Setup of, std::size_t at);
     /// Of a wheel that does not wear.
     explicit SurfaceWear(const Project& project);
 
