@@ -466,11 +466,11 @@
         </message>
         <message>
             <source>constant peripheral speed</source>
-            <translation>постоянная окружная скорость</translation>
+            <translation>скорость постоянна</translation>
         </message>
         <message>
             <source>constant revolutions</source>
-            <translation>постоянная частота вращения</translation>
+            <translation>обороты постоянны</translation>
         </message>
         <message>
             <source>tailstock</source>
