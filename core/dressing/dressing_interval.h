@@ -69,7 +69,7 @@ struct DressingInterval {
 /// first that does not hold. No part is left out: a requirement may fail for one part and hold for
 /// a duller wheel again, as the moments at which stages end go from step to step. Of a set-up
 /// without faults.
-[[nodiscard]] DressingInterval dressingInterval(const Setup& setup,
+[[nodiscard]] DressingInterval dressingInterval(const Setup& given,
                                                 const DressingOptions& options = {});
 
 /// The rates of the first surface that gives some; null: none does.

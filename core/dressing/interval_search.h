@@ -96,7 +96,7 @@ struct IntervalSummary {
 
 /// Searches a valid project for the objective it states, of those without fault. Without wear its
 /// answer is that for the least time.
-[[nodiscard]] IntervalSummary searchInterval(const Project& project, const SurfaceWear& wear,
+[[nodiscard]] IntervalSummary searchInterval(const Project& given, const SurfaceWear& wear,
                                              const IntervalOptions& options);
 
 } // namespace sparkout

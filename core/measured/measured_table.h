@@ -28,7 +28,7 @@ struct MeasuredTable {
     friend bool operator==(const MeasuredTable&, const MeasuredTable&) = default;
 };
 
-[[nodiscard]] MeasuredTable proposeTable(const TableText& text);
+[[nodiscard]] MeasuredTable proposeTable(const TableText& source);
 
 /// What the table cannot say itself.
 struct MeasuredContext {
@@ -45,7 +45,7 @@ struct ReadMeasured {
 
 /// Reads a table as it was matched. Empty cells are left out. Traces are thinned out to what a
 /// project keeps. A stop leaves nothing.
-[[nodiscard]] ReadMeasured readMeasured(const TableText& text, const MeasuredTable& table,
+[[nodiscard]] ReadMeasured readMeasured(const TableText& source, const MeasuredTable& table,
                                         const MeasuredContext& context,
                                         const std::stop_token& stop = {});
 
