@@ -115,7 +115,7 @@ public:
 
 private:
     /// The text is gone when the work is marked.
-    ReadWork readInTime(std::string text, GradedWork& graded) {
+    ReadWork readInTime(const std::string& text, GradedWork& graded) {
         const DeadlineStop within(m_stop, m_wish.budget);
         ReadWork file = readWork(text, within.token());
         if (within.token().stop_requested()) {
