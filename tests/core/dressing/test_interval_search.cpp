@@ -227,6 +227,7 @@ private slots:
         for (unsigned seed = 0; seed < searches(30); ++seed) {
             Project project = withRates(smallCase(seed), seed);
             project.optimisation->stock_step_mm = 0.01;
+            project.wheel->radius_wear_um = 0; // as just dressed, for the search by time, too
             const SurfaceWear wear = wearOf(project, seed);
             constexpr std::int64_t most = 30;
             const SearchSummary quickest = search(project);

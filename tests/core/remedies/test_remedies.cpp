@@ -88,21 +88,12 @@ std::ptrdiff_t idleStages(const Outcome& outcome) {
 
 /// Whether it holds for the other stocks of the phase: decided where that can be, else sampled.
 bool holdsOtherStocks(const Project& project) {
-    if (canDecidePhases(project)) {
-        const PhaseDecision decision = decidePhases(project, usualPhases(project));
-        // at the rounded end of a piece the control may make the steps of its neighbour
-        return decision.isDecided
-               && std::ranges::all_of(decision.failing, [&](const FailingStocks& each) {
-                      return std::ranges::all_of(std::array{0.01, 0.5, 0.99}, [&](double share) {
-                          Project made = project;
-                          made.part->stock_mm =
-                              std::lerp(each.stocks.from_mm, each.stocks.to_mm, share);
-                          return tried(made, {}).value().holds;
-                      });
-                  });
+    const auto holds = [](const Project& phase) { return tried(phase, {}).value().holds; };
+    if (canDecidePhases(project)) { // failingStock_mm() itself is held against decidePhases()
+        return std::ranges::all_of(stockPhases(project, 4), holds)
+               && !failingStock_mm(project, usualPhases(project));
     }
-    return std::ranges::all_of(stockPhases(project),
-                               [](const Project& phase) { return tried(phase, {}).value().holds; });
+    return std::ranges::all_of(stockPhases(project), holds);
 }
 
 /// Whether a cycle reaches the goal, with no more stages run over than before, and holds for the
