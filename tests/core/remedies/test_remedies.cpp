@@ -9,6 +9,8 @@
 
 #include "core/format/project_file.h"
 #include "core/phases/cycle_trial.h"
+#include "core/phases/failing_stock.h"
+#include "core/phases/phase_decision.h"
 #include "core/phases/sampled_phases.h"
 #include "core/project/leaves.h"
 #include "core/project/validate.h"
