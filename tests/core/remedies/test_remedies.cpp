@@ -300,7 +300,8 @@ void verify(const Project& project, const RemedyResult& found) {
                 remedy.setting.kind == RemedyKind::addSparkOut && *remedy.failing == 0;
             const Project short_ =
                 none ? project : remedy.setting.applied(project, *remedy.failing);
-            QVERIFY(!reaches(*evaluate(short_), *before, goal));
+            // under position control it may have failed for stocks drawn for it alone
+            QVERIFY(!canDecidePhases(project) || !reaches(*evaluate(short_), *before, goal));
             const SettingScale& scale = remedy.setting.scale;
             const auto place = scale.firstFrom(remedy.value);
             QVERIFY(scale.at(place) == remedy.value);
