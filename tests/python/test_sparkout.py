@@ -236,7 +236,8 @@ class Studies(unittest.TestCase):
                 found = sparkout.remedies(project)
                 self.assertEqual({member: getattr(found.conflict, member) for member in stated},
                                  stated)
-                self.assertEqual(set(stated), {"kind", "first", "second", "path", "value"})
+                self.assertEqual(set(stated),
+                                 {"kind", "first", "second", "path", "value", "stock_mm"})
                 self.assertTrue(found.text.startswith("Among the values tried, no single setting"))
                 kinds.add(found.conflict.kind)
         self.assertIn("unmended", kinds)
