@@ -66,7 +66,7 @@ std::string escaped(std::string_view text) {
         if (isCode || (escapes > 0 && codeNamed(text))) {
             cell.append(escapes, backslash); // each of them doubled before a code
         }
-        // What is no UTF-8 is shown as the bytes that it is.
+        // Bytes that are not UTF-8 are shown as such.
         cell += isCode      ? codeText(code)
                 : size == 0 ? printable(text.substr(0, 1))
                             : std::string(text.substr(0, size));

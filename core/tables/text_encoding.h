@@ -15,7 +15,7 @@ enum class TextEncoding { utf8, utf16le, utf16be, utf32le, utf32be, windows1251,
 /// Windows-1252, all other Windows-1251.
 [[nodiscard]] TextEncoding encodingOf(std::string_view bytes);
 
-/// The text in valid UTF-8, without a byte order mark. What is no character in the encoding becomes
+/// The text in valid UTF-8, without a byte order mark. Bytes that form no character become
 /// U+FFFD.
 [[nodiscard]] std::string decodedText(std::string_view bytes, TextEncoding encoding);
 

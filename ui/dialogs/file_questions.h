@@ -52,7 +52,7 @@ enum class FailureAnswer { again, elsewhere, cancel };
 [[nodiscard]] QString holderText(const LockHolder& holder);
 /// That somebody else has a file open, and who.
 [[nodiscard]] QString inUseText(const QString& path, const LockHolder& holder);
-/// That a file cannot be locked, as what stands at the lock's name is no lock.
+/// Says that a file cannot be locked, because something else stands at the lock's name.
 [[nodiscard]] QString strangeLockText(const QString& strange);
 
 } // namespace sparkout
