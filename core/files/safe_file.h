@@ -52,6 +52,10 @@ struct WriteOptions {
     std::optional<std::string> expected = std::nullopt;
 };
 
+/// How often a writer that merges its change into what stands there reads that anew, as another
+/// program may write each time, before it gives up with FileStep::changed.
+inline constexpr int mergeAttempts = 100;
+
 /// The one way a file is written: afterwards the path holds exactly the old or exactly the new
 /// bytes, whatever fails or is killed in between, and success is reported only once the new bytes
 /// are on the disk and have been read back.

@@ -24,8 +24,6 @@ namespace sparkout {
 
 namespace {
 
-constexpr int attempts = 100; ///< at a file that other windows write at the same time
-
 QString fileOf(CatalogueKind kind) {
     static constexpr const char* names[] = {"materials.json", "wheels.json", "machines.json"};
     return QString::fromLatin1(names[static_cast<int>(kind)]);
@@ -167,7 +165,7 @@ private:
     QString change(Change apply) {
         std::vector<Entry> own;
         std::optional<CatalogueFault> fault;
-        for (int attempt = 0; attempt < attempts; ++attempt) {
+        for (int attempt = 0; attempt < mergeAttempts; ++attempt) {
             refresh();
             if (!m_fault.isEmpty()) {
                 return m_fault;

@@ -19,7 +19,6 @@ namespace sparkout {
 namespace {
 
 constexpr int later_ms = 500; ///< several settings are often set together
-constexpr int attempts = 100; ///< at a file that other instances write at the same time
 const QString reportedKey = QStringLiteral("damagedReported");
 
 QByteArray textOf(const QVariantMap& values) {
@@ -145,7 +144,7 @@ std::optional<FileError> SettingsFile::flush() {
     }
     QDir().mkpath(QFileInfo(m_path).absolutePath()); // its failure is the writer's
     std::optional<FileError> error;
-    for (int attempt = 0; attempt < attempts; ++attempt) {
+    for (int attempt = 0; attempt < mergeAttempts; ++attempt) {
         std::optional<Content> content = read();
         if (!content) {
             return m_unreadable;

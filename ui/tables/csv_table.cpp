@@ -18,8 +18,9 @@ QString pastedCell(const CsvCell& cell, const TableDialect& dialect) {
         return {};
     }
     const QString plain = harmlessText(*text).simplified();
-    return readsAsFormula(text->toStdString()) || readsAsFormula(plain.toStdString()) ? u'\'' + plain
-                                                                                      : plain;
+    return readsAsFormula(text->toStdString()) || readsAsFormula(plain.toStdString())
+               ? u'\'' + plain
+               : plain;
 }
 
 /// Spreadsheets and programs look the names up: they have plain spaces.
