@@ -3235,24 +3235,12 @@ With another name both versions stay as they are.</source>
             <translation>Предельная фактическая подача по мощности привода заготовки</translation>
         </message>
         <message>
-            <source>Specific energy</source>
-            <translation>Удельная энергия шлифования</translation>
-        </message>
-        <message>
             <source>Normal force</source>
             <translation>Нормальная составляющая силы резания</translation>
         </message>
         <message>
             <source>Tangential force</source>
             <translation>Тангенциальная составляющая силы резания</translation>
-        </message>
-        <message>
-            <source>Temperature rise</source>
-            <translation>Приращение температуры</translation>
-        </message>
-        <message>
-            <source>Depth of the damaged layer</source>
-            <translation>Глубина дефектного слоя</translation>
         </message>
         <message>
             <source>Limiting depth of cut, burn</source>

@@ -17,10 +17,6 @@ constexpr std::array<const char*, findings> findingKeys{
     "passed",    "failed",  "not_answered", "for_teacher",
     "forbidden", "refused", "does_not_end", "no_such_figure"};
 
-constexpr std::array<const char*, variantFaults> variantFaultKeys{
-    "alike",    "invalid",    "no_figure", "solved_as_given", "other_figure", "no_answer",
-    "not_free", "unattained", "too_quick", "too_slow",        "other_margin"};
-
 std::string decimals(double value, int digits) {
     char buffer[64];
     const auto [end, error] = std::to_chars(
@@ -161,10 +157,6 @@ const char* flagText(WorkFlag flag) {
         return SPARKOUT_NOOP("Grading", "took too long: not all of it was checked");
     }
     return "";
-}
-
-const char* variantFaultKey(VariantFault fault) {
-    return variantFaultKeys[static_cast<std::size_t>(fault)];
 }
 
 const char* variantFaultText(VariantFault fault) {

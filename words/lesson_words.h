@@ -22,8 +22,7 @@ namespace sparkout {
 /// What is to be looked at in a work; context "Grading".
 [[nodiscard]] const char* flagText(WorkFlag flag);
 
-/// Why levels make no variant, by their name in JSON and in words; context "Variants".
-[[nodiscard]] const char* variantFaultKey(VariantFault fault);
+/// Why levels make no variant; context "Variants".
 [[nodiscard]] const char* variantFaultText(VariantFault fault);
 
 /// Why a lesson has no variants at all; context "Variants".

@@ -2,13 +2,19 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace sparkout {
 
 struct Project;
 
+/// Whether an input, or the inputs within a struct or list, count in a comparison.
+using InputFilter = bool (*)(std::string_view path);
+
 /// The path of the first input, in the order of the tables, in which two projects differ; of a list
-/// whose items are not as many, the list's. Empty when they are the same.
-[[nodiscard]] std::string firstDifference(const Project& a, const Project& b);
+/// whose items are not as many, the list's. Empty when they are the same. Only inputs that `counts`
+/// accepts are compared; without it all are.
+[[nodiscard]] std::string firstDifference(const Project& a, const Project& b,
+                                          InputFilter counts = nullptr);
 
 } // namespace sparkout

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/format/project_file.h"
 
+#include "core/format/difference.h"
 #include "core/format/project_json.h"
 #include "core/format/strict_json.h"
-#include "core/format/table_writer.h"
 
 #include <string>
-#include <vector>
 
 namespace sparkout {
 
@@ -39,19 +38,9 @@ std::string writeProject(const Project& project) {
 }
 
 bool sameProject(const Project& a, const Project& b) {
-    // Kept runs may be megabytes, and an edit hardly ever touches them. Their texts may differ
-    // and still be the same values.
-    if (a.runs != b.runs) {
-        return writeProject(a) == writeProject(b);
-    }
-    std::vector<std::string> same{"runs"};
-    if (a.measured.isSharedWith(b.measured)) {
-        same.emplace_back("measured");
-    }
-    const auto rest = [&same](const Project& project) {
-        return printJson(writeByTable(tableOf<Project>(), &project, same));
-    };
-    return rest(a) == rest(b);
+    const std::string path = firstDifference(a, b);
+    // The texts of kept runs may differ and still be the same values.
+    return path.empty() || (path.starts_with("/runs") && writeProject(a) == writeProject(b));
 }
 
 } // namespace sparkout

@@ -25,18 +25,6 @@ bool isInput(FittedKind kind) {
            && kind != FittedKind::idle_power;
 }
 
-bool changesCycle(FittedKind kind) {
-    switch (kind) {
-    case FittedKind::alpha:
-    case FittedKind::beta:
-    case FittedKind::compliance:
-    case FittedKind::flow_stress:
-    case FittedKind::dullness:
-    case FittedKind::blank_runout: return true;
-    default: return false;
-    }
-}
-
 double plausibleRange(FittedKind kind) {
     constexpr double ratio = 2, offset_mm = 0.1, shift_s = 1, idle_kw = 1;
     switch (kind) {

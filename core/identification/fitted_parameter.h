@@ -45,8 +45,6 @@ struct FittedParameter {
 [[nodiscard]] bool isDelay(FittedKind kind);
 /// Whether it is an input of the project; the others belong to the traces.
 [[nodiscard]] bool isInput(FittedKind kind);
-/// Whether the cycle has to be run again for another value of it.
-[[nodiscard]] bool changesCycle(FittedKind kind);
 /// How far the parameter may lie from its value before it counts as not known: of a factor and of
 /// the runout a ratio, else a difference in its unit.
 [[nodiscard]] double plausibleRange(FittedKind kind);

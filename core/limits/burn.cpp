@@ -32,7 +32,7 @@ BurnModel::BurnModel(const Project& project)
     m_diffusion = std::sqrt(m_Omega * std::sqrt(De) / Vd);
 }
 
-Heating BurnModel::heating(double a, FormulaSheet* sheet) const {
+Heating BurnModel::heating(double a) const {
     const double De = m_cutting.De_mm, Vd = m_cutting.Vd_mm_s, Vk = m_cutting.Vk_mm_s;
     const double u = std::sqrt(a);
     Heating heat;
@@ -44,57 +44,23 @@ Heating BurnModel::heating(double a, FormulaSheet* sheet) const {
         (m_cutting.law.kt * u + m_cutting.law.mu * m_cutting.law.kr) * Vk / std::sqrt(De);
     heat.diffusionDepth_mm = std::sqrt(m_Omega * heat.time_s);
     heat.scale_k = 2 * m_share * heat.flux_mw_mm2 * heat.diffusionDepth_mm / m_lambda;
-    state(sheet, "{L} = √({a}·{D_e})", {"L", heat.length_mm, "mm"},
-          {{"a", a, "mm"}, {"D_e", De, "mm"}});
-    state(sheet, "{τ} = {L}/{V_d}", {"τ", heat.time_s, "s"},
-          {{"L", heat.length_mm, "mm"}, {"V_d", Vd, "mm/s"}});
-    state(sheet, "{q} = ({k_t}·√({a}) + {μ}·{k_r})·{V_k}/√({D_e})",
-          {"q", heat.flux_mw_mm2, "mW/mm²"},
-          {{"k_t", m_cutting.law.kt, "MPa"},
-           {"a", a, "mm"},
-           {"μ", m_cutting.law.mu, ""},
-           {"k_r", m_cutting.law.kr, "N/mm^1.5"},
-           {"V_k", Vk, "mm/s"},
-           {"D_e", De, "mm"}});
-    state(sheet, "{√(Ωτ)} = √({Ω}·{τ})", {"√(Ωτ)", heat.diffusionDepth_mm, "mm"},
-          {{"Ω", m_Omega, "mm²/s"}, {"τ", heat.time_s, "s"}});
     return heat;
 }
 
-double BurnModel::rise(double h, double a, FormulaSheet* sheet) const {
+double BurnModel::rise(double h, double a) const {
     if (!(a > 0)) {
         return 0;
     }
-    const Heating heat = heating(a, sheet);
-    const double T = heat.scale_k * ierfc(h / (2 * heat.diffusionDepth_mm));
-    state(sheet, "{T} = 2·{ε_w}·{q}·{√(Ωτ)}/{λ}·ierfc({h}/(2·{√(Ωτ)}))", {"T", T, "K"},
-          {{"ε_w", m_share, ""},
-           {"q", heat.flux_mw_mm2, "mW/mm²"},
-           {"√(Ωτ)", heat.diffusionDepth_mm, "mm"},
-           {"λ", m_lambda, "W/(m·K)"},
-           {"h", h, "mm"}});
-    return T;
+    const Heating heat = heating(a);
+    return heat.scale_k * ierfc(h / (2 * heat.diffusionDepth_mm));
 }
 
-double BurnModel::damagedDepth(double a, double U, FormulaSheet* sheet) const {
-    const double T0 = rise(0, a, sheet);
-    if (T0 <= U) {
-        state(sheet, "{h_d} = {0}", {"h_d", 0, "mm"}, {constantTerm("0", 0)});
+double BurnModel::damagedDepth(double a, double U) const {
+    if (rise(0, a) <= U) {
         return 0;
     }
     const Heating heat = heating(a);
-    const double y = U / heat.scale_k;
-    const double x = inverseIerfc(y);
-    const double h = 2 * heat.diffusionDepth_mm * x;
-    state(sheet, "{y} = {U}·{λ}/(2·{ε_w}·{q}·{√(Ωτ)})", {"y", y, ""},
-          {{"U", U, "K"},
-           {"λ", m_lambda, "W/(m·K)"},
-           {"ε_w", m_share, ""},
-           {"q", heat.flux_mw_mm2, "mW/mm²"},
-           {"√(Ωτ)", heat.diffusionDepth_mm, "mm"}});
-    state(sheet, "{h_d} = 2·{√(Ωτ)}·ierfc⁻¹({y})", {"h_d", h, "mm"},
-          {{"√(Ωτ)", heat.diffusionDepth_mm, "mm"}, {"y", y, ""}});
-    return h;
+    return 2 * heat.diffusionDepth_mm * inverseIerfc(U / heat.scale_k);
 }
 
 // w³ + p·w = Q with p ≥ 0, Q > 0: of Cardano's S − p/(3S), S = ∛(Q/2 + √(Q²/4 + p³/27)), the
@@ -172,19 +138,6 @@ double BurnModel::limitDepth(double U, double stock, FormulaSheet* sheet) const 
     }
     const double w = rootOfCubic(T, sheet);
     return w * w * w * w;
-}
-
-FormulaSheet temperatureSheet(const Project& project, double h, double a) {
-    FormulaSheet sheet = beginTangential(project, SPARKOUT_NOOP("Formula", "Temperature rise"));
-    BurnModel(project).rise(h, a, &sheet);
-    return sheet;
-}
-
-FormulaSheet damagedDepthSheet(const Project& project, double a, double U) {
-    FormulaSheet sheet =
-        beginTangential(project, SPARKOUT_NOOP("Formula", "Depth of the damaged layer"));
-    BurnModel(project).damagedDepth(a, U, &sheet);
-    return sheet;
 }
 
 FormulaSheet burnLimitSheet(const Project& project, double U, double stock) {

@@ -37,11 +37,11 @@ class BurnModel {
 public:
     explicit BurnModel(const Project& project);
 
-    Heating heating(double a, FormulaSheet* sheet = nullptr) const;
+    Heating heating(double a) const;
     /// T(h) [K]; 0 for a ≤ 0.
-    double rise(double h, double a, FormulaSheet* sheet = nullptr) const;
+    double rise(double h, double a) const;
     /// Depth of the damaged layer h_d [mm]: T(h_d) = U, 0 where T(0) ≤ U.
-    double damagedDepth(double a, double U, FormulaSheet* sheet = nullptr) const;
+    double damagedDepth(double a, double U) const;
 
     /// Greatest depth of cut [mm] that does not burn: T(0) = U, the cubic's root in closed form.
     double burnFreeDepth(double U, FormulaSheet* sheet = nullptr) const;
@@ -65,10 +65,7 @@ private:
     double m_diffusion; ///< √(Ω·√D_e/V_d), so that √(Ωτ) = diffusion·w [mm^(3/4)]
 };
 
-/// T(h) of a depth of cut, h_d, and the limiting depth for the stock left, with all they are made
-/// of.
-[[nodiscard]] FormulaSheet temperatureSheet(const Project& project, double h, double a);
-[[nodiscard]] FormulaSheet damagedDepthSheet(const Project& project, double a, double U);
+/// The limiting depth for the stock left, with all it is made of.
 [[nodiscard]] FormulaSheet burnLimitSheet(const Project& project, double U, double stock);
 
 } // namespace sparkout

@@ -69,12 +69,8 @@ double PowerModel::workLimitDepth(double b, double power, FormulaSheet* sheet) c
     return limitDepth(workDrive(), b, power, sheet);
 }
 
-double PowerModel::specificEnergy(double a, FormulaSheet* sheet) const {
-    const double N = power(wheelDrive(), 1, a, sheet);
-    const double e = N / (a * m_cutting.Vd_mm_s);
-    state(sheet, "{e} = {N_k}/({b}·{a}·{V_d})", {"e", e, "mJ/mm³"},
-          {{"N_k", N, "mW"}, {"b", 1, "mm"}, {"a", a, "mm"}, {"V_d", m_cutting.Vd_mm_s, "mm/s"}});
-    return e;
+double PowerModel::specificEnergy(double a) const {
+    return power(wheelDrive(), 1, a, nullptr) / (a * m_cutting.Vd_mm_s);
 }
 
 FormulaSheet wheelPowerSheet(const Project& project, double b, double a) {
@@ -102,12 +98,6 @@ FormulaSheet workPowerLimitSheet(const Project& project, double b, double power)
     FormulaSheet sheet =
         beginTangential(project, SPARKOUT_NOOP("Formula", "Limiting depth of cut, work drive"));
     PowerModel(project).workLimitDepth(b, power, &sheet);
-    return sheet;
-}
-
-FormulaSheet specificEnergySheet(const Project& project, double a) {
-    FormulaSheet sheet = beginTangential(project, SPARKOUT_NOOP("Formula", "Specific energy"));
-    PowerModel(project).specificEnergy(a, &sheet);
     return sheet;
 }
 

@@ -22,7 +22,7 @@ public:
 
     /// Energy of the wheel for a volume of metal, P_z·V_k/(b·a·V_d) [mJ/mm³], a > 0. It falls
     /// with a.
-    double specificEnergy(double a, FormulaSheet* sheet = nullptr) const;
+    double specificEnergy(double a) const;
 
 private:
     /// A drive as its sheets name it.
@@ -47,6 +47,5 @@ private:
 /// Powers in mW.
 [[nodiscard]] FormulaSheet wheelPowerLimitSheet(const Project& project, double b, double power);
 [[nodiscard]] FormulaSheet workPowerLimitSheet(const Project& project, double b, double power);
-[[nodiscard]] FormulaSheet specificEnergySheet(const Project& project, double a);
 
 } // namespace sparkout

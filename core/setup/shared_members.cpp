@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/shared_members.h"
 
-#include "core/format/table_writer.h"
+#include "core/format/difference.h"
 #include "core/measured/calibrated_inputs.h"
 #include "core/project/card_entries.h"
 #include "core/project/machine.h"
@@ -11,7 +11,6 @@
 #include "core/project/project.h"
 #include "core/project/wheel.h"
 #include "core/setup/setup.h"
-#include "core/setup/split_project.h"
 
 #include <algorithm>
 #include <array>
@@ -145,8 +144,9 @@ void copyShared(const Project& from, Project& to) {
 }
 
 bool haveSameShared(const Project& a, const Project& b) {
-    return splitProject(writeByTable(tableOf<Project>(), &a, {"measured", "runs"})).shared
-           == splitProject(writeByTable(tableOf<Project>(), &b, {"measured", "runs"})).shared;
+    return firstDifference(
+               a, b, [](std::string_view path) { return isShared(path) || holdsShared(path); })
+        .empty();
 }
 
 bool haveSameSharedCalibrations(const Project& a, const Project& b) {

@@ -29,7 +29,6 @@ struct ShownScale {
     [[nodiscard]] std::optional<double> kept(const std::optional<double>& shown) const;
     [[nodiscard]] Range shown(Range kept) const;
     [[nodiscard]] Detail shown(Detail kept) const; ///< of a message: its numbers, nothing else
-    [[nodiscard]] bool asKept() const { return factor == 1 && shift == 0; }
 
     friend bool operator==(const ShownScale&, const ShownScale&) = default;
 };
