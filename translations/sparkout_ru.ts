@@ -9926,10 +9926,6 @@ With another name both versions stay as they are.</source>
             <translation>накопленная программная подача от первого касания</translation>
         </message>
         <message>
-            <source>wear of the wheel&apos;s radius since the last compensation</source>
-            <translation>износ радиуса круга после последней коррекции</translation>
-        </message>
-        <message>
             <source>maximum radius of the blank</source>
             <translation>наибольший радиус заготовки</translation>
         </message>

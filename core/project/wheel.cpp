@@ -86,13 +86,13 @@ namespace {
 Field radiusWear() {
     return SPARKOUT_FIELD(
         Wheel, radius_wear_um, .label = SPARKOUT_NOOP("Input", "Wear since the last compensation"),
-        .symbol = "w", .unit = "µm", .hard = {0, 1e6}, .soft = {0, 200},
+        .symbol = "w_k", .unit = "µm", .hard = {0, 1e6}, .soft = {0, 200},
         .relevant = conditions::byPosition, .sparse = true, .page = Page::wheel,
         .hint = SPARKOUT_NOOP("Input",
                               "By how much the wheel's radius is smaller than the position control "
                               "takes it to be. Each dressing compensates it: the control is set to "
                               "the new radius. In a set-up the wear of the wheel adds to it."),
-        .formula = "h = t_П − w − (R_max0 − R_k)", .source = "MODEL-7");
+        .formula = "h = t_П − w_k − (R_max0 − R_k)", .source = "MODEL-7");
 }
 
 } // namespace

@@ -25,7 +25,7 @@ struct Wheel {
     double diameter_mm = 500;  ///< D [mm]
     double width_mm = 50;      ///< B [mm]
     double dullness = 0.02;    ///< η, share of wear flats, 0…1
-    double radius_wear_um = 0; ///< w, off its radius since the control was last set to it [µm]
+    double radius_wear_um = 0; ///< w_k, off its radius since the control was last set to it [µm]
     double grain_mm = 0.25;    ///< d_g [mm]
     double grain_share = 0.5;  ///< W_g, by volume
     double bond_share = 0.12;  ///< W_b, by volume
