@@ -39,7 +39,7 @@ if(SPARKOUT_SANITIZE)
     target_compile_options(sparkout_options INTERFACE
         -fsanitize=address$<$<NOT:$<BOOL:$<TARGET_PROPERTY:WITHOUT_UBSAN>>>:,undefined>
         -fno-sanitize=null,alignment,object-size -fno-sanitize-recover=all
-        -fno-omit-frame-pointer -w) # the release build and the preset `lint` warn
+        -fno-omit-frame-pointer -Wno-pass-failed)
     target_link_options(sparkout_options INTERFACE -fsanitize=address,undefined)
 elseif(WIN32)
     target_compile_options(sparkout_options INTERFACE -fstack-protector-strong)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // `batch` and `batch-merge` as a user meets them: the real program, its exit status, what it
 // prints.
 #include "core/batch/batch_summary.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // `course` as a teacher meets it: variants for a list, works marked, faults named.
 #include "core/course/best_table.h"
 #include "core/course/work_file.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // `measured` as a user meets it: the real program on files with measured parts and traces.
 #include "core/simulation/simulate.h"
 #include "tests/cli/cli_bench.h"

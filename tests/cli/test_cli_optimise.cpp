@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // `sparkout-cli optimize` as a user meets it: the real program, its exit status, what it prints and
 // writes, and Ctrl+C.
 #include "core/dressing/interval_search.h"

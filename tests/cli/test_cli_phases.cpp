@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // `phases` as a user meets it: what it prints is what the engine decides, and its exit status.
 #include "core/phases/phase_decision.h"
 #include "core/project/gauge.h"

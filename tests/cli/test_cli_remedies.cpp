@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // `remedies` as a user meets it: the real program, what it prints, and that its patch does it.
 #include "core/project/part.h"
 #include "core/remedies/remedies.h"

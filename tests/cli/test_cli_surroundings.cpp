@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // Whatever the program is called with and wherever: outputs, environments, folders, arguments.
 #include "tests/check_line.h"
 #include "tests/cli/cli_bench.h"

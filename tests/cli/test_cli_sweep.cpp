@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // `sweep` as a user meets it: the real program, its exit status, what it prints.
 #include "core/sweep/sweep_run.h"
 #include "tests/cli/cli_process.h"

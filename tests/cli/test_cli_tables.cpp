@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // Every table of commas that the program writes, of a project whose texts are hostile: nothing but
 // line ends steers a display, and no text is a formula.
 #include "tests/cli/cli_bench.h"

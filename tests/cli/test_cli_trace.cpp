@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The trace of a cycle that simulate writes.
 #include "core/simulation/simulate.h"
 #include "tests/cli/cli_bench.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: unsanitized
 // Every variant is valid, not solved as given and solved by the best of its grid; the same seed
 // gives the same; what cannot be met ends and says why.
 #include "core/course/make_variants.h"

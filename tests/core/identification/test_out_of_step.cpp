@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: unsanitized
 // Power recorded late against the size: with its delay fitted the intervals cover the truth,
 // without it a warning says so; none where the clocks agree.
 #include "core/identification/identification.h"

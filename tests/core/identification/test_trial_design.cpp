@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: unsanitized
 // The choice of a short trial: what it expects is what fits of simulated trials scatter by, and it
 // knows what each kind of record cannot tell.
 #include "core/identification/trial_design.h"

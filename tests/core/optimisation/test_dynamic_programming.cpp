@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: unsanitized
 // Dynamic programming for plunge cycles against the full search: what it finds holds and is never
 // quicker than the proven best, and how often it is wrong, as it says of itself.
 #include "core/optimisation/optimise.h"

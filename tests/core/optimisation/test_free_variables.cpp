@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: unsanitized
 // Work speed, dwells, a spark-out and bounds of single stages, free beside feeds and stocks: the
 // searches against plain runs of every cycle, and the laws of what may be chosen.
 #include "core/optimisation/binding.h"

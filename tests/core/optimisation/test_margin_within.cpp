@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: unsanitized
 // The greatest margin within a time: the answer is the one found by running all cycles of the grid,
 // for any time, on the part alone, in scenarios and for every stock.
 #include "core/optimisation/binding.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: unsanitized
 // The searches with delays of gauge and machine and with limits of practice: as exact as without.
 #include "core/optimisation/cycle_runner.h"
 #include "core/optimisation/optimise.h"

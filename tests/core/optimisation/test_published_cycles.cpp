@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: unsanitized
 // Table 3 of the thesis of 2021: the factory's cycles of two shafts, the ones it calls optimal, and
 // the proven best of a grid that has them all, under the inputs of the examples. Nothing is fitted:
 // the table prints feeds and stocks, not lengths, wheel or compliance, so what is held here is what

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: unsanitized
 // Off the grid: what is found holds, can be set, lies between the levels and is never slower than
 // the best of the grid.
 #include "core/optimisation/refine.h"

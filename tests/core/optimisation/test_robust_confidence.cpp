@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: unsanitized
 // What a robust answer states of the phases it was not tried on, and what a stop leaves unsaid.
 #include "core/optimisation/binding.h"
 #include "core/optimisation/robust.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: unsanitized
 // The laws that hold for the best cycle of any grid: what binds, what a limit, a stage or a
 // scenario does to its time, and that none is quicker than the stepless one.
 #include "core/dressing/part_cost.h"

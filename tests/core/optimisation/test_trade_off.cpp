@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: unsanitized
 // Time against margin: every cycle that holds is matched by one of the trade-off, which is found
 // again by running all cycles of the grid.
 #include "core/optimisation/trade_off.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: unsanitized
 // Changes of one setting after which all holds: each one is run again by itself.
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"

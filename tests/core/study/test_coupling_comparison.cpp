@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: unsanitized
 // The same cycle with coupled and with independent sections [MODEL-6].
 #include "core/project/gauge.h"
 #include "core/project/machine.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // Results and traces on their way to other programs: the numbers of the engine, to the last bit.
 #include "core/format/project_file.h"
 #include "core/project/part.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // Batch, sweep and search as workbooks, all parts as rows: by the window's own ways and by
 // sparkout --export.
 #include "core/batch/batch_verdict.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 #include "ui/fields/number_field.h"
 
 #include "core/project/validate.h"

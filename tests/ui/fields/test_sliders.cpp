@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
 #include "core/project/part.h"

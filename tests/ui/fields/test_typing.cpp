@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // What happens while one types: in the cells of the stages, in the forms, and when it is undone.
 #include "core/project/cycle.h"
 #include "core/project/part.h"

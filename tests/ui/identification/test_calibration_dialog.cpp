@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // Calibrate from measurements: fitted by clicks, taken as one edit, marked in the forms.
 #include "core/measured/calibrated_inputs.h"
 #include "core/project/machine.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The design helper in the window: the sheet of a stiffness trial, its readings typed and taken as
 // one edit, and which trial tells most.
 #include "core/measured/calibrated_inputs.h"

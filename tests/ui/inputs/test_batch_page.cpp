@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The page "Batch" of the inputs: factors, their forms and numbers, correlations, by keys and
 // mouse.
 #include "core/batch/batch_check.h"

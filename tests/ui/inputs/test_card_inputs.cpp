@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // What the operation card needs, typed on the page "Part", and the mass that the shaft offers.
 #include "core/project/card_entries.h"
 #include "core/project/part.h"

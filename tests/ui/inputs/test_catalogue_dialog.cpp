@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The dialog of a catalogue as a user meets it on the pages of the inputs.
 #include "core/project/machine.h"
 #include "core/project/material.h"

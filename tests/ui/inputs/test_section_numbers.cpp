@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // Sections and parts are counted from 1 on screen and on paper, from 0 in the file.
 #include "core/format/project_file.h"
 #include "core/project/gauge.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The cells of the stage table: typed over, refused, taken back.
 #include "core/study/new_project.h"
 #include "tests/registry.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The stage table and the clipboard: cells of a spreadsheet pasted, refused, copied.
 #include "core/project/cycle.h"
 #include "core/study/new_project.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // What the stage table shows: its columns, times and shares, the copy of it.
 #include "core/project/cycle.h"
 #include "core/project/part.h"

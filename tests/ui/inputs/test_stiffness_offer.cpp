@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The stiffness of a machine from the catalogue is offered, with its effect, not just taken.
 #include "core/format/project_file.h"
 #include "core/project/machine.h"

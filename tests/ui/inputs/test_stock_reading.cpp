@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // Stock entered per side or on the diameter; the project keeps it per side.
 #include "core/format/project_file.h"
 #include "core/project/cycle.h"

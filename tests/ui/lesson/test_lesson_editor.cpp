@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // A teacher makes a laboratory work in the window, by mouse and keys, tries it and saves it; what
 // the editor does not show is kept as it is.
 #include "core/project/part.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // Marking works in the window: the same as the command line's.
 #include "core/course/best_table.h"
 #include "core/course/grade_table.h"

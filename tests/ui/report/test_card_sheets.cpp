@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // Operation card and sketch sheet: what stands on the sheets, and that all of it has its room.
 #include "core/files/safe_file.h"
 #include "core/project/card_entries.h"

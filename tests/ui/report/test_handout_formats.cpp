@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The formats of the course hand-out, read back: pages, a web page, Markdown; languages, figures.
 #include "core/dynamic_programming/exact_answer.h"
 #include "core/dynamic_programming/state_grid.h"

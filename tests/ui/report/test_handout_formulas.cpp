@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The formulas of the course hand-out: their numbers worked out again from the print.
 #include "core/project/cycle.h"
 #include "core/project/machine.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The step that the course hand-out works out: how it is wished for, found, and asked by the
 // dialog.
 #include "tests/registry.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The accuracy passport: its numbers and verdict are those of the engine's own batch, and what it
 // prints is enough to compute them again.
 #include "core/adequacy/adequacy.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // Reports from the window: preview, printing into a file, export, and none without a result.
 #include "core/project/batch.h"
 #include "core/project/part.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The numbers of the reports, straight from their tables and figures: those of the outcome, each at
 // its own place.
 #include "core/project/batch.h"

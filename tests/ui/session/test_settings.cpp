@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 #include "tests/registry.h"
 #include "tests/ui/support/file_trouble.h"
 #include "ui/session/settings.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The formulas of the step: those of the radius the cycle stands at, in the zone that was chosen.
 #include "core/project/machine.h"
 #include "core/quality/visit_sheet.h"

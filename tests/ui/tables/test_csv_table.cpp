@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 #include "ui/tables/csv_table.h"
 
 #include "tests/registry.h"

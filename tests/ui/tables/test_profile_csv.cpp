@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 #include "ui/tables/profile_csv.h"
 
 #include "tests/registry.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // Cells to and from a spreadsheet: what LibreOffice Calc put on the clipboard is pasted (see
 // tests/data/clipboard/README.md), and what is copied is read by LibreOffice where it is installed.
 #include "core/project/cycle.h"

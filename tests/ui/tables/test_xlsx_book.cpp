@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // Workbooks, read back by another program.
 #include "ui/tables/xlsx_book.h"
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 #include "ui/text/calculation.h"
 
 #include "ui/text/number_text.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // A sign of per cent stays on the line of its number, in both languages.
 #include "tests/registry.h"
 #include "ui/text/language.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // Units of inputs as the window shows them.
 #include "core/catalogue/catalogue.h"
 #include "core/project/project.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The view "Batch": its figures are the engine's, a stop keeps what was done, the newest wins, the
 // worst part is reproduced by its inputs.
 #include "core/batch/batch_check.h"

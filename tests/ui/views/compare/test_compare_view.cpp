@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The view "Compare": the table holds what differs and nothing else, and the list keeps, restores,
 // renames and deletes.
 #include "core/format/project_file.h"

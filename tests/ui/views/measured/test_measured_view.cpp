@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // Measurements on their way into a project, as a user brings them: by the file dialog, from the
 // clipboard, typed; and what the view "Measured" says of the model.
 #include "core/adequacy/adequacy.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The grid of dynamic programming in the view "Optimise": chosen, sized, stepped, played and
 // clicked with mouse and keys; what stands in its cells is what the engine fills.
 #include "core/dynamic_programming/exact_answer.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // Form in the view "Zone profiles": magnification, reference circles, spectrum.
 #include "core/form/gaussian_filter.h"
 #include "core/form/roundness_readings.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The view "Sweep": chosen, run, stopped and taken from with mouse and keys; its curves are the
 // engine's; a project from which the varied stage has gone does no harm.
 #include "core/project/cycle.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The form of zones that hold several sections, as a table of the verdict panel.
 #include "core/project/machine.h"
 #include "core/project/part.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The requirements in the verdict panel: chosen, explained, led to their input.
 #include "core/format/project_file.h"
 #include "core/project/cycle.h"
