@@ -2,150 +2,18 @@
 #include "app/cli_batch.h"
 
 #include "app/io/cli_report.h"
+#include "core/batch/batch_json.h"
 #include "core/batch/batch_state_reader.h"
 #include "core/batch/part_table.h"
 #include "core/format/project_file.h"
 #include "core/printable.h"
 #include "core/project/validate.h"
-#include "core/tables/csv_line.h"
 
-#include <nlohmann/json.hpp>
-
-#include <array>
 #include <string>
 
 namespace sparkout::cli {
 
 namespace {
-
-using nlohmann::ordered_json;
-
-constexpr std::array statusNames{"completed", "narrow_enough", "stopped", "refused"};
-
-const char* statusName(BatchStatus status) {
-    return statusNames[static_cast<std::size_t>(status)];
-}
-
-ordered_json intervalJson(const std::optional<Interval>& interval) {
-    return interval ? ordered_json::array({interval->low, interval->high}) : ordered_json(nullptr);
-}
-
-ordered_json orNullJson(const std::optional<double>& value) {
-    return value ? ordered_json(*value) : ordered_json(nullptr);
-}
-
-ordered_json shareJson(const Share& share) {
-    return {{"count", share.count},
-            {"share", share.value},
-            {"interval_95", intervalJson(share.interval)}};
-}
-
-ordered_json capabilityJson(const std::optional<Capability>& capability) {
-    return capability ? ordered_json{{"value", capability->value},
-                                     {"interval_95", intervalJson(capability->interval)}}
-                      : ordered_json(nullptr);
-}
-
-const char* testKey(NormalityTest test) {
-    return test == NormalityTest::shapiroWilk ? "shapiro_wilk" : "anderson_darling";
-}
-
-/// `cp` and `cpk`, of a process at rest, are those of a batch without a drift.
-ordered_json characteristicJson(const CharacteristicSummary& summary, bool isSample, bool drifts) {
-    const Characteristic& of = summary.characteristic;
-    ordered_json json = {
-        {"name", of.name},           {"where", placeKey(of)},       {"unit", of.unit},
-        {"low", orNullJson(of.low)}, {"high", orNullJson(of.high)}, {"count", summary.count}};
-    if (summary.unstated > 0) {
-        json["strips_uncut"] = summary.unstated;
-    }
-    if (summary.count == 0) {
-        return json;
-    }
-    json["min"] = summary.least.value;
-    json["min_part"] = summary.least.part;
-    json["max"] = summary.most.value;
-    json["max_part"] = summary.most.part;
-    json["outside"] = shareJson(summary.outside);
-    if (!isSample) {
-        return json;
-    }
-    json["mean"] = summary.moments.mean;
-    json["mean_interval_95"] = intervalJson(summary.mean95);
-    json["standard_deviation"] = summary.moments.deviation;
-    json["skewness"] = summary.moments.skewness;
-    json["excess_kurtosis"] = summary.moments.excess;
-    json["normality_probability"] =
-        summary.normality ? ordered_json(summary.normality->probability) : ordered_json(nullptr);
-    json["normality_test"] =
-        summary.normality ? ordered_json(testKey(summary.normality->test)) : ordered_json(nullptr);
-    json["cp"] = drifts ? ordered_json(nullptr) : capabilityJson(summary.pp);
-    json["cpk"] = drifts ? ordered_json(nullptr) : capabilityJson(summary.ppk);
-    json["pp"] = capabilityJson(summary.pp);
-    json["ppk"] = capabilityJson(summary.ppk);
-    json["expected_outside"] = orNullJson(summary.expectedOutside);
-    for (const Percentile& percentile : summary.percentiles) {
-        json["percentiles"].push_back({{"order", percentile.order},
-                                       {"value", percentile.value},
-                                       {"interval_95", intervalJson(percentile.interval)}});
-    }
-    for (const HistogramBar& bar : summary.histogram) {
-        json["histogram"].push_back({bar.low, bar.high, bar.count});
-    }
-    return json;
-}
-
-/// Parts by what makes them bad, the most frequent first.
-ordered_json rejectsJson(const BatchSummary& summary) {
-    ordered_json json = ordered_json::object();
-    for (const RejectCause& cause : summary.causes) {
-        json[cause.kind ? requirementOf(*cause.kind).key : "size_not_reached"] = cause.count;
-    }
-    return json;
-}
-
-ordered_json worstJson(const BatchResult& result, std::int64_t part) {
-    if (part < 0) {
-        return nullptr;
-    }
-    const ScenarioSource source(result.project);
-    const std::vector<double> values = source.values(part);
-    ordered_json factors = ordered_json::object();
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        factors[factorKey(source.factors()[i])] = values[i];
-    }
-    return {{"part", part},
-            {"factors", std::move(factors)},
-            {"project", ordered_json::parse(writeProject(source.project(part)))}};
-}
-
-/// Coefficients by factor; null where there is no regression.
-ordered_json regressionJson(const std::optional<RankRegression>& regression,
-                            const std::vector<GivenFactor>& factors, std::int64_t batchParts) {
-    if (!regression) {
-        return nullptr;
-    }
-    ordered_json coefficients = ordered_json::object();
-    for (std::size_t f = 0; f < factors.size(); ++f) {
-        coefficients[factorKey(factors[f])] = regression->coefficients[f];
-    }
-    return {{"coefficients", std::move(coefficients)},
-            {"determination", regression->determination},
-            {"of_parts_below", batchParts}};
-}
-
-/// Indices by factor; null for a characteristic that does not vary.
-ordered_json sobolJson(const std::vector<SobolIndex>& indices,
-                       const std::vector<GivenFactor>& factors) {
-    if (indices.empty()) {
-        return nullptr;
-    }
-    ordered_json json = ordered_json::object();
-    for (std::size_t f = 0; f < factors.size(); ++f) {
-        json[factorKey(factors[f])] = {{"first", indices[f].first}, {"total", indices[f].total}};
-    }
-    return json;
-}
 
 /// "  ranks: stock_mm 0.93, dullness -0.04; R² 0.97"; nothing where there is no regression.
 std::string regressionText(const std::optional<RankRegression>& regression,
@@ -170,28 +38,6 @@ std::string sobolText(const std::vector<SobolIndex>& indices,
                 + fixed(indices[f].total, 2);
     }
     return text.empty() ? text : text + '\n';
-}
-
-constexpr std::array fitnessNames{"conforms", "conditionally_conforms", "does_not_conform"};
-constexpr std::array reasonNames{"no_part",          "parts_fail", "some_parts_fail",
-                                 "stopped",          "no_sample",  "few_parts",
-                                 "expected_outside", "ppk",        "all_hold"};
-
-const char* fitnessName(const BatchVerdict& verdict) {
-    return fitnessNames[static_cast<std::size_t>(verdict.fitness)];
-}
-
-ordered_json verdictJson(const BatchVerdict& verdict, const BatchSummary& summary) {
-    ordered_json json = {{"fitness", fitnessName(verdict)},
-                         {"decided_by", reasonNames[static_cast<std::size_t>(verdict.reason)]},
-                         {"value", verdict.value},
-                         {"limit", verdict.limit}};
-    if (verdict.characteristic) {
-        const Characteristic& of = summary.characteristics[*verdict.characteristic].characteristic;
-        json["where"] = placeKey(of);
-        json["name"] = of.name;
-    }
-    return json;
 }
 
 /// "conforms conditionally: the lower 95 % bound of Ppk of rz1 diameter is 0.73, below 1".
@@ -255,7 +101,7 @@ std::string shareText(const Share& share) {
 }
 
 /// "Ppk 1.42 (1.20…1.64)".
-std::string capabilityText(const char* name, const std::optional<Capability>& capability) {
+std::string capabilityText(const char* name, const std::optional<Estimate>& capability) {
     return capability ? std::string(", ") + name + " " + fixed(capability->value, 2) + " ("
                             + range(capability->interval, 2) + ")"
                       : std::string();
@@ -306,24 +152,12 @@ std::string characteristicText(const CharacteristicSummary& summary, bool isSamp
     return text + unstatedText(summary) + '\n';
 }
 
-std::string cell(const std::optional<double>& value) {
-    return value ? numberText(*value) : std::string();
-}
-
-std::string cells(const std::optional<Interval>& interval) {
-    return interval ? numberText(interval->low) + "," + numberText(interval->high) : ",";
-}
-
-std::string capabilityCells(const std::optional<Capability>& capability) {
-    return capability ? numberText(capability->value) + "," + cells(capability->interval) : ",,";
-}
-
 } // namespace
 
 std::string batchText(const BatchResult& result, const std::optional<SobolIndices>& indices) {
     const BatchSummary summary = summarise(result);
     std::string text = std::to_string(summary.parts) + " of " + std::to_string(result.batchParts)
-                       + " parts, " + statusName(result.status) + "\nverdict "
+                       + " parts, " + batchStatusKey(result.status) + "\nverdict "
                        + verdictText(weigh(summary, result), summary) + "\nnot good "
                        + shareText(summary.bad) + "; did not reach size "
                        + std::to_string(summary.failed) + "\n" + strippedText(summary)
@@ -339,74 +173,6 @@ std::string batchText(const BatchResult& result, const std::optional<SobolIndice
         if (indices) {
             text += sobolText(indices->byCharacteristic[i], factors);
         }
-    }
-    return text;
-}
-
-std::string batchJson(const BatchResult& result, const std::optional<SobolIndices>& indices) {
-    const BatchSummary summary = summarise(result);
-    ordered_json json = {{"engine_version", result.engineVersion},
-                         {"status", statusName(result.status)},
-                         {"batch", ordered_json::parse(writeProject(result.project)).at("batch")},
-                         {"batch_parts", result.batchParts},
-                         {"parts", summary.parts},
-                         {"is_sample", summary.isSample},
-                         {"did_not_reach_size", summary.failed},
-                         {"strips_uncut", summary.stripped},
-                         {"not_good", shareJson(summary.bad)},
-                         {"rejects", rejectsJson(summary)},
-                         {"verdict", verdictJson(weigh(summary, result), summary)},
-                         {"drifts", summary.drifts},
-                         {"exact_percentiles", summary.exactPercentiles},
-                         {"characteristics", ordered_json::array()},
-                         {"worst", worstJson(result, summary.worstPart)}};
-    if (indices) {
-        json["sobol_simulations"] = indices->simulations;
-    }
-    const auto regressions = rankRegressions(result);
-    const auto factors = scatteredFactors(result.project);
-    for (std::size_t i = 0; i < summary.characteristics.size(); ++i) {
-        json["characteristics"].push_back(
-            characteristicJson(summary.characteristics[i], summary.isSample, summary.drifts));
-        if (summary.isSample) {
-            json["characteristics"].back()["standardised_rank_regression"] =
-                regressionJson(regressions[i], factors, result.batchParts);
-        }
-        if (indices) {
-            json["characteristics"].back()["sobol_indices"] =
-                sobolJson(indices->byCharacteristic[i], factors);
-        }
-    }
-    return json.dump(2) + '\n';
-}
-
-std::string batchCsv(const BatchResult& result) {
-    const BatchSummary summary = summarise(result);
-    std::string text = "where,characteristic,unit,low,high,count,min,max,mean,mean_low,mean_high,s,"
-                       "cp,cp_low,cp_high,cpk,cpk_low,cpk_high,outside,outside_low,outside_high,"
-                       "pp,pp_low,pp_high,ppk,ppk_low,ppk_high,expected_outside,normality,"
-                       "normality_test,strips_uncut\n";
-    const bool atRest = !summary.drifts;
-    const std::optional<Capability> none;
-    for (const CharacteristicSummary& row : summary.characteristics) {
-        const Characteristic& of = row.characteristic;
-        text += csvCell(placeKey(of)) + "," + csvCell(of.name) + "," + csvCell(of.unit) + ","
-                + cell(of.low) + "," + cell(of.high) + "," + std::to_string(row.count) + ",";
-        if (row.count == 0) {
-            text += ",,,,,,,,,,,,,,,,,,,,,,,," + std::to_string(row.unstated) + "\n";
-            continue;
-        }
-        const bool sample = summary.isSample;
-        text += numberText(row.least.value) + "," + numberText(row.most.value) + ","
-                + (sample ? numberText(row.moments.mean) : "") + "," + cells(row.mean95) + ","
-                + (sample ? numberText(row.moments.deviation) : "") + ","
-                + capabilityCells(atRest ? row.pp : none) + ","
-                + capabilityCells(atRest ? row.ppk : none) + "," + numberText(row.outside.value)
-                + "," + cells(row.outside.interval) + "," + capabilityCells(row.pp) + ","
-                + capabilityCells(row.ppk) + "," + cell(row.expectedOutside) + ","
-                + (row.normality ? numberText(row.normality->probability) : "") + ","
-                + (row.normality ? testKey(row.normality->test) : "") + ","
-                + std::to_string(row.unstated) + "\n";
     }
     return text;
 }

@@ -16,14 +16,6 @@ namespace sparkout::cli {
 [[nodiscard]] std::string batchText(const BatchResult& result,
                                     const std::optional<SobolIndices>& indices);
 
-/// The object of `batch --json`; its named keys are fixed. Under "worst" the part of the least
-/// margin, with the values of its factors and as a project that `simulate` runs again.
-[[nodiscard]] std::string batchJson(const BatchResult& result,
-                                    const std::optional<SobolIndices>& indices);
-
-/// The CSV of `batch --csv`: a row a characteristic of a zone or section.
-[[nodiscard]] std::string batchCsv(const BatchResult& result);
-
 /// Why shards cannot be joined: lines that name them, in the order of `files`.
 [[nodiscard]] std::string joinText(const JoinedBatch& joined,
                                    const std::vector<BatchResult>& shards,

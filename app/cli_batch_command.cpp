@@ -7,6 +7,7 @@
 #include "app/io/cli_surfaces.h"
 #include "app/io/stop_signals.h"
 #include "core/batch/batch_check.h"
+#include "core/batch/batch_json.h"
 #include "core/batch/batch_state_reader.h"
 #include "core/files/file_system.h"
 #include "core/files/safe_file_writer.h"

@@ -8,6 +8,8 @@
 
 #include "core/adequacy/adequacy.h"
 #include "core/batch/batch_check.h"
+#include "core/batch/batch_json.h"
+#include "core/batch/batch_outputs.h"
 #include "core/batch/batch_run.h"
 #include "core/batch/batch_summary.h"
 #include "core/form/roundness_readings.h"
@@ -35,6 +37,7 @@
 #include "core/quality/constraints.h"
 #include "core/quality/result_json.h"
 #include "core/quality/shop_numbers.h"
+#include "core/quality/shop_outputs.h"
 #include "core/remedies/remedies.h"
 #include "core/setup/setup_file.h"
 #include "core/setup/setup_json.h"

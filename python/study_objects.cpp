@@ -232,14 +232,10 @@ Batch runBatchOf(const ValidProject& project, int threads) {
     });
 }
 
-constexpr std::array batchStates{"completed", "narrow_enough", "stopped", "refused"};
-
 void bindBatch(py::module_& module) {
     py::class_<Batch>(module, "Batch", "The parts of a batch.")
         .def_property_readonly("status",
-                               [](const Batch& self) {
-                                   return batchStates[static_cast<std::size_t>(self.result.status)];
-                               })
+                               [](const Batch& self) { return batchStatusKey(self.result.status); })
         .def_readonly("factors", &Batch::factors, "names of the columns of factor_values")
         .def_readonly("quantities", &Batch::quantities, "names of the columns of values")
         .def_property_readonly(
@@ -252,7 +248,14 @@ void bindBatch(py::module_& module) {
             "a row for every part; NaN where there is none")
         .def_property_readonly(
             "good", [](const Batch& self) { return arrayOf(self.good).attr("astype")("bool"); },
-            "of every part, whether all its requirements hold");
+            "of every part, whether all its requirements hold")
+        .def(
+            "to_dict",
+            [](const Batch& self) {
+                return py::module_::import("json").attr("loads")(batchJson(self.result));
+            },
+            "Statistics, capability, verdict and worst part as `sparkout-cli batch --json` has "
+            "them.");
     module.def("batch", &runBatchOf, py::arg("project"), py::arg("threads") = 0,
                "Runs the batch of the project, the same for any number of threads.");
 }

@@ -176,7 +176,7 @@ std::string resultText(const SimulationResult& result,
     text += "peak power           " + fixed(result.peakPower_w, 1) + " W at "
             + placeText(result.peakPowerAt) + '\n';
     text += accuracyText(result, accuracyOf(result)) + requirementsText(result, constraints);
-    return text + shopText(shopNumbers(result));
+    return text + shopText(shopNumbers(result), !result.project.operation->countsStrokes);
 }
 
 std::string traceCsv(const SimulationResult& result, const Trajectory& trajectory) {

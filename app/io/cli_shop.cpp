@@ -4,22 +4,20 @@
 #include "app/io/cli_report.h"
 #include "core/digits.h"
 #include "core/quality/ranges.h"
-#include "core/units.h"
+#include "core/quality/shop_outputs.h"
 
 #include <algorithm>
-#include <functional>
+#include <vector>
 
 namespace sparkout::cli {
 
 namespace {
 
+constexpr std::size_t labelWidth = 26, cellWidth = 12;
+
 /// Four significant digits, never an exponent.
 std::string significant(double value) {
     return fixed(value, decimalsOf(value, 4));
-}
-
-std::string significant(const std::optional<double>& value) {
-    return value ? significant(*value) : "-";
 }
 
 std::size_t codePoints(const std::string& text) {
@@ -28,80 +26,76 @@ std::size_t codePoints(const std::string& text) {
     }));
 }
 
-std::string padded(const std::string& text, std::size_t width) {
+std::string label(const std::string& text) {
     const std::size_t size = codePoints(text);
-    return size < width ? text + std::string(width - size, ' ') : text;
+    return text + std::string(size < labelWidth ? labelWidth - size : 1, ' ');
 }
 
-/// `value` of each stage and of the cycle, right-aligned after the label.
-std::string line(const ShopNumbers& shop, const char* label,
-                 const std::function<std::string(const ShopColumn&)>& value) {
-    std::string text = padded(label, 21);
-    const auto add = [&](const ShopColumn& column) {
-        const std::string cell = value(column);
-        const std::size_t size = codePoints(cell);
-        text += std::string(size < 12 ? 12 - size : 1, ' ') + cell;
-    };
-    std::for_each(shop.stages.begin(), shop.stages.end(), add);
-    add(shop.cycle);
-    return text + '\n';
+/// Right-aligned.
+std::string cell(const std::string& text) {
+    const std::size_t size = codePoints(text);
+    return std::string(size < cellWidth ? cellWidth - size : 1, ' ') + text;
+}
+
+/// "-" where there is none.
+std::string valueText(const OutputValue& value) {
+    if (const auto* whole = std::get_if<std::int64_t>(&value)) {
+        return std::to_string(*whole);
+    }
+    const auto* number = std::get_if<double>(&value);
+    return number ? significant(*number) : "-";
 }
 
 /// The value behind a mark when it lies outside its band.
-std::string marked(BandSide band, const std::optional<double>& value) {
-    const char* mark = band == BandSide::below ? "(<)" : band == BandSide::above ? "(>)" : "";
-    return mark + significant(value);
+std::string marked(BandSide band, const std::string& value) {
+    const char* const mark = band == BandSide::below ? "(<)" : band == BandSide::above ? "(>)" : "";
+    return mark + value;
 }
 
-bool isOutside(const ShopColumn& column) {
-    const auto outside = [](BandSide band) {
-        return band == BandSide::below || band == BandSide::above;
-    };
-    return outside(column.specificEnergyBand()) || outside(column.overlapBand());
+std::string nameOf(const OutputRow& row, bool revolutions) {
+    const char* const name = revolutions && *row.ofRevolutions ? row.ofRevolutions : row.label;
+    return std::string("  ") + name + (*row.unit ? std::string(", ") + row.unit : std::string());
 }
 
 std::string bandText(const ShopNumbers& shop) {
-    if (std::none_of(shop.stages.begin(), shop.stages.end(), isOutside)) {
-        return {};
-    }
-    return padded("  (<) below, (>) above", 24) + "the usual: energy "
-           + fixed(leastSpecificEnergy_j_mm3, 0) + "…" + fixed(mostSpecificEnergy_j_mm3, 0)
-           + " J/mm³, overlap from " + fixed(leastOverlap, 0) + '\n';
-}
-
-std::string headline(const ShopNumbers& shop) {
-    std::size_t stage = 0;
-    return line(shop, "shop's numbers", [&](const ShopColumn&) {
-        return stage++ < shop.stages.size() ? "stage " + std::to_string(stage) : "cycle";
+    const bool isOutside = std::ranges::any_of(shop.stages, [](const ShopColumn& stage) {
+        return std::ranges::any_of(shopColumnOutputs(), [&stage](const Output<ShopColumn>& row) {
+            const BandSide band = row.bandOf(stage);
+            return band == BandSide::below || band == BandSide::above;
+        });
     });
-}
-
-std::string ratioText(const ShopNumbers& shop) {
-    return padded("  rpm ratio", 21) + significant(shop.rotationRatio) + " wheel : work"
-           + (shop.ratioNearInteger() ? ", near a whole number: WAVINESS" : "") + '\n';
+    return isOutside ? label("  (<) below, (>) above") + "the usual: energy "
+                           + fixed(leastSpecificEnergy_j_mm3, 0) + "…"
+                           + fixed(mostSpecificEnergy_j_mm3, 0) + " J/mm³, overlap from "
+                           + fixed(leastOverlap, 0) + '\n'
+                     : std::string();
 }
 
 } // namespace
 
-std::string shopText(const ShopNumbers& shop) {
-    using C = ShopColumn;
-    std::string text = headline(shop);
-    const auto add = [&](const char* label, const std::function<std::string(const C&)>& value) {
-        text += line(shop, label, value);
-    };
-    add("  Q'w, mm³/(mm·s)", [](const C& c) { return significant(c.removalRate_mm2_s); });
-    add("  mean Q'w", [](const C& c) { return significant(c.meanRemovalRate_mm2_s); });
-    add("  h_eq, µm", [](const C& c) { return significant(c.equivalentChip_um); });
-    add("  aggressiveness", [](const C& c) { return significant(c.aggressiveness); });
-    if (shop.cycle.overlap) {
-        add("  overlap B/s_ax", [](const C& c) { return marked(c.overlapBand(), c.overlap); });
+std::string shopText(const ShopNumbers& shop, bool revolutions) {
+    std::vector<const ShopColumn*> columns;
+    std::string text = label("shop's numbers");
+    for (const ShopColumn& stage : shop.stages) {
+        columns.push_back(&stage);
+        text += cell("stage " + std::to_string(columns.size()));
     }
-    add("  energy, J/mm³",
-        [](const C& c) { return marked(c.specificEnergyBand(), c.energy_j_mm3); });
-    add("  peak power, W", [](const C& c) { return significant(c.power_w.value); });
-    add("  mean power, W", [](const C& c) { return significant(c.meanPower_w); });
-    add("  peak force, N", [](const C& c) { return significant(c.normalForce_n.value); });
-    return text + bandText(shop) + ratioText(shop);
+    columns.push_back(&shop.cycle);
+    text += cell("cycle") + '\n';
+    for (const Output<ShopColumn>& row : shopColumnOutputs()) {
+        const auto has = [&row](const ShopColumn* column) { return row.of(*column).index() != 0; };
+        if (row.detail || (row.sparse && std::ranges::none_of(columns, has))) {
+            continue;
+        }
+        text += label(nameOf(row, revolutions));
+        for (const ShopColumn* column : columns) {
+            text += cell(marked(row.bandOf(*column), valueText(row.of(*column))));
+        }
+        text += '\n';
+    }
+    return text + bandText(shop) + label("  Rotation ratio") + significant(shop.rotationRatio)
+           + " wheel : work" + (shop.ratioNearInteger() ? ", near a whole number: WAVINESS" : "")
+           + '\n';
 }
 
 } // namespace sparkout::cli

@@ -8,6 +8,7 @@
 namespace sparkout::cli {
 
 /// The shop's numbers for people: a row a quantity, a column a stage and one for the cycle.
-[[nodiscard]] std::string shopText(const ShopNumbers& shop);
+/// `revolutions`: they are counted, not double strokes.
+[[nodiscard]] std::string shopText(const ShopNumbers& shop, bool revolutions);
 
 } // namespace sparkout::cli

@@ -160,10 +160,10 @@ private:
         if (ppk > mostIndex) {
             return;
         }
-        summary.ppk = Capability{ppk, ppkInterval(ppk, summary.count, confidence95)};
+        summary.ppk = Estimate{ppk, ppkInterval(ppk, summary.count, confidence95)};
         if (of.low && of.high) {
             const double pp = (*of.high - *of.low) / (6 * s);
-            summary.pp = Capability{pp, ppInterval(pp, summary.count, confidence95)};
+            summary.pp = Estimate{pp, ppInterval(pp, summary.count, confidence95)};
         }
         summary.expectedOutside =
             (of.high ? normalShare(-above / s) : 0) + (of.low ? normalShare(-under / s) : 0);

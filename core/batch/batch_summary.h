@@ -27,19 +27,6 @@ struct HistogramBar {
     std::int64_t count = 0;
 };
 
-/// A performance index with its 95 % bounds.
-struct Capability {
-    double value = 0;
-    Interval interval;
-};
-
-/// A count of parts as a share with its 95 % interval of Clopper and Pearson.
-struct Share {
-    std::int64_t count = 0;
-    double value = 0;
-    std::optional<Interval> interval; ///< not for corners
-};
-
 /// Parts that one cause makes bad; a part of several causes counts at each of them.
 struct RejectCause {
     std::optional<ConstraintKind> kind; ///< none: the cycle did not reach size
@@ -59,7 +46,7 @@ struct CharacteristicSummary {
     /// Performance indices [ISO22514]: s is that of all parts, drift and all. Of what
     /// hasCapability() names; not where the scatter is nothing beside the field, which would be an
     /// index above 99, nor where parts have no value for strips stay uncut.
-    std::optional<Capability> pp, ppk;
+    std::optional<Estimate> pp, ppk;
     std::optional<double> expectedOutside; ///< share of a normal law of this mean and s; as ppk
     Share outside;                         ///< its limits
 };

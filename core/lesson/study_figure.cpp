@@ -28,7 +28,7 @@ const CharacteristicSummary* diameterOf(const BatchSummary& summary, const Place
     return nullptr;
 }
 
-std::optional<double> valueOf(const std::optional<Capability>& index) {
+std::optional<double> valueOf(const std::optional<Estimate>& index) {
     return index ? std::optional(index->value) : std::nullopt;
 }
 

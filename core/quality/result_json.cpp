@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/result_json.h"
 
+#include "core/format/output_json.h"
 #include "core/format/strict_json.h"
 #include "core/project/part.h"
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/finished_surface.h"
 #include "core/quality/result_names.h"
 #include "core/quality/roughness.h"
-#include "core/quality/shop_numbers.h"
+#include "core/quality/shop_outputs.h"
 #include "core/units.h"
 
 namespace sparkout {
@@ -137,50 +138,15 @@ ordered_json sectionsJson(const SimulationResult& result, const PartAccuracy& ac
     return all;
 }
 
-ordered_json numberOrNull(const std::optional<double>& value) {
-    return value ? ordered_json(*value) : ordered_json(nullptr);
-}
-
-/// Null for a stage that removed nothing.
-ordered_json whereJson(const Peak& peak) {
-    return peak.value > 0 ? ordered_json(placeText(peak.at)) : ordered_json(nullptr);
-}
-
-ordered_json columnJson(const ShopColumn& column) {
-    const BandSide band = column.specificEnergyBand();
-    ordered_json json = {{"largest_depth_um", column.depth_mm.value * units::umPerMm},
-                         {"largest_depth_where", whereJson(column.depth_mm)},
-                         {"removal_rate_mm3_mm_s", column.removalRate_mm2_s},
-                         {"mean_removal_rate_mm3_mm_s", column.meanRemovalRate_mm2_s},
-                         {"equivalent_chip_um", column.equivalentChip_um},
-                         {"aggressiveness", column.aggressiveness},
-                         {"overlap_ratio", numberOrNull(column.overlap)},
-                         {"specific_energy_j_mm3", numberOrNull(column.energy_j_mm3)},
-                         {"specific_energy_plausible", nullptr},
-                         {"removed_volume_mm3", column.removedVolume_mm3},
-                         {"energy_j", column.energy_j},
-                         {"grinding_time_min", column.time_s / units::secondsPerMinute},
-                         {"peak_power_w", column.power_w.value},
-                         {"peak_power_where", whereJson(column.power_w)},
-                         {"mean_power_w", column.meanPower_w},
-                         {"peak_normal_force_n", column.normalForce_n.value},
-                         {"peak_normal_force_where", whereJson(column.normalForce_n)}};
-    if (band != BandSide::none) {
-        json["specific_energy_plausible"] = band == BandSide::inside;
-    }
-    return json;
-}
-
 ordered_json shopJson(const ShopNumbers& shop) {
     ordered_json stages = ordered_json::array();
     for (const ShopColumn& stage : shop.stages) {
-        stages.push_back(columnJson(stage));
+        stages.push_back(outputsJson(shopColumnOutputs(), stage));
     }
-    return {{"stages", std::move(stages)},
-            {"cycle", columnJson(shop.cycle)},
-            {"wheel_speed_rpm", shop.wheelSpeed_rpm},
-            {"rotation_ratio", shop.rotationRatio},
-            {"rotation_ratio_near_integer", shop.ratioNearInteger()}};
+    ordered_json json = {{"stages", std::move(stages)},
+                         {"cycle", outputsJson(shopColumnOutputs(), shop.cycle)}};
+    json.update(outputsJson(shopOutputs(), shop));
+    return json;
 }
 
 } // namespace

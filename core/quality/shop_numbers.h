@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/result.h"
 #include "core/simulation/result.h"
 
 #include <optional>
@@ -38,9 +39,6 @@ inline constexpr double mostSpecificEnergy_j_mm3 = 120;
 /// A rotation ratio this near to a whole number prints the wheel's waves onto one another: over ten
 /// revolutions, a usual spark-out, they shift by less than half of their length [BADGER2010].
 inline constexpr double nearInteger = 0.05;
-
-/// Where a number lies against its plausible band.
-enum class BandSide { none, inside, below, above }; ///< none: there is no number
 
 /// The numbers of one stage of the cycle, or of all.
 struct ShopColumn {

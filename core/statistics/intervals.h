@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/result.h"
+
 #include <cstdint>
 #include <optional>
 
 /// Confidence intervals of samples. All of them take the parts for independent draws: of a Latin
 /// hypercube or a Sobol sequence they are rather too wide than too narrow.
 namespace sparkout {
-
-struct Interval {
-    double low = 0, high = 0;
-};
 
 /// Of a mean: mean ± t·s/√n, t Student's quantile of n − 1 degrees of freedom; n ≥ 2.
 [[nodiscard]] Interval studentInterval(double mean, double deviation, std::int64_t count,

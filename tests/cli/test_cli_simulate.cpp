@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // What simulate prints, as text and as JSON, is what the engine computes.
 #include "core/project/part.h"
 #include "core/quality/constraints.h"
@@ -103,14 +104,14 @@ private slots:
         const auto head = row(out, "shop's numbers");
         QCOMPARE(head.size(), 2 * shop.stages.size() + 1); // "stage 1 stage 2 … cycle"
         QCOMPARE(head.back(), std::string("cycle"));
-        const auto energies = row(out, "  energy, J/mm³");
+        const auto energies = row(out, "  Energy, J/mm³");
         QCOMPARE(energies.size(), shop.stages.size() + 1);
         for (std::size_t z = 0; z < shop.stages.size(); ++z) {
             const double shown = QByteArray::fromStdString(energies[z]).toDouble();
             QVERIFY(std::abs(shown / *shop.stages[z].energy_j_mm3 - 1) < 1e-3); // four digits
         }
-        QVERIFY(!row(out, "  overlap B/s_ax").empty());
-        QVERIFY(row(run({"simulate", samplePath("smallest-plunge")}).out, "  overlap").empty());
+        QVERIFY(!row(out, "  Overlap B/s").empty());
+        QVERIFY(row(run({"simulate", samplePath("smallest-plunge")}).out, "  Overlap").empty());
     }
 
     void textMarksWhatLiesOutsideItsBand() {

@@ -161,6 +161,7 @@ class Studies(unittest.TestCase):
         batch = sparkout.batch(sparkout.Project.read(FACTORY))
         summary = cli("batch", FACTORY, "--json")
         self.assertEqual(batch.status, "completed")
+        self.assertEqual(batch.to_dict(), summary)
         self.assertEqual(batch.values.shape, (summary["parts"], len(batch.quantities)))
         self.assertEqual(batch.factor_values.shape, (summary["parts"], len(batch.factors)))
         self.assertEqual(len(summary["characteristics"]), len(batch.quantities))

@@ -6,7 +6,6 @@
 #include "core/units.h"
 #include "ui/charts/margin_model.h"
 #include "ui/charts/verdict_model.h"
-#include "ui/charts/verdict_shop_text.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
 
@@ -21,15 +20,6 @@ namespace {
 struct ResultTables {
     Q_DECLARE_TR_FUNCTIONS(ResultTables)
 };
-
-constexpr ShopRow stageNumbers[] = {
-    ShopRow::count,     ShopRow::time,           ShopRow::removalRate, ShopRow::meanRemovalRate,
-    ShopRow::chip,      ShopRow::aggressiveness, ShopRow::overlap,     ShopRow::energy,
-    ShopRow::peakPower, ShopRow::meanPower,      ShopRow::normalForce};
-
-CsvCell cellOf(const std::optional<double>& value) {
-    return value ? CsvCell(*value) : CsvCell();
-}
 
 /// Of a zone with several sections.
 void addFormHeads(QStringList& header) {
@@ -63,30 +53,6 @@ CsvTable requirementTable(const std::vector<ConstraintResult>& requirements, Ope
              range && c.limit > 0 ? CsvCell(c.value / c.limit) : CsvCell(), lightName(c),
              c.at ? CsvCell(Names::place(*c.at, operation)) : CsvCell()});
     }
-    return table;
-}
-
-CsvTable stageTable(const ShopNumbers& shop, Operation operation) {
-    CsvTable table;
-    table.header << ResultTables::tr("Stage");
-    for (const ShopRow row : stageNumbers) {
-        table.header << shop::name(row, operation);
-    }
-    table.header << ResultTables::tr("Volume removed, mm³") << ResultTables::tr("Total energy, kJ")
-                 << shop::name(ShopRow::rotationRatio, operation);
-    const auto add = [&table](const CsvCell& name, const ShopColumn& column, const CsvCell& ratio) {
-        std::vector<CsvCell> cells{name};
-        for (const ShopRow row : stageNumbers) {
-            cells.push_back(cellOf(shop::amount(row, column)));
-        }
-        cells.insert(cells.end(),
-                     {column.removedVolume_mm3, column.energy_j / units::jPerKj, ratio});
-        table.rows.push_back(std::move(cells));
-    };
-    for (std::size_t z = 0; z < shop.stages.size(); ++z) {
-        add(static_cast<double>(z + 1), shop.stages[z], {});
-    }
-    add(ResultTables::tr("Cycle"), shop.cycle, shop.rotationRatio);
     return table;
 }
 

@@ -12,9 +12,6 @@ namespace sparkout {
 [[nodiscard]] CsvTable requirementTable(const std::vector<ConstraintResult>& requirements,
                                         Operation operation);
 
-/// The shop's numbers: a row a stage and a last one for the cycle.
-[[nodiscard]] CsvTable stageTable(const ShopNumbers& shop, Operation operation);
-
 /// The form of zones that hold several sections, a row a zone; without rows where none does.
 [[nodiscard]] CsvTable formTable(const Outcome& outcome);
 

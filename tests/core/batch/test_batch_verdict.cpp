@@ -22,7 +22,7 @@ BatchSummary goodSummary() {
     for (const double low : {1.3, 1.1}) {
         CharacteristicSummary of;
         of.count = 50;
-        of.ppk = Capability{low + 0.2, {low, low + 0.4}};
+        of.ppk = Estimate{low + 0.2, {low, low + 0.4}};
         of.expectedOutside = 1e-3 * (2 - low);
         summary.characteristics.push_back(of);
     }
@@ -57,7 +57,7 @@ private slots:
     /// A P_pk of 0.94 with the bounds 0.73…1.14: nothing failed of 50, but more of them would.
     void aLowBoundMakesItConditional() {
         BatchSummary summary = goodSummary();
-        summary.characteristics[0].ppk = Capability{0.94, {0.73, 1.14}};
+        summary.characteristics[0].ppk = Estimate{0.94, {0.73, 1.14}};
         BatchResult result = resultOf();
         const BatchVerdict verdict = weigh(summary, result);
         QVERIFY(verdict.fitness == Fitness::conditional && verdict.reason == BatchReason::ppk);

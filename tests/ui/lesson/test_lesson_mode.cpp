@@ -9,13 +9,13 @@
 #include "tests/ui/support/file_trouble.h"
 #include "tests/ui/support/text_checks.h"
 #include "ui/dialogs/notice_bar.h"
+#include "ui/dialogs/value_model.h"
 #include "ui/files/backup_history.h"
 #include "ui/files/file_lock.h"
 #include "ui/kit/font_size.h"
 #include "ui/lesson/lessons_dialog.h"
 #include "ui/lesson/marks_dialog.h"
 #include "ui/lesson/student_dialog.h"
-#include "ui/views/batch/batch_figures.h"
 #include "ui/views/batch/batch_view.h"
 #include "ui/views/batch/histogram_plot.h"
 
@@ -267,12 +267,15 @@ private slots:
         student.begin();
         auto* view = student.window.findChild<BatchView*>();
         const auto* table = view->findChild<QTableView*>(QStringLiteral("batchFigures"));
-        const auto shows = [table](int row) {
-            return table->model()->index(row, 1).data().toString() != u"–";
+        const auto shows = [table](std::string_view key) {
+            const auto& model = dynamic_cast<const ValueModel&>(*table->model());
+            const auto row = std::ranges::find_if(
+                model.table().rows, [key](const ValueHead& head) { return head.key == key; });
+            return model.table().cells[std::size_t(row - model.table().rows.begin())][1].text
+                   != u"–";
         };
         const auto tellsIndices = [&] {
-            return shows(BatchFigures::meanInterval) && shows(BatchFigures::pp)
-                   && shows(BatchFigures::ppk)
+            return shows("mean_interval_95") && shows("pp") && shows("ppk")
                    && view->histograms()->heading(1).contains(QStringLiteral("Ppk"));
         };
         const auto run = [&] { return view->batch() && !view->busy() && !view->stale(); };
@@ -280,8 +283,8 @@ private slots:
         QVERIFY(student.bench.action("show-batch")->isVisible());
         QVERIFY(!student.bench.action("show-overview")->isVisible());
         QVERIFY(!student.bench.action("exportResults")->isEnabled());
-        QVERIFY(shows(BatchFigures::mean) && shows(BatchFigures::deviation));
-        for (const int row : {BatchFigures::meanInterval, BatchFigures::pp, BatchFigures::ppk}) {
+        QVERIFY(shows("mean") && shows("standard_deviation"));
+        for (const char* row : {"mean_interval_95", "pp", "ppk"}) {
             QVERIFY(!shows(row));
         }
         const auto everyText = [&] {

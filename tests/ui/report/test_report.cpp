@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The cycle card in its three formats, read back with poppler's tools.
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
@@ -8,7 +9,6 @@
 #include "core/project/wheel.h"
 #include "tests/ui/support/report_reading.h"
 #include "tests/ui/support/view_fixtures.h"
-#include "ui/charts/verdict_shop_text.h"
 #include "ui/pdf/pdf_details.h"
 #include "ui/report/documents/cycle_card.h"
 #include "ui/report/format/pages.h"
@@ -18,6 +18,7 @@
 #include "ui/text/language.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
+#include "ui/text/output_text.h"
 #include "ui/views/verdict/verdict_text.h"
 #include "ui/window/dialogs/examples_dialog.h"
 
@@ -51,8 +52,7 @@ QByteArray made(const OutcomePtr& outcome, Format format, const QDate& date = da
 
 /// Numbers that the card must hold, from the engine's result.
 QStringList numbersOf(const Outcome& outcome) {
-    QStringList numbers{verdict::time(outcome.result),
-                        shop::value(ShopRow::time, outcome.shop.cycle)};
+    QStringList numbers{verdict::time(outcome.result), threeDigits(outcome.shop.cycle.time_s / 60)};
     for (const Stage& stage : outcome.result.project.cycle->stages) {
         const auto& feed = outcome.result.project.operation == Operation::traverse
                                ? stage.radial_feed_mm

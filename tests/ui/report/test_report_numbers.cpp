@@ -71,7 +71,7 @@ BatchSummary summaryWith(const std::vector<double>& ppk) {
         CharacteristicSummary of;
         of.characteristic = all.at(i);
         of.count = summary.parts;
-        of.ppk = Capability{ppk[i], {ppk[i] - 0.2, ppk[i] + 0.2}};
+        of.ppk = Estimate{ppk[i], {ppk[i] - 0.2, ppk[i] + 0.2}};
         summary.characteristics.push_back(of);
     }
     return summary;

@@ -82,7 +82,7 @@ void CapabilityChart::paintScale(QPainter& painter) const {
 }
 
 void CapabilityChart::paintRow(QPainter& painter, const CharacteristicSummary& of, double y) const {
-    const Capability& ppk = *of.ppk;
+    const Estimate& ppk = *of.ppk;
     const QFontMetricsF metrics(painter.font());
     const double base = y + metrics.ascent() / 2 - 1;
     painter.setPen(chartInk);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/documents/outcome_remarks.h"
 
-#include "ui/charts/verdict_shop_text.h"
+#include "ui/charts/shop_table.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/text/estimate_names.h"
 #include "ui/text/names.h"
@@ -40,7 +40,7 @@ QStringList OutcomeRemarks::estimates(const Outcome& outcome) {
 }
 
 QStringList OutcomeRemarks::remarks(const Outcome& outcome) {
-    QStringList lines = shop::remarks(outcome.shop);
+    QStringList lines = shopRemarks(outcome.shop);
     for (const Issue& issue : outcome.issues) {
         lines << manyLines(Names::issue(issue));
     }

@@ -88,9 +88,9 @@ Table PassportPrediction::values(const Subject& subject) {
         const CharacteristicSummary& of = summary.characteristics[i];
         QStringList row{BatchText::full(of.characteristic), unitText(of.characteristic.unit),
                         limitsText(of.characteristic), texts[i]};
-        for (const auto figure : {BatchFigures::least, BatchFigures::mean, BatchFigures::most,
-                                  BatchFigures::deviation, BatchFigures::meanInterval}) {
-            row << BatchFigures::text(of, summary.isSample, figure);
+        for (const char* figure :
+             {"min", "mean", "max", "standard_deviation", "mean_interval_95"}) {
+            row << figureText({&of, summary.isSample, summary.drifts}, figure);
         }
         table.rows.push_back(row);
     }
@@ -107,9 +107,8 @@ Table PassportPrediction::capability(const BatchSummary& summary) {
     table.texts = {true};
     for (const CharacteristicSummary& of : summary.characteristics) {
         QStringList row{BatchText::full(of.characteristic)};
-        for (const auto figure : {BatchFigures::pp, BatchFigures::ppk, BatchFigures::outside,
-                                  BatchFigures::normality}) {
-            row << BatchFigures::text(of, summary.isSample, figure);
+        for (const char* figure : {"pp", "ppk", "outside", "normality_probability"}) {
+            row << figureText({&of, summary.isSample, summary.drifts}, figure);
         }
         table.rows.push_back(row);
     }

@@ -10,11 +10,11 @@
 #include "core/project/part.h"
 #include "core/project/wheel.h"
 #include "core/units.h"
-#include "ui/charts/verdict_shop_text.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/report/parts/input_fact.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
+#include "ui/text/output_text.h"
 
 #include <cmath>
 #include <numbers>
@@ -125,11 +125,13 @@ Table OperationSetup::stages(const Outcome& outcome, bool results) {
     double stock = 0;
     const auto count = project.cycle->stages.size();
     const auto rest = [&](QStringList row, const ShopColumn& shop, const QString& sparkOut) {
-        const auto out = [&](ShopRow of) {
-            return results ? shop::value(of, shop) : QString(6, u'_');
+        const auto out = [results](const QString& text) {
+            return results ? text : QString(6, u'_');
         };
-        row << out(ShopRow::count) << out(ShopRow::time) << sparkOut << out(ShopRow::peakPower)
-            << out(ShopRow::normalForce);
+        row << out(QString::number(shop.count))
+            << out(threeDigits(shop.time_s / units::secondsPerMinute)) << sparkOut
+            << out(threeDigits(shop.power_w.value / units::wPerKw))
+            << out(threeDigits(shop.normalForce_n.value));
         table.rows.push_back(row);
     };
     const auto feed = [](const std::optional<double>& value) {

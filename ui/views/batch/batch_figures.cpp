@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/batch/batch_figures.h"
 
+#include "ui/tables/output_cells.h"
+#include "ui/text/output_text.h"
 #include "ui/text/texts.h"
 #include "ui/views/batch/batch_text.h"
 
@@ -13,205 +15,153 @@ namespace sparkout {
 
 namespace {
 
-constexpr double lowOrder = 0.00135, highOrder = 0.99865; ///< ±3s of a normal quantity
+struct BatchFigures {
+    Q_DECLARE_TR_FUNCTIONS(BatchFigures)
+};
 
-const Percentile* percentileOf(const CharacteristicSummary& summary, double order) {
-    const auto found = std::ranges::find(summary.percentiles, order, &Percentile::order);
-    return found == summary.percentiles.end() ? nullptr : &*found;
+using Figures = CharacteristicFigures;
+
+const QString dash = QStringLiteral("–");
+
+/// Those that a view shows: of ±3s of a normal quantity, and the median.
+struct ShownPercentile {
+    const char* key;
+    double order;
+};
+constexpr ShownPercentile shownPercentiles[] = {
+    {"low_percentile", 0.00135}, {"median", 0.5}, {"high_percentile", 0.99865}};
+
+QString percentileName(double order) {
+    return order == 0.5 ? BatchFigures::tr("Median")
+                        : BatchFigures::tr("Percentile %1 %").arg(QLocale().toString(100 * order));
 }
 
-CsvCell cellOf(const std::optional<double>& value) {
-    return value ? CsvCell(*value) : CsvCell();
+QString percentileHint(double order) {
+    const QString text =
+        order < 0.5 ? BatchFigures::tr("Below it lie %1 % of the parts, as below mean − 3 s of a "
+                                       "normal quantity; given from 741 parts on")
+        : order > 0.5 ? BatchFigures::tr("Above it lie %1 % of the parts, as above mean + 3 s of a "
+                                         "normal quantity; given from 741 parts on")
+                      : QString();
+    return text.isEmpty() ? text : text.arg(QLocale().toString(100 * std::min(order, 1 - order)));
 }
 
-void addInterval(std::vector<CsvCell>& row, const std::optional<Interval>& interval) {
-    row.push_back(interval ? CsvCell(interval->low) : CsvCell());
-    row.push_back(interval ? CsvCell(interval->high) : CsvCell());
+QString percentileText(const Figures& figures, double order) {
+    const auto found = std::ranges::find(figures.of->percentiles, order, &Percentile::order);
+    return figures.isSample && found != figures.of->percentiles.end()
+               ? BatchText::percentile(*found, *figures.of)
+               : dash;
 }
 
-void addCapability(std::vector<CsvCell>& row, const std::optional<Capability>& capability) {
-    row.push_back(capability ? CsvCell(capability->value) : CsvCell());
-    addInterval(row, capability ? std::optional(capability->interval) : std::nullopt);
-}
-
-/// Moments, percentiles and capability, empty of corners, which are no sample.
-void addEstimates(std::vector<CsvCell>& row, const CharacteristicSummary& summary) {
-    const bool known = summary.mean95.has_value();
-    const Moments& m = summary.moments;
-    for (const double value : {m.mean, m.deviation, m.skewness, m.excess}) {
-        row.push_back(known ? CsvCell(value) : CsvCell());
+QString textOf(const Output<Figures>& row, const Figures& figures) {
+    const Characteristic& of = figures.of->characteristic;
+    const std::string_view key = row.key;
+    const OutputValue value = row.of(figures);
+    if (key == "normality_probability") {
+        return BatchText::normality(*figures.of);
     }
-    addInterval(row, summary.mean95);
-    row.push_back(summary.normality ? CsvCell(summary.normality->probability) : CsvCell());
-    row.push_back(summary.normality ? CsvCell(BatchText::test(summary.normality->test))
-                                    : CsvCell());
-    addCapability(row, summary.pp);
-    addCapability(row, summary.ppk);
+    if (const auto* number = std::get_if<double>(&value)) {
+        return key == "standard_deviation" ? BatchText::scatter(*number, of)
+                                           : BatchText::value(*number, of);
+    }
+    if (const auto* interval = std::get_if<Interval>(&value)) {
+        return BatchText::range(*interval, of);
+    }
+    if (const auto* estimate = std::get_if<Estimate>(&value)) {
+        return BatchText::capability(*estimate);
+    }
+    const auto* const share = std::get_if<Share>(&value);
+    return share ? BatchText::share(*share) : dash;
 }
+
+/// A table while it is filled row by row.
+class Filler {
+public:
+    Filler(ValueTable& table, const std::vector<Figures>& places)
+        : m_table(table), m_places(places) {}
+
+    template <class Text>
+    void add(ValueHead head, Text text) {
+        std::vector<ValueCell>& cells = m_table.cells.emplace_back();
+        for (const Figures& place : m_places) {
+            cells.push_back({text(place), {}, {}});
+        }
+        m_table.rows.push_back(std::move(head));
+    }
+
+private:
+    ValueTable& m_table;
+    const std::vector<Figures>& m_places;
+};
 
 } // namespace
 
-void BatchFigures::show(BatchOutcomePtr outcome, const std::string& name) {
-    beginResetModel();
-    m_outcome = std::move(outcome);
-    m_places = m_outcome ? placesOf(m_outcome->summary, name) : std::vector<std::size_t>();
-    endResetModel();
-}
-
-const CharacteristicSummary& BatchFigures::at(int column) const {
-    return m_outcome->summary.characteristics[m_places[static_cast<std::size_t>(column)]];
-}
-
-QString BatchFigures::text(const CharacteristicSummary& summary, bool isSample, int row) {
-    const Characteristic& of = summary.characteristic;
-    const auto value = [&of](double v) { return BatchText::value(v, of); };
-    const auto percentile = [&](double order) {
-        const Percentile* found = isSample ? percentileOf(summary, order) : nullptr;
-        return found ? BatchText::percentile(*found, summary) : QStringLiteral("–");
-    };
-    const bool counted = summary.count > 0;
-    const bool estimated = counted && summary.mean95.has_value();
-    switch (row) {
-    case least: return counted ? value(summary.least.value) : QStringLiteral("–");
-    case most: return counted ? value(summary.most.value) : QStringLiteral("–");
-    case mean: return estimated ? value(summary.moments.mean) : QStringLiteral("–");
-    case meanInterval:
-        return estimated ? BatchText::range(*summary.mean95, of) : QStringLiteral("–");
-    case deviation:
-        return estimated ? BatchText::scatter(summary.moments.deviation, of) : QStringLiteral("–");
-    case lowPercentile: return percentile(lowOrder);
-    case median: return percentile(0.5);
-    case highPercentile: return percentile(highOrder);
-    case pp: return BatchText::capability(summary.pp);
-    case ppk: return BatchText::capability(summary.ppk);
-    case outside:
-        return counted && (of.low || of.high) ? BatchText::share(summary.outside)
-                                              : QStringLiteral("–");
-    case normality: return BatchText::normality(summary);
-    default: return {};
+ValueTable batchFigures(const BatchSummary& summary, const std::string& name, bool tellsIndices) {
+    ValueTable table;
+    std::vector<Figures> places;
+    for (const std::size_t place : placesOf(summary, name)) {
+        places.push_back({&summary.characteristics[place], summary.isSample, summary.drifts});
+        const Characteristic& of = places.back().of->characteristic;
+        table.columns.push_back({BatchText::where(of), BatchText::full(of), {}});
     }
+    if (places.empty()) {
+        return table;
+    }
+    Filler filler(table, places);
+    for (const Output<Figures>& row : characteristicOutputs()) {
+        const std::string_view key = row.key;
+        if (key == "pp") {
+            for (const ShownPercentile& each : shownPercentiles) {
+                filler.add({percentileName(each.order), {}, percentileHint(each.order), each.key},
+                           [&each](const Figures& of) { return percentileText(of, each.order); });
+            }
+        }
+        if (row.detail || !*row.label) {
+            continue;
+        }
+        const bool isHidden =
+            !tellsIndices && (key == "mean_interval_95" || key == "pp" || key == "ppk");
+        const QString label = key == "normality_probability"
+                                  ? BatchText::shortNormalityName(summary)
+                                  : outputBrief(row);
+        filler.add({label, {}, outputHint(row), row.key},
+                   [&](const Figures& of) { return isHidden ? dash : textOf(row, of); });
+    }
+    return table;
 }
 
-QString BatchFigures::shownText(int row, int column) const {
-    const bool isIndex = row == meanInterval || row == pp || row == ppk;
-    return isIndex && !m_tellsIndices ? QStringLiteral("–")
-                                      : text(at(column), m_outcome->summary.isSample, row);
-}
-
-QVariant BatchFigures::cell(int row, int column, int role) const {
-    switch (role) {
-    case Qt::DisplayRole: return shownText(row, column);
-    case Qt::TextAlignmentRole: return aligned(true);
-    case Qt::AccessibleTextRole:
-        return QStringLiteral("%1, %2: %3")
-            .arg(BatchText::full(at(column).characteristic), side(row, Qt::DisplayRole).toString(),
-                 shownText(row, column));
-    default: return {};
-    }
-}
-
-QVariant BatchFigures::head(int column, int role) const {
-    return role == Qt::DisplayRole && column < columnsShown()
-               ? QVariant(BatchText::where(at(column).characteristic))
-               : QVariant();
-}
-
-QVariant BatchFigures::side(int row, int role) const {
-    if (role == Qt::TextAlignmentRole) {
-        return aligned(false);
-    }
-    const bool tip = role == Qt::ToolTipRole;
-    if (role != Qt::DisplayRole && !tip) {
-        return {};
-    }
-    switch (row) {
-    case least: return tr("Minimum");
-    case most: return tr("Maximum");
-    case mean: return tr("Mean");
-    case meanInterval:
-        return tip ? tr("Student's interval: the mean of endlessly many such parts lies in it with "
-                        "95 %")
-                   : tr("Mean, 95 %");
-    case deviation: return tip ? tr("Standard deviation of the sample") : tr("s");
-    case lowPercentile:
-        return tip ? tr("Below it lie 0.135 % of the parts, as below mean − 3 s of a normal "
-                        "quantity; given from 741 parts on")
-                         .replace(QStringLiteral("0.135"), QLocale().toString(0.135))
-                   : tr("Percentile 0.135 %").replace(u'.', QLocale().decimalPoint());
-    case median: return tr("Median");
-    case highPercentile:
-        return tip ? tr("Above it lie 0.135 % of the parts, as above mean + 3 s of a normal "
-                        "quantity; given from 741 parts on")
-                         .replace(QStringLiteral("0.135"), QLocale().toString(0.135))
-                   : tr("Percentile 99.865 %").replace(u'.', QLocale().decimalPoint());
-    case pp:
-        return tip ? tr("Width of the field over 6 s, with 95 % bounds; s is that of all parts, "
-                        "with whatever drifts over the batch. Where nothing drifts it is Cp")
-                   : tr("Pp");
-    case ppk:
-        return tip ? tr("Distance from the mean to the nearer limit over 3 s, with 95 % bounds; it "
-                        "says what it says of a normal quantity. A dash: no size or form of the "
-                        "part, or one that hardly scatters beside its field")
-                   : tr("Ppk");
-    case outside:
-        return tip ? tr("Parts beyond the limits, as a share with the 95 % bounds of Clopper and "
-                        "Pearson")
-                   : tr("Out of tolerance");
-    case normality:
-        return tip ? tr(
-                   "Probability that normal values deviate so much from the normal law, by the "
-                   "test of Shapiro and Wilk, of more than 4096 parts of Anderson and "
-                   "Darling; below 0.05 the values are called not normal")
-               : m_outcome ? BatchText::shortNormalityName(m_outcome->summary)
-                           : tr("Normality, p");
-    default: return {};
-    }
+QString figureText(const CharacteristicFigures& figures, std::string_view key) {
+    const auto row = std::ranges::find_if(
+        characteristicOutputs(), [key](const Output<Figures>& each) { return each.key == key; });
+    return textOf(*row, figures);
 }
 
 CsvTable batchFiguresTable(const BatchSummary& summary) {
     CsvTable table;
     table.ownUnits = true;
     table.header << BatchFigures::tr("Where") << BatchFigures::tr("Characteristic")
-                 << BatchFigures::tr("Unit") << BatchFigures::tr("Lower limit")
-                 << BatchFigures::tr("Upper limit") << BatchFigures::tr("Values")
-                 << BatchFigures::tr("Minimum") << BatchFigures::tr("Maximum")
-                 << BatchFigures::tr("Mean") << BatchFigures::tr("s")
-                 << BatchFigures::tr("Skewness") << BatchFigures::tr("Excess kurtosis")
-                 << BatchFigures::tr("Mean, 95 % from") << BatchFigures::tr("Mean, 95 % to")
-                 << BatchFigures::tr("Normality, p") << BatchFigures::tr("Normality, test")
-                 << BatchFigures::tr("Pp") << BatchFigures::tr("Pp, 95 % from")
-                 << BatchFigures::tr("Pp, 95 % to") << BatchFigures::tr("Ppk")
-                 << BatchFigures::tr("Ppk, 95 % from") << BatchFigures::tr("Ppk, 95 % to")
-                 << BatchFigures::tr("Out of tolerance")
-                 << BatchFigures::tr("Share out of tolerance")
-                 << BatchFigures::tr("Share, 95 % from") << BatchFigures::tr("Share, 95 % to");
-    if (summary.isSample && !summary.characteristics.empty()) {
-        for (const Percentile& percentile : summary.characteristics.front().percentiles) {
-            const QString name = BatchFigures::tr("Percentile %1 %").arg(100 * percentile.order);
-            table.header << name << BatchFigures::tr("%1, 95 % from").arg(name)
-                         << BatchFigures::tr("%1, 95 % to").arg(name);
+                 << BatchFigures::tr("Unit");
+    addOutputHeads(table.header, characteristicOutputs());
+    table.header << BatchFigures::tr("Normality, test");
+    const std::vector<Figures> all = figuresOf(summary);
+    if (summary.isSample && !all.empty()) {
+        for (const Percentile& percentile : all.front().of->percentiles) {
+            addEstimateHeads(table.header, percentileName(percentile.order));
         }
     }
-    for (const CharacteristicSummary& of : summary.characteristics) {
-        const Characteristic& c = of.characteristic;
-        std::vector<CsvCell> row{BatchText::where(c), BatchText::name(c),
-                                 unitText(c.unit),    cellOf(c.low),
-                                 cellOf(c.high),      static_cast<double>(of.count)};
-        const bool counted = of.count > 0;
-        row.push_back(counted ? CsvCell(of.least.value) : CsvCell());
-        row.push_back(counted ? CsvCell(of.most.value) : CsvCell());
-        addEstimates(row, of);
-        const bool limited = counted && (c.low || c.high);
-        row.push_back(limited ? CsvCell(static_cast<double>(of.outside.count)) : CsvCell());
-        row.push_back(limited ? CsvCell(of.outside.value) : CsvCell());
-        addInterval(row, limited ? of.outside.interval : std::nullopt);
-        for (const Percentile& percentile : of.percentiles) {
+    for (const Figures& figures : all) {
+        const Characteristic& of = figures.of->characteristic;
+        std::vector<CsvCell>& row = table.rows.emplace_back();
+        row = {BatchText::where(of), BatchText::name(of), unitText(of.unit)};
+        addOutputCells(row, characteristicOutputs(), &figures);
+        const auto& normality = figures.of->normality;
+        row.push_back(normality ? CsvCell(BatchText::test(normality->test)) : CsvCell());
+        for (const Percentile& percentile : figures.of->percentiles) {
             if (summary.isSample) {
                 row.emplace_back(percentile.value);
-                addInterval(row, percentile.interval);
+                addIntervalCells(row, percentile.interval);
             }
         }
-        table.rows.push_back(std::move(row));
     }
     return table;
 }

@@ -101,14 +101,14 @@ QString BatchText::range(const Interval& interval, const Characteristic& charact
     return low == high ? low : low + u'…' + (high.startsWith(sign) ? high.mid(sign.size()) : high);
 }
 
-QString BatchText::capability(const std::optional<Capability>& capability) {
+QString BatchText::capability(const std::optional<Estimate>& capability) {
     return capability ? QStringLiteral("%1 (%2…%3)")
                             .arg(brief(*capability), Names::fixed(capability->interval.low, 2),
                                  Names::fixed(capability->interval.high, 2))
                       : QStringLiteral("–");
 }
 
-QString BatchText::brief(const Capability& capability) {
+QString BatchText::brief(const Estimate& capability) {
     return Names::fixed(capability.value, 2);
 }
 

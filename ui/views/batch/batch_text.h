@@ -28,8 +28,8 @@ public:
     static QString range(const Interval& interval, const Characteristic& characteristic);
     /// A dash where the values are too few to tell it from the smallest or the largest.
     static QString percentile(const Percentile& percentile, const CharacteristicSummary& of);
-    static QString capability(const std::optional<Capability>& capability); ///< "1.42 (1.2…1.6)"
-    static QString brief(const Capability& capability);                     ///< "1.42"
+    static QString capability(const std::optional<Estimate>& capability); ///< "1.42 (1.2…1.6)"
+    static QString brief(const Estimate& capability);                     ///< "1.42"
     static QString share(const Share& share); ///< "3 (6 %; 1.3…16.5 %)"
     static QString normality(const CharacteristicSummary& summary);
 

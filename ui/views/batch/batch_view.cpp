@@ -4,6 +4,7 @@
 #include "core/project/batch.h"
 #include "core/study/batch_edits.h"
 #include "ui/dialogs/copy_table.h"
+#include "ui/dialogs/value_model.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/search_combo.h"
 #include "ui/kit/tool_row.h"
@@ -69,7 +70,7 @@ BatchView::BatchView(QWidget* parent, Settings* settings)
     , m_scatter(new ScatterPlot(this))
     , m_pareto(new ParetoPlot(this))
     , m_splitter(new QSplitter(Qt::Vertical, this))
-    , m_figures(new BatchFigures(this))
+    , m_figures(new ValueModel(this))
     , m_name(new SearchCombo(this))
     , m_weights(new QComboBox(this))
     , m_across(new SearchCombo(this))
@@ -351,7 +352,7 @@ void BatchView::showBatch() {
         }
     }
     m_histograms->setSummaries(std::move(shown));
-    m_figures->show(m_batch, chosenName());
+    showFigures();
     m_table->horizontalHeader()->setSectionResizeMode(m_figures->columnCount() <= mostStretched
                                                           ? QHeaderView::Stretch
                                                           : QHeaderView::ResizeToContents);
@@ -363,9 +364,13 @@ void BatchView::showBatch() {
     replotAll();
 }
 
+void BatchView::showFigures() {
+    m_figures->setTable(m_batch ? batchFigures(m_batch->summary, chosenName(), m_tellsIndices)
+                                : ValueTable());
+}
+
 void BatchView::tellIndices(bool tells) {
     m_tellsIndices = tells;
-    m_figures->tellIndices(tells);
     m_histograms->tellIndices(tells);
     showBatch();
 }
@@ -500,10 +505,10 @@ void BatchView::nameParts() {
     tell(*content(), tr("What is shown of the batch"));
     tell(*m_name, tr("Characteristic"));
     nameButtons();
-    m_figures->retranslate();
     m_table->retranslate();
     fillNames();
     fillQuantities();
+    showFigures();
 }
 
 void BatchView::nameButtons() {

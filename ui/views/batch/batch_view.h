@@ -15,7 +15,7 @@ class QSplitter;
 
 namespace sparkout {
 
-class BatchFigures;
+class ValueModel;
 class CopyTable;
 class HistogramPlot;
 class ParetoPlot;
@@ -91,6 +91,7 @@ private:
     void fillNames();
     void fillQuantities();
     void showBatch();
+    void showFigures();
     [[nodiscard]] QString contentNotice() const; ///< why what was chosen shows nothing
     [[nodiscard]] std::string chosenName() const;
 
@@ -100,7 +101,7 @@ private:
     ParetoPlot* m_pareto;
     QWidget* m_choice = nullptr; ///< of what is drawn, and how it leaves
     QSplitter* m_splitter;
-    BatchFigures* m_figures;
+    ValueModel* m_figures;
     CopyTable* m_table = nullptr;
     QComboBox* m_name;
     QComboBox* m_weights; ///< rank regression or Sobol indices

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/verdict/verdict_shop.h"
-#include "ui/kit/font_size.h"
-#include "ui/kit/theme.h"
 
+#include "ui/charts/shop_table.h"
+#include "ui/dialogs/value_model.h"
 #include "ui/kit/theme_icon.h"
 #include "ui/views/verdict/narrow_table.h"
-#include "ui/views/verdict/verdict_shop_model.h"
 
 #include <QHBoxLayout>
 #include <QIcon>
@@ -16,14 +15,13 @@ namespace sparkout {
 
 namespace {
 constexpr int iconSize = 13;
-
 } // namespace
 
 ShopSection::ShopSection(QWidget* parent)
     : QWidget(parent)
     , m_title(new QLabel(this))
-    , m_model(new ShopModel(this))
-    , m_table(new NarrowTable([this] { return m_model->asTsv(); }, this))
+    , m_model(new ValueModel(this))
+    , m_table(new NarrowTable([this] { return m_model->table().asTsv(); }, this))
     , m_remarksLine(new QWidget(this))
     , m_icon(new QLabel(m_remarksLine))
     , m_remarks(new QLabel(m_remarksLine)) {
@@ -54,9 +52,7 @@ ShopSection::ShopSection(QWidget* parent)
 
 void ShopSection::setOutcome(const OutcomePtr& outcome) {
     m_outcome = outcome;
-    m_model->setOutcome(outcome);
-    showRemarks();
-    m_table->fit();
+    showTable();
 }
 
 void ShopSection::setGreyed(bool grey, const QPalette& palette) {
@@ -65,11 +61,13 @@ void ShopSection::setGreyed(bool grey, const QPalette& palette) {
     m_remarks->setPalette(palette);
 }
 
-void ShopSection::showRemarks() {
-    const QStringList sentences = m_outcome ? shop::remarks(m_outcome->shop) : QStringList();
+void ShopSection::showTable() {
+    m_model->setTable(m_outcome ? shopTable(*m_outcome) : ValueTable());
+    const QStringList sentences = m_outcome ? shopRemarks(m_outcome->shop) : QStringList();
     m_remarks->setText(sentences.join(QLatin1Char('\n')));
     m_remarksLine->setVisible(!sentences.isEmpty());
     m_icon->setPixmap(themeIcon(u"warning").pixmap(QSize(iconSize, iconSize), devicePixelRatioF()));
+    m_table->fit();
 }
 
 void ShopSection::retranslate() {
@@ -77,9 +75,7 @@ void ShopSection::retranslate() {
     m_table->setAccessibleName(tr("Grinding figures by stage"));
     m_remarks->setAccessibleName(tr("What lies outside the usual"));
     m_table->retranslate();
-    m_model->retranslate();
-    showRemarks();
-    m_table->fit();
+    showTable();
 }
 
 } // namespace sparkout

@@ -10,7 +10,7 @@ class QLabel;
 namespace sparkout {
 
 class NarrowTable;
-class ShopModel;
+class ValueModel;
 
 /// The verdict's section of the shop's numbers: title, table, and what lies outside its band.
 class ShopSection : public QWidget {
@@ -22,14 +22,14 @@ public:
     void setGreyed(bool grey, const QPalette& palette); ///< of the labels
     void retranslate();
 
-    [[nodiscard]] ShopModel* model() const { return m_model; }
+    [[nodiscard]] ValueModel* model() const { return m_model; }
     [[nodiscard]] NarrowTable* table() const { return m_table; }
 
 private:
-    void showRemarks();
+    void showTable();
 
     QLabel* m_title;
-    ShopModel* m_model;
+    ValueModel* m_model;
     NarrowTable* m_table;
     QWidget* m_remarksLine;
     QLabel* m_icon;

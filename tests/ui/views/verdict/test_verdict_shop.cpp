@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The shop's numbers in the verdict panel: stage by stage, marked, explained, copied.
 #include "core/project/cycle.h"
 #include "core/project/machine.h"
@@ -6,6 +7,7 @@
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/views/verdict/verdict_bench.h"
+#include "ui/text/output_text.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -53,36 +55,36 @@ private slots:
         QCOMPARE(head(0) + head(1) + head(2), QStringLiteral("12Cycle"));
         for (int column = 0; column < 3; ++column) {
             const ShopColumn& c = column < 2 ? shop.stages[std::size_t(column)] : shop.cycle;
-            const std::pair<ShopRow, double> numbers[] = {
-                {ShopRow::time, c.time_s / 60},
-                {ShopRow::removalRate, c.removalRate_mm2_s},
-                {ShopRow::meanRemovalRate, c.meanRemovalRate_mm2_s},
-                {ShopRow::chip, c.equivalentChip_um},
-                {ShopRow::aggressiveness, c.aggressiveness},
-                {ShopRow::overlap, *c.overlap},
-                {ShopRow::energy, *c.energy_j_mm3},
-                {ShopRow::peakPower, c.power_w.value / 1000},
-                {ShopRow::meanPower, c.meanPower_w / 1000},
-                {ShopRow::normalForce, c.normalForce_n.value}};
-            QCOMPARE(bench.cell(ShopRow::count, column).toInt(), c.count);
+            const std::pair<const char*, double> numbers[] = {
+                {"grinding_time_min", c.time_s / 60},
+                {"removal_rate_mm3_mm_s", c.removalRate_mm2_s},
+                {"mean_removal_rate_mm3_mm_s", c.meanRemovalRate_mm2_s},
+                {"equivalent_chip_um", c.equivalentChip_um},
+                {"aggressiveness", c.aggressiveness},
+                {"overlap_ratio", *c.overlap},
+                {"specific_energy_j_mm3", *c.energy_j_mm3},
+                {"peak_power_w", c.power_w.value / 1000},
+                {"mean_power_w", c.meanPower_w / 1000},
+                {"peak_normal_force_n", c.normalForce_n.value}};
+            QCOMPARE(bench.cell("", column).toInt(), c.count);
             for (const auto& [row, value] : numbers) {
                 const double shown = bench.cell(row, column).toDouble();
                 QVERIFY2(std::abs(shown - value) <= std::max(0.005 * value, 0.0005),
                          qPrintable(bench.cell(row, column, Qt::AccessibleTextRole)));
             }
         }
-        QCOMPARE(bench.cell(ShopRow::rotationRatio, 0), QString());
-        QCOMPARE(bench.cell(ShopRow::rotationRatio, 2).toDouble(), 6.37);
+        QCOMPARE(bench.cell("rotation_ratio", 0), QString());
+        QCOMPARE(bench.cell("rotation_ratio", 2).toDouble(), 6.37);
     }
 
     void plungeHasNoOverlap() {
         Bench bench(m_plunge);
-        QCOMPARE(bench.row(ShopRow::overlap), -1);
-        QVERIFY(bench.row(ShopRow::energy) > 0);
+        QCOMPARE(bench.row("overlap_ratio"), -1);
+        QVERIFY(bench.row("specific_energy_j_mm3") > 0);
         const auto first = bench.model().headerData(0, Qt::Vertical, Qt::DisplayRole).toString();
         QCOMPARE(first, QStringLiteral("Revolutions"));
         bench.show(m_traverse);
-        QVERIFY(bench.row(ShopRow::overlap) > 0);
+        QVERIFY(bench.row("overlap_ratio") > 0);
     }
 
     void numbersKeepThreeDigitsAndNeverVanish_data() {
@@ -100,16 +102,16 @@ private slots:
     void numbersKeepThreeDigitsAndNeverVanish() {
         QFETCH(double, value);
         QFETCH(QString, shown);
-        QCOMPARE(shop::number(value), shown);
+        QCOMPARE(threeDigits(value), shown);
     }
 
     void tipsGiveFormulaMeaningAndPlace() {
         Bench bench(m_traverse);
-        const QString energy = bench.cell(ShopRow::energy, 0, Qt::ToolTipRole);
+        const QString energy = bench.cell("specific_energy_j_mm3", 0, Qt::ToolTipRole);
         QVERIFY(energy.contains(QStringLiteral("20…120")));
         QVERIFY(energy.contains(QStringLiteral("∫P<sub>z</sub>·V<sub>k</sub> dt")));
         QVERIFY(energy.contains(QStringLiteral(" kJ for "))); // what it is made of
-        const QString power = bench.cell(ShopRow::peakPower, 0, Qt::ToolTipRole);
+        const QString power = bench.cell("peak_power_w", 0, Qt::ToolTipRole);
         QVERIFY(power.contains(QStringLiteral("RZ1, E1, stage 1, double stroke")));
         for (int row = 0; row < bench.model().rowCount(); ++row) {
             const QString tip =
@@ -124,20 +126,20 @@ private slots:
         p.cycle->stages[1].axial_feed_mm_min = 1.2 * p.wheel->width_mm * p.machine->work_speed_rpm;
         Bench bench(run(p));
         for (int column = 0; column < 3; ++column) {
-            QVERIFY(bench.marked(ShopRow::energy, column));
-            QVERIFY(bench.cell(ShopRow::energy, column, Qt::AccessibleTextRole)
+            QVERIFY(bench.marked("specific_energy_j_mm3", column));
+            QVERIFY(bench.cell("specific_energy_j_mm3", column, Qt::AccessibleTextRole)
                         .endsWith(QStringLiteral("5.60; below the usual")));
-            QVERIFY(!bench.marked(ShopRow::peakPower, column));
+            QVERIFY(!bench.marked("peak_power_w", column));
         }
-        QVERIFY(!bench.marked(ShopRow::overlap, 0));
-        QVERIFY(bench.marked(ShopRow::overlap, 1));
+        QVERIFY(!bench.marked("overlap_ratio", 0));
+        QVERIFY(bench.marked("overlap_ratio", 1));
         const QString remarks = bench.label("shopRemarks").text();
         QVERIFY(bench.label("shopRemarks").isVisible());
         QVERIFY(remarks.contains(QStringLiteral("below 20 J/mm³ (stage 1, 2)")));
         QVERIFY(remarks.contains(QStringLiteral("Overlap below 1 (stage 2)")));
         bench.show(m_traverse);
         QVERIFY(!bench.label("shopRemarks").isVisible());
-        QVERIFY(!bench.marked(ShopRow::energy, 0));
+        QVERIFY(!bench.marked("specific_energy_j_mm3", 0));
     }
 
     void wholeRotationRatioIsMarked() {
@@ -145,8 +147,8 @@ private slots:
         p.machine->work_speed_rpm =
             p.machine->wheel_speed_m_s * 60e3 / (std::numbers::pi * p.wheel->diameter_mm) / 8;
         Bench bench(run(p));
-        QVERIFY(bench.marked(ShopRow::rotationRatio, 2));
-        QVERIFY(!bench.marked(ShopRow::rotationRatio, 0));
+        QVERIFY(bench.marked("rotation_ratio", 2));
+        QVERIFY(!bench.marked("rotation_ratio", 0));
         QVERIFY(bench.label("shopRemarks").text().contains(QStringLiteral("8.00 : 1")));
     }
 
@@ -184,9 +186,9 @@ private slots:
         auto refused = std::make_shared<Outcome>();
         refused->issues.push_back({IssueCode::outOfRange, Severity::error, "/wheel/width_mm",
                                    Amount{5000, "mm"}, Bounds{{0.5, 1000}, "mm"}});
-        const QString before = bench.cell(ShopRow::energy, 0);
+        const QString before = bench.cell("specific_energy_j_mm3", 0);
         bench.show(refused);
-        QCOMPARE(bench.cell(ShopRow::energy, 0), before);
+        QCOMPARE(bench.cell("specific_energy_j_mm3", 0), before);
         QVERIFY(bench.model().index(0, 0).data(Qt::ForegroundRole).isValid());
         bench.show(m_traverse);
         QVERIFY(!bench.model().index(0, 0).data(Qt::ForegroundRole).isValid());
@@ -200,7 +202,7 @@ private slots:
         QApplication::installTranslator(&marking);
         QTest::qWait(30);
         const auto isMarked = [](const QString& text) { return text.contains(QChar(0x00AB)); };
-        const ShopModel& model = bench.model();
+        const ValueModel& model = bench.model();
         for (int row = 0; row < model.rowCount(); ++row) {
             QVERIFY(isMarked(model.headerData(row, Qt::Vertical, Qt::DisplayRole).toString()));
             QVERIFY(isMarked(model.headerData(row, Qt::Vertical, Qt::ToolTipRole).toString()));
@@ -224,9 +226,9 @@ private:
         for (const QString& line : text.chopped(1).split(u'\n')) {
             QCOMPARE(line.count(u'\t'), 4);
         }
-        const int power = bench.row(ShopRow::meanPower);
+        const int power = bench.row("mean_power_w");
         QVERIFY(lines[1 + power].startsWith(
-            QStringLiteral("Power mean, kW\t%1\t").arg(bench.cell(ShopRow::meanPower, 0))));
+            QStringLiteral("Mean power, kW\t%1\t").arg(bench.cell("mean_power_w", 0))));
     }
 };
 

@@ -5,10 +5,10 @@
 #include "core/project/machine.h"
 #include "core/project/part.h"
 #include "core/study/evaluate.h"
+#include "ui/dialogs/value_model.h"
 #include "ui/views/verdict/narrow_table.h"
 #include "ui/views/verdict/verdict_panel.h"
 #include "ui/views/verdict/verdict_shop.h"
-#include "ui/views/verdict/verdict_shop_model.h"
 
 #include <QIcon>
 #include <QLabel>
@@ -18,6 +18,7 @@
 #include <QTest>
 
 #include <clocale>
+#include <string_view>
 #include <vector>
 
 /// The verdict panel on runs of two stages and more.
@@ -94,7 +95,7 @@ struct Bench {
             before = now;
         }
     }
-    [[nodiscard]] ShopModel& model() { return *panel.shop()->model(); }
+    [[nodiscard]] ValueModel& model() { return *panel.shop()->model(); }
     [[nodiscard]] CopyTable& table() { return *panel.shop()->table(); }
     [[nodiscard]] CopyTable& requirements() {
         return *panel.findChild<CopyTable*>(QStringLiteral("requirements"));
@@ -103,18 +104,19 @@ struct Bench {
         return *panel.findChild<QLabel*>(QString::fromLatin1(name));
     }
     [[nodiscard]] QScrollArea& area() { return *panel.findChild<QScrollArea*>(); }
-    [[nodiscard]] int row(ShopRow wanted) {
+    /// By the key of its output.
+    [[nodiscard]] int row(const char* wanted) {
         for (int r = 0; r < model().rowCount(); ++r) {
-            if (model().rowAt(r) == wanted) {
+            if (std::string_view(model().table().rows[std::size_t(r)].key) == wanted) {
                 return r;
             }
         }
         return -1;
     }
-    [[nodiscard]] QString cell(ShopRow wanted, int column, int role = Qt::DisplayRole) {
+    [[nodiscard]] QString cell(const char* wanted, int column, int role = Qt::DisplayRole) {
         return model().index(row(wanted), column).data(role).toString();
     }
-    [[nodiscard]] bool marked(ShopRow wanted, int column) {
+    [[nodiscard]] bool marked(const char* wanted, int column) {
         return !model().index(row(wanted), column).data(Qt::DecorationRole).value<QIcon>().isNull();
     }
 

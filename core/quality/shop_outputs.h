@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/quality/shop_numbers.h"
+#include "core/result.h"
+
+#include <span>
+
+namespace sparkout {
+
+/// What is stated of a stage, or of the whole cycle.
+[[nodiscard]] std::span<const Output<ShopColumn>> shopColumnOutputs();
+
+/// What holds for all stages alike.
+[[nodiscard]] std::span<const Output<ShopNumbers>> shopOutputs();
+
+} // namespace sparkout
