@@ -5,11 +5,9 @@
 #include "app/io/cli_io.h"
 #include "app/io/cli_report.h"
 #include "app/io/stop_signals.h"
-#include "core/dressing/dressing_interval.h"
+#include "core/dressing/dressing_json.h"
 #include "core/project/optimisation.h"
 #include "core/quality/result_names.h"
-
-#include <nlohmann/json.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -18,61 +16,6 @@
 namespace sparkout::cli {
 
 namespace {
-
-using nlohmann::ordered_json;
-
-/// What the interval is for, for programs and for people.
-struct Best {
-    std::optional<BestInterval> quickest, cheapest;
-};
-
-Best bestOf(const DressingInterval& interval, const Cost* rates) {
-    Best best;
-    if (rates) {
-        best.quickest = quickestInterval(interval, rates->dressing_s);
-        best.cheapest = cheapestInterval(interval, *rates);
-    }
-    return best;
-}
-
-ordered_json bestJson(const std::optional<BestInterval>& best, const char* value) {
-    return best ? ordered_json{{"parts", best->parts}, {value, best->value}}
-                : ordered_json(nullptr);
-}
-
-ordered_json endJson(const Setup& setup, const DressingInterval& interval) {
-    if (!interval.end) {
-        return nullptr;
-    }
-    const WornFailure& end = *interval.end;
-    ordered_json json = {{"part", end.part},
-                         {"surface", setup.surfaces[end.surface].name},
-                         {"scenario", end.scenario ? ordered_json(*end.scenario) : nullptr},
-                         {"status", end.issues.empty() ? statusKey(end.status) : "refused"},
-                         {"requirement", nullptr},
-                         {"where", nullptr},
-                         {"value", nullptr},
-                         {"limit", nullptr}};
-    if (end.worst) {
-        json["requirement"] = requirementOf(end.worst->kind).key;
-        json["where"] = whereText(*end.worst);
-        json["value"] = end.worst->value;
-        json["limit"] = end.worst->limit;
-    }
-    return json;
-}
-
-std::string dressingJson(const Setup& setup, const DressingInterval& interval, const Best& best) {
-    const ordered_json json = {{"parts", interval.parts},
-                               {"endless", interval.isEndless},
-                               {"at_least", !interval.end && !interval.isEndless},
-                               {"part_volume_mm3", interval.partVolume_mm3},
-                               {"runs", interval.tried},
-                               {"ends_by", endJson(setup, interval)},
-                               {"quickest", bestJson(best.quickest, "time_s")},
-                               {"cheapest", bestJson(best.cheapest, "cost")}};
-    return json.dump(2) + '\n';
-}
 
 std::string endText(const Setup& setup, const WornFailure& end) {
     const std::string& surface = setup.surfaces[end.surface].name;
@@ -99,12 +42,13 @@ std::string partsText(const DressingInterval& interval) {
     return interval.end ? parts : "at least " + parts;
 }
 
-std::string dressingText(const Setup& setup, const DressingInterval& interval, const Best& best) {
+std::string dressingText(const Setup& setup, const DressingInterval& interval) {
     std::string text = "parts to a dressing  " + partsText(interval) + '\n';
     if (interval.end) {
         text += endText(setup, *interval.end);
     }
     text += "a part removes       " + fixed(interval.partVolume_mm3, 1) + " mm³\n";
+    const BestIntervals best = bestIntervals(setup, interval);
     if (best.quickest) {
         text += "quickest after       " + std::to_string(best.quickest->parts) + " parts, "
                 + fixed(best.quickest->value, 2) + " s a part with dressing\n";
@@ -152,9 +96,7 @@ int runDressingCommand(const Options& options) {
         print(stderr, options.operand + ": " + *why + '\n');
         return interval.fault == DressingFault::noWear ? refused : cannotReachSize;
     }
-    const Best best = bestOf(interval, ratesOf(*setup));
-    print(stdout, options.json ? dressingJson(*setup, interval, best)
-                               : dressingText(*setup, interval, best));
+    print(stdout, options.json ? dressingJson(*setup, interval) : dressingText(*setup, interval));
     return options.check && interval.parts == 0 ? requirementFails : done;
 }
 

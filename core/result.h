@@ -10,8 +10,8 @@
 #include <variant>
 
 /// The description of one output, next to the type that holds it, read by everything that states
-/// results: JSON, CSV, workbooks, the command line's text, Python, the schema of results and the
-/// tables of the window. An input has its own row (core/field.h).
+/// results: JSON, CSV, workbooks, the command line's text, Python and the tables of the window. An
+/// input has its own row (core/field.h).
 namespace sparkout {
 
 /// Both ends of an interval.
@@ -64,11 +64,14 @@ struct OutputRow {
     const char* shownUnit = "";     ///< that people read them in; empty: the same
     double shownFactor = 1;         ///< values in shownUnit over values in unit
     const char* hint = "";          ///< what it is, how it is made, what is usual
-    bool sparse = false;            ///< tables leave it out where no owner has it
+    bool sparse = false;            ///< window and text leave it out where no owner has it
     bool detail = false; ///< stands in files alone; tables of the window say it otherwise
 
     [[nodiscard]] const char* columnName() const { return column ? column : key; }
     [[nodiscard]] const char* unitShown() const { return *shownUnit ? shownUnit : unit; }
+    [[nodiscard]] const char* labelOf(bool revolutions) const {
+        return revolutions && *ofRevolutions ? ofRevolutions : label;
+    }
 };
 
 /// A row with how the value is taken from its owner.

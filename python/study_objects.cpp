@@ -29,6 +29,10 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
+py::object fromJson(const std::string& text) {
+    return py::module_::import("json").attr("loads")(text);
+}
+
 // --- one cycle ----------------------------------------------------------------------------------
 
 struct Evaluation {
@@ -171,10 +175,7 @@ void bindEvaluation(py::module_& module) {
              "Arrays by zone or section, a value for each double stroke or revolution.")
         .def("trace", &traceOf, "Arrays with a value for every visit of a radius.")
         .def(
-            "to_dict",
-            [](const Evaluation& self) {
-                return py::module_::import("json").attr("loads")(self.json);
-            },
+            "to_dict", [](const Evaluation& self) { return fromJson(self.json); },
             "As `sparkout-cli simulate --json` has it.");
     module.def("evaluate", &evaluateProject, py::arg("project"),
                "Runs the cycle and holds it against the drawing.");
@@ -250,10 +251,7 @@ void bindBatch(py::module_& module) {
             "good", [](const Batch& self) { return arrayOf(self.good).attr("astype")("bool"); },
             "of every part, whether all its requirements hold")
         .def(
-            "to_dict",
-            [](const Batch& self) {
-                return py::module_::import("json").attr("loads")(batchJson(self.result));
-            },
+            "to_dict", [](const Batch& self) { return fromJson(batchJson(self.result)); },
             "Statistics, capability, verdict and worst part as `sparkout-cli batch --json` has "
             "them.");
     module.def("batch", &runBatchOf, py::arg("project"), py::arg("threads") = 0,
@@ -428,6 +426,57 @@ void bindSearch(py::module_& module) {
                "quickest cycle as its answer.");
 }
 
+// --- phases and dressing ------------------------------------------------------------------------
+
+py::object phasesOf(const ValidProject& project, std::optional<double> from_mm,
+                    std::optional<double> to_mm) {
+    if (!canDecidePhases(project.project)) {
+        raiseRefusal("/gauge/control: the phases of the stock are decided under gauge control "
+                     "alone");
+    }
+    StockRange range = usualPhases(project.project);
+    range = {from_mm.value_or(range.from_mm), to_mm.value_or(range.to_mm)};
+    if (!(range.from_mm > 0 && range.from_mm <= range.to_mm)) {
+        throw py::value_error("from_mm: " + std::to_string(range.from_mm)
+                              + " mm; allowed: above 0, up to to_mm");
+    }
+    return fromJson(phasesJson(interruptible(
+        [&](const std::stop_token& stop) { return decidePhases(project.project, range, stop); })));
+}
+
+py::object dressingOf(const std::string& text) {
+    const ReadSetup read = readSetup(text);
+    if (!read.setup) {
+        raiseFaults(read.issues);
+    }
+    const DressingInterval interval = interruptible([&](const std::stop_token& stop) {
+        DressingOptions options;
+        options.stop = stop;
+        return dressingInterval(*read.setup, options);
+    });
+    if (!interval.issues.empty()) {
+        raiseFaults(interval.issues);
+    }
+    switch (interval.fault) {
+    case DressingFault::none: break;
+    case DressingFault::noWear:
+        raiseRefusal("/wear: not given; a dulling or a grinding ratio says how the wheel wears");
+    case DressingFault::firstFails:
+        raiseRefusal("the first part after dressing does not reach size");
+    }
+    return fromJson(dressingJson(*read.setup, interval));
+}
+
+void bindDecisions(py::module_& module) {
+    module.def("phases", &phasesOf, py::arg("project"), py::kw_only(),
+               py::arg("from_mm") = py::none(), py::arg("to_mm") = py::none(),
+               "Decides for which stocks per side of the blank the cycle holds every requirement, "
+               "as `sparkout-cli phases --json` has it.");
+    module.def("dressing", &dressingOf, py::arg("text"),
+               "How many parts hold between two dressings, of the text of a file with one surface "
+               "or several, as `sparkout-cli dressing --json` has it.");
+}
+
 } // namespace
 
 void bindStudies(py::module_& module) {
@@ -435,6 +484,7 @@ void bindStudies(py::module_& module) {
     bindBatch(module);
     bindSweep(module);
     bindSearch(module);
+    bindDecisions(module);
 }
 
 } // namespace sparkout::python

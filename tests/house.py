@@ -46,7 +46,8 @@ def main():
         for stem in {re.sub(r"(_posix|_windows)?\.(h|cpp)$", "", f) for f in files})
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     lacking = [folder for folder in folders
-               if not any(f"`{name}/`" in readme for name in (folder, str(pathlib.PurePath(folder).parent)))]
+               if f"`{folder}/`" not in readme
+               and (folder.count("/") < 2 or f"`{pathlib.PurePath(folder).parent}/`" not in readme)]
     prints = r"\b(fputs|fwrite|printf|fprintf|puts|fputc|putchar|cout|cerr|clog)\b *[(<;]"
     found = {
         # Texts reach the terminal by printText() alone, which takes out what steers it.

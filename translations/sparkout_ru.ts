@@ -2,6 +2,41 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ru" sourcelanguage="en_US">
     <context>
+        <name>BatchFigures</name>
+        <message>
+            <source>Median</source>
+            <translation>Медиана</translation>
+        </message>
+        <message>
+            <source>Percentile %1 %</source>
+            <translation>Квантиль %1 %</translation>
+        </message>
+        <message>
+            <source>Below it lie %1 % of the parts, as below mean − 3 s of a normal quantity; given from 741 parts on</source>
+            <translation>Ниже него %1 % деталей, как ниже среднего − 3 s у нормальной величины; указывается от 741 детали</translation>
+        </message>
+        <message>
+            <source>Above it lie %1 % of the parts, as above mean + 3 s of a normal quantity; given from 741 parts on</source>
+            <translation>Выше него %1 % деталей, как выше среднего + 3 s у нормальной величины; указывается от 741 детали</translation>
+        </message>
+        <message>
+            <source>Where</source>
+            <translation>Где</translation>
+        </message>
+        <message>
+            <source>Characteristic</source>
+            <translation>Характеристика</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
+        </message>
+        <message>
+            <source>Normality, test</source>
+            <translation>Нормальность, критерий</translation>
+        </message>
+    </context>
+    <context>
         <name>BatchText</name>
         <message>
             <source>Machining time</source>
@@ -1456,6 +1491,284 @@
         <message>
             <source>; gaps of the surface: %1</source>
             <translation>; пазов на поверхности: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>Output</name>
+        <message>
+            <source>Double strokes</source>
+            <translation>Двойные ходы</translation>
+        </message>
+        <message>
+            <source>Revolutions</source>
+            <translation>Обороты</translation>
+        </message>
+        <message>
+            <source>How many of them the stage took.</source>
+            <translation>Сколько их заняла ступень.</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>Время</translation>
+        </message>
+        <message>
+            <source>Machining time of the stage.</source>
+            <translation>Время обработки на ступени.</translation>
+        </message>
+        <message>
+            <source>Maximum actual feed</source>
+            <translation>Наибольшая фактическая подача</translation>
+        </message>
+        <message>
+            <source>Q′w</source>
+            <translation>Q′w</translation>
+        </message>
+        <message>
+            <source>Specific removal rate Q′_w = π·d·n·a/60: volume removed in a second by each millimetre of the width that cuts, at the maximum actual feed a of the stage. No band holds for every wheel: compare with cycles known to be good.</source>
+            <translation>Удельная интенсивность съёма Q′_w = π·d·n·a/60: объём металла, снимаемый за секунду каждым миллиметром режущей ширины, при наибольшей фактической подаче a на ступени. Границ, верных для любого круга, нет: сравнивайте с проверенными циклами.</translation>
+        </message>
+        <message>
+            <source>Mean Q′w</source>
+            <translation>Среднее Q′w</translation>
+        </message>
+        <message>
+            <source>   mean</source>
+            <translation>   среднее</translation>
+        </message>
+        <message>
+            <source>The specific removal rate at the mean actual feed of all passes of the stage, those that remove nothing included.</source>
+            <translation>Удельная интенсивность съёма при средней фактической подаче по всем проходам ступени, включая проходы без съёма.</translation>
+        </message>
+        <message>
+            <source>heq</source>
+            <translation>hэкв</translation>
+        </message>
+        <message>
+            <source>Equivalent chip thickness h_eq = Q′_w/V_k, at the maximum actual feed of the stage: the layer of metal that leaves at the wheel&apos;s speed. Forces and roughness rise with it. No band holds for every wheel: compare with cycles known to be good.</source>
+            <translation>Эквивалентная толщина среза h_экв = Q′_w/V_k при наибольшей фактической подаче на ступени: слой металла, уходящий со скоростью круга. С ней растут силы и шероховатость. Границ, верных для любого круга, нет: сравнивайте с проверенными циклами.</translation>
+        </message>
+        <message>
+            <source>Aggressiveness</source>
+            <translation>Агрессивность</translation>
+        </message>
+        <message>
+            <source>Aggressiveness 10⁶·(V_d/V_k)·√(a/D_e), at the maximum actual feed of the stage: how hard the contact loads a grain, for wheels of any size. Large, the grains break out; small, they rub. No band holds for every wheel: compare with cycles known to be good.</source>
+            <translation>Агрессивность 10⁶·(V_d/V_k)·√(a/D_e) при наибольшей фактической подаче на ступени: насколько контакт нагружает зерно, для кругов любого размера. При большой зёрна выкрашиваются, при малой — трут. Границ, верных для любого круга, нет: сравнивайте с проверенными циклами.</translation>
+        </message>
+        <message>
+            <source>Overlap B/s</source>
+            <translation>Перекрытие B/s</translation>
+        </message>
+        <message>
+            <source>Overlap ratio B/s_ax, s_ax = S_ax/n: how many revolutions a place of the surface is under the wheel in one stroke. Below 1 strips stay unground. For the cycle: the least of its stages.</source>
+            <translation>Коэффициент перекрытия B/s_ax, s_ax = S_ax/n: сколько оборотов место поверхности находится под кругом за один ход. При значении меньше 1 остаются непрошлифованные полосы. Для цикла — наименьший по ступеням.</translation>
+        </message>
+        <message>
+            <source>Energy</source>
+            <translation>Энергия</translation>
+        </message>
+        <message>
+            <source>Specific energy: ∫P_z·V_k dt over the volume removed. Plausible for steel: 20…120 J/mm³. A dull wheel needs more; so does spark-out, where the wheel rubs more than it cuts.</source>
+            <translation>Удельная энергия шлифования: ∫P_z·V_k dt на снятый объём. Правдоподобно для стали: 20…120 Дж/мм³. Затупленному кругу нужно больше; при выхаживании тоже: круг больше трёт, чем режет.</translation>
+        </message>
+        <message>
+            <source>Maximum power</source>
+            <translation>Наибольшая мощность</translation>
+        </message>
+        <message>
+            <source>Power</source>
+            <translation>Мощность</translation>
+        </message>
+        <message>
+            <source>Maximum wheel power P_z·V_k of any pass of the stage.</source>
+            <translation>Наибольшая мощность P_z·V_k на круге по проходам ступени.</translation>
+        </message>
+        <message>
+            <source>Mean power</source>
+            <translation>Средняя мощность</translation>
+        </message>
+        <message>
+            <source>Mean wheel power: the energy over the machining time of the stage, in all of which the wheel grinds: plunging, dwells and strokes of the table.</source>
+            <translation>Средняя мощность на круге: энергия, делённая на время обработки на ступени; круг шлифует всё это время — при врезании, задержках и ходах стола.</translation>
+        </message>
+        <message>
+            <source>Maximum force Py</source>
+            <translation>Наибольшая сила Py</translation>
+        </message>
+        <message>
+            <source>Force Py</source>
+            <translation>Сила Py</translation>
+        </message>
+        <message>
+            <source>Maximum normal force P_y of any pass of the stage.</source>
+            <translation>Наибольшая нормальная сила P_y по проходам ступени.</translation>
+        </message>
+        <message>
+            <source>Volume removed</source>
+            <translation>Снятый объём</translation>
+        </message>
+        <message>
+            <source>Total energy</source>
+            <translation>Полная энергия</translation>
+        </message>
+        <message>
+            <source>Wheel speed</source>
+            <translation>Частота вращения круга</translation>
+        </message>
+        <message>
+            <source>Rotation ratio</source>
+            <translation>Частоты n_к : n</translation>
+        </message>
+        <message>
+            <source>Wheel rev/min to work rev/min. Within 0.05 of a whole number the waves of a wheel out of true print onto one another: over ten revolutions they shift by less than half of their length.</source>
+            <translation>Отношение частот вращения круга и детали. Ближе 0,05 к целому числу волны от биения круга ложатся одна на другую: за десять оборотов они сдвигаются меньше чем на половину своей длины.</translation>
+        </message>
+        <message>
+            <source>Lower limit</source>
+            <translation>Нижний предел</translation>
+        </message>
+        <message>
+            <source>Upper limit</source>
+            <translation>Верхний предел</translation>
+        </message>
+        <message>
+            <source>Values</source>
+            <translation>Значений</translation>
+        </message>
+        <message>
+            <source>Minimum</source>
+            <translation>Наименьшее</translation>
+        </message>
+        <message>
+            <source>Maximum</source>
+            <translation>Наибольшее</translation>
+        </message>
+        <message>
+            <source>Mean</source>
+            <translation>Среднее</translation>
+        </message>
+        <message>
+            <source>Mean, 95 %</source>
+            <translation>Среднее, 95 %</translation>
+        </message>
+        <message>
+            <source>Student&apos;s interval: the mean of endlessly many such parts lies in it with 95 %</source>
+            <translation>Интервал Стьюдента: среднее сколь угодно большого числа таких деталей лежит в нём с вероятностью 95 %</translation>
+        </message>
+        <message>
+            <source>s</source>
+            <translation>s</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the sample</source>
+            <translation>Стандартное отклонение выборки</translation>
+        </message>
+        <message>
+            <source>Skewness</source>
+            <translation>Асимметрия</translation>
+        </message>
+        <message>
+            <source>Excess kurtosis</source>
+            <translation>Эксцесс</translation>
+        </message>
+        <message>
+            <source>Pp</source>
+            <translation>Pp</translation>
+        </message>
+        <message>
+            <source>Width of the field over 6 s, with 95 % bounds; s is that of all parts, with whatever drifts over the batch. Where nothing drifts it is Cp</source>
+            <translation>Ширина поля допуска, делённая на 6 s, с 95%-ными границами; s — по всем деталям, вместе с тем, что изменяется по ходу партии. Если ничто не изменяется, это Cp</translation>
+        </message>
+        <message>
+            <source>Ppk</source>
+            <translation>Ppk</translation>
+        </message>
+        <message>
+            <source>Distance from the mean to the nearer limit over 3 s, with 95 % bounds; it says what it says of a normal quantity. A dash: no size or form of the part, or one that hardly scatters beside its field</source>
+            <translation>Расстояние от среднего до ближнего предела, делённое на 3 s, с 95%-ными границами; полный смысл имеет при нормальном распределении. Прочерк: не размер и не форма детали, или рассеяние ничтожно по сравнению с полем</translation>
+        </message>
+        <message>
+            <source>Out of tolerance</source>
+            <translation>Вне допуска</translation>
+        </message>
+        <message>
+            <source>Parts beyond the limits, as a share with the 95 % bounds of Clopper and Pearson</source>
+            <translation>Детали за пределами допуска: число и доля с границами 95 % по Клопперу — Пирсону</translation>
+        </message>
+        <message>
+            <source>Expected share out of tolerance</source>
+            <translation>Ожидаемая доля вне допуска</translation>
+        </message>
+        <message>
+            <source>Normality, p</source>
+            <translation>Нормальность, p</translation>
+        </message>
+        <message>
+            <source>Probability that normal values deviate so much from the normal law, by the test of Shapiro and Wilk, of more than 4096 parts of Anderson and Darling; below 0.05 the values are called not normal</source>
+            <translation>Вероятность такого отклонения от нормального закона при нормальном распределении по критерию Шапиро — Уилка, свыше 4096 деталей — Андерсона — Дарлинга; если она меньше 0,05, распределение названо не нормальным</translation>
+        </message>
+        <message>
+            <source>Roundness, minimum zone</source>
+            <translation>Отклонение от круглости, минимальная зона</translation>
+        </message>
+        <message>
+            <source>Roundness</source>
+            <translation>Откл. от круглости</translation>
+        </message>
+        <message>
+            <source>Minimum zone, of the least round section of the zone.</source>
+            <translation>Минимальная зона, по наименее круглому сечению зоны.</translation>
+        </message>
+        <message>
+            <source>Cylindricity, minimum zone</source>
+            <translation>Отклонение от цилиндричности, минимальная зона</translation>
+        </message>
+        <message>
+            <source>Cylindricity</source>
+            <translation>Откл. от цилиндричности</translation>
+        </message>
+        <message>
+            <source>Minimum zone, over all sections of the zone.</source>
+            <translation>Минимальная зона, по всем сечениям зоны.</translation>
+        </message>
+        <message>
+            <source>Total runout</source>
+            <translation>Полное биение</translation>
+        </message>
+        <message>
+            <source>About the centre axis, over all sections, with the machine&apos;s own.</source>
+            <translation>Относительно оси центров, по всем сечениям, вместе с биением станка.</translation>
+        </message>
+        <message>
+            <source>Taper</source>
+            <translation>Конусообразность</translation>
+        </message>
+        <message>
+            <source>Mean radius at the zone&apos;s last section less that at its first, of the straight line through them.</source>
+            <translation>Средний радиус последнего сечения зоны за вычетом первого, по прямой через них.</translation>
+        </message>
+        <message>
+            <source>Crown</source>
+            <translation>Бочкообразность</translation>
+        </message>
+        <message>
+            <source>Mean radius in the zone&apos;s middle less that at its ends: above 0 a barrel, below it a saddle.</source>
+            <translation>Средний радиус в середине зоны за вычетом радиуса на концах: больше 0 — бочка, меньше — седло.</translation>
+        </message>
+    </context>
+    <context>
+        <name>OutputCells</name>
+        <message>
+            <source>%1, 95 % from</source>
+            <translation>%1, 95 % от</translation>
+        </message>
+        <message>
+            <source>%1, 95 % to</source>
+            <translation>%1, 95 % до</translation>
+        </message>
+        <message>
+            <source>%1, share</source>
+            <translation>%1, доля</translation>
         </message>
     </context>
     <context>
@@ -8622,22 +8935,6 @@ With another name both versions stay as they are.</source>
             <translation>Худшее место</translation>
         </message>
         <message>
-            <source>Stage</source>
-            <translation>Ступень</translation>
-        </message>
-        <message>
-            <source>Volume removed, mm³</source>
-            <translation>Снятый объём, мм³</translation>
-        </message>
-        <message>
-            <source>Total energy, kJ</source>
-            <translation>Энергия всего, кДж</translation>
-        </message>
-        <message>
-            <source>Cycle</source>
-            <translation>Цикл</translation>
-        </message>
-        <message>
             <source>From the headstock end, mm</source>
             <translation>От передней бабки, мм</translation>
         </message>
@@ -8678,20 +8975,8 @@ With another name both versions stay as they are.</source>
             <translation>Настройка / ближний предел диапазона</translation>
         </message>
         <message>
-            <source>Cylindricity, µm</source>
-            <translation>Отклонение от цилиндричности, мкм</translation>
-        </message>
-        <message>
-            <source>Total runout, µm</source>
-            <translation>Полное радиальное биение, мкм</translation>
-        </message>
-        <message>
-            <source>Taper, µm</source>
-            <translation>Конусообразность, мкм</translation>
-        </message>
-        <message>
-            <source>Crown, µm</source>
-            <translation>Бочкообразность, мкм</translation>
+            <source>Quantity</source>
+            <translation>Показатель</translation>
         </message>
     </context>
     <context>
@@ -8779,118 +9064,48 @@ With another name both versions stay as they are.</source>
     <context>
         <name>ShopText</name>
         <message>
-            <source>a = %1 µm: %2</source>
-            <translation>a = %1 мкм: %2</translation>
-        </message>
-        <message>
             <source>%1 kJ for %2 mm³ in %3 min of grinding</source>
             <translation>%1 кДж на %2 мм³ за %3 мин шлифования</translation>
         </message>
         <message>
-            <source>How many of them the stage took.</source>
-            <translation>Сколько их заняла ступень.</translation>
+            <source>a = %1 µm: %2</source>
+            <translation>a = %1 мкм: %2</translation>
         </message>
         <message>
-            <source>Machining time of the stage.</source>
-            <translation>Время обработки на ступени.</translation>
+            <source>below the usual</source>
+            <translation>ниже обычного</translation>
         </message>
         <message>
-            <source>Specific removal rate Q′_w = π·d·n·a/60: volume removed in a second by each millimetre of the width that cuts, at the maximum actual feed a of the stage. No band holds for every wheel: compare with cycles known to be good.</source>
-            <translation>Удельная интенсивность съёма Q′_w = π·d·n·a/60: объём металла, снимаемый за секунду каждым миллиметром режущей ширины, при наибольшей фактической подаче a на ступени. Границ, верных для любого круга, нет: сравнивайте с проверенными циклами.</translation>
+            <source>above the usual</source>
+            <translation>выше обычного</translation>
         </message>
         <message>
-            <source>The specific removal rate at the mean actual feed of all passes of the stage, those that remove nothing included.</source>
-            <translation>Удельная интенсивность съёма при средней фактической подаче по всем проходам ступени, включая проходы без съёма.</translation>
+            <source>Quantity</source>
+            <translation>Показатель</translation>
         </message>
         <message>
-            <source>Equivalent chip thickness h_eq = Q′_w/V_k, at the maximum actual feed of the stage: the layer of metal that leaves at the wheel&apos;s speed. Forces and roughness rise with it. No band holds for every wheel: compare with cycles known to be good.</source>
-            <translation>Эквивалентная толщина среза h_экв = Q′_w/V_k при наибольшей фактической подаче на ступени: слой металла, уходящий со скоростью круга. С ней растут силы и шероховатость. Границ, верных для любого круга, нет: сравнивайте с проверенными циклами.</translation>
+            <source>Outside the usual</source>
+            <translation>Вне обычного</translation>
         </message>
         <message>
-            <source>Aggressiveness 10⁶·(V_d/V_k)·√(a/D_e), at the maximum actual feed of the stage: how hard the contact loads a grain, for wheels of any size. Large, the grains break out; small, they rub. No band holds for every wheel: compare with cycles known to be good.</source>
-            <translation>Агрессивность 10⁶·(V_d/V_k)·√(a/D_e) при наибольшей фактической подаче на ступени: насколько контакт нагружает зерно, для кругов любого размера. При большой зёрна выкрашиваются, при малой — трут. Границ, верных для любого круга, нет: сравнивайте с проверенными циклами.</translation>
+            <source>Stage %1</source>
+            <translation>Ступень %1</translation>
         </message>
         <message>
-            <source>Overlap ratio B/s_ax, s_ax = S_ax/n: how many revolutions a place of the surface is under the wheel in one stroke. Below 1 strips stay unground. For the cycle: the least of its stages.</source>
-            <translation>Коэффициент перекрытия B/s_ax, s_ax = S_ax/n: сколько оборотов место поверхности находится под кругом за один ход. При значении меньше 1 остаются непрошлифованные полосы. Для цикла — наименьший по ступеням.</translation>
+            <source>Cycle</source>
+            <translation>Цикл</translation>
         </message>
         <message>
-            <source>Specific energy: ∫P_z·V_k dt over the volume removed. Plausible for steel: %1…%2 J/mm³. A dull wheel needs more; so does spark-out, where the wheel rubs more than it cuts.</source>
-            <translation>Удельная энергия шлифования: ∫P_z·V_k dt на снятый объём. Правдоподобно для стали: %1…%2 Дж/мм³. Затупленному кругу нужно больше; при выхаживании тоже: круг больше трёт, чем режет.</translation>
+            <source>Whole cycle</source>
+            <translation>Весь цикл</translation>
         </message>
         <message>
-            <source>Maximum wheel power P_z·V_k of any pass of the stage.</source>
-            <translation>Наибольшая мощность P_z·V_k на круге по проходам ступени.</translation>
+            <source>near a whole number</source>
+            <translation>почти целое число</translation>
         </message>
         <message>
-            <source>Mean wheel power: the energy over the machining time of the stage, in all of which the wheel grinds: plunging, dwells and strokes of the table.</source>
-            <translation>Средняя мощность на круге: энергия, делённая на время обработки на ступени; круг шлифует всё это время — при врезании, задержках и ходах стола.</translation>
-        </message>
-        <message>
-            <source>Maximum normal force P_y of any pass of the stage.</source>
-            <translation>Наибольшая нормальная сила P_y по проходам ступени.</translation>
-        </message>
-        <message>
-            <source>Wheel rev/min to work rev/min. Within %1 of a whole number the waves of a wheel out of true print onto one another: over ten revolutions they shift by less than half of their length.</source>
-            <translation>Отношение частот вращения круга и детали. Ближе %1 к целому числу волны от биения круга ложатся одна на другую: за десять оборотов они сдвигаются меньше чем на половину своей длины.</translation>
-        </message>
-        <message>
-            <source>Double strokes</source>
-            <translation>Двойные ходы</translation>
-        </message>
-        <message>
-            <source>Revolutions</source>
-            <translation>Обороты</translation>
-        </message>
-        <message>
-            <source>Time, min</source>
-            <translation>Время, мин</translation>
-        </message>
-        <message>
-            <source>Q′w, mm³/(mm·s)</source>
-            <translation>Q′w, мм³/(мм·с)</translation>
-        </message>
-        <message>
-            <source>   mean</source>
-            <comment>specific removal rate</comment>
-            <translation>   среднее</translation>
-        </message>
-        <message>
-            <source>heq, µm</source>
-            <translation>hэкв, мкм</translation>
-        </message>
-        <message>
-            <source>Aggressiveness</source>
-            <translation>Агрессивность</translation>
-        </message>
-        <message>
-            <source>Overlap B/s</source>
-            <translation>Перекрытие B/s</translation>
-        </message>
-        <message>
-            <source>Energy, J/mm³</source>
-            <translation>Энергия, Дж/мм³</translation>
-        </message>
-        <message>
-            <source>Power, kW</source>
-            <translation>Мощность, кВт</translation>
-        </message>
-        <message>
-            <source>   mean</source>
-            <comment>power</comment>
-            <translation>   среднее</translation>
-        </message>
-        <message>
-            <source>Force Py, N</source>
-            <translation>Сила Py, Н</translation>
-        </message>
-        <message>
-            <source>Q′w mean, mm³/(mm·s)</source>
-            <translation>Q′w среднее, мм³/(мм·с)</translation>
-        </message>
-        <message>
-            <source>Power mean, kW</source>
-            <translation>Мощность средняя, кВт</translation>
+            <source>Stage</source>
+            <translation>Ступень</translation>
         </message>
         <message>
             <source>Specific energy below %2 J/mm³ (stage %1): too little to be true; the wheel&apos;s dullness or the flow stress may be set too low.</source>
@@ -8907,10 +9122,6 @@ With another name both versions stay as they are.</source>
         <message>
             <source>Wheel and work turn %1 : 1, near a whole number: waves of the wheel print onto one another. Change the work speed a little.</source>
             <translation>Круг и деталь вращаются как %1 : 1, почти целое число: волны от круга ложатся одна на другую. Немного измените частоту вращения заготовки.</translation>
-        </message>
-        <message>
-            <source>Rotation ratio</source>
-            <translation>Частоты n_к : n</translation>
         </message>
     </context>
     <context>
@@ -11019,173 +11230,6 @@ With another name both versions stay as they are.</source>
         <message>
             <source>&amp;Title page of laboratory reports…</source>
             <translation>&amp;Титульный лист лабораторных отчётов…</translation>
-        </message>
-    </context>
-    <context>
-        <name>sparkout::BatchFigures</name>
-        <message>
-            <source>Minimum</source>
-            <translation>Наименьшее</translation>
-        </message>
-        <message>
-            <source>Maximum</source>
-            <translation>Наибольшее</translation>
-        </message>
-        <message>
-            <source>Mean</source>
-            <translation>Среднее</translation>
-        </message>
-        <message>
-            <source>Student&apos;s interval: the mean of endlessly many such parts lies in it with 95 %</source>
-            <translation>Интервал Стьюдента: среднее сколь угодно большого числа таких деталей лежит в нём с вероятностью 95 %</translation>
-        </message>
-        <message>
-            <source>Mean, 95 %</source>
-            <translation>Среднее, 95 %</translation>
-        </message>
-        <message>
-            <source>Standard deviation of the sample</source>
-            <translation>Стандартное отклонение выборки</translation>
-        </message>
-        <message>
-            <source>s</source>
-            <translation>s</translation>
-        </message>
-        <message>
-            <source>Percentile 0.135 %</source>
-            <translation>Квантиль 0.135 %</translation>
-        </message>
-        <message>
-            <source>Median</source>
-            <translation>Медиана</translation>
-        </message>
-        <message>
-            <source>Percentile 99.865 %</source>
-            <translation>Квантиль 99.865 %</translation>
-        </message>
-        <message>
-            <source>Parts beyond the limits, as a share with the 95 % bounds of Clopper and Pearson</source>
-            <translation>Детали за пределами допуска: число и доля с границами 95 % по Клопперу — Пирсону</translation>
-        </message>
-        <message>
-            <source>Out of tolerance</source>
-            <translation>Вне допуска</translation>
-        </message>
-        <message>
-            <source>Normality, p</source>
-            <translation>Нормальность, p</translation>
-        </message>
-        <message>
-            <source>Where</source>
-            <translation>Где</translation>
-        </message>
-        <message>
-            <source>Characteristic</source>
-            <translation>Характеристика</translation>
-        </message>
-        <message>
-            <source>Unit</source>
-            <translation>Единица</translation>
-        </message>
-        <message>
-            <source>Lower limit</source>
-            <translation>Нижний предел</translation>
-        </message>
-        <message>
-            <source>Upper limit</source>
-            <translation>Верхний предел</translation>
-        </message>
-        <message>
-            <source>Values</source>
-            <translation>Значений</translation>
-        </message>
-        <message>
-            <source>Skewness</source>
-            <translation>Асимметрия</translation>
-        </message>
-        <message>
-            <source>Excess kurtosis</source>
-            <translation>Эксцесс</translation>
-        </message>
-        <message>
-            <source>Mean, 95 % from</source>
-            <translation>Среднее, 95 % от</translation>
-        </message>
-        <message>
-            <source>Mean, 95 % to</source>
-            <translation>Среднее, 95 % до</translation>
-        </message>
-        <message>
-            <source>Share out of tolerance</source>
-            <translation>Доля вне допуска</translation>
-        </message>
-        <message>
-            <source>Share, 95 % from</source>
-            <translation>Доля, 95 % от</translation>
-        </message>
-        <message>
-            <source>Share, 95 % to</source>
-            <translation>Доля, 95 % до</translation>
-        </message>
-        <message>
-            <source>Percentile %1 %</source>
-            <translation>Квантиль %1 %</translation>
-        </message>
-        <message>
-            <source>%1, 95 % from</source>
-            <translation>%1, 95 % от</translation>
-        </message>
-        <message>
-            <source>%1, 95 % to</source>
-            <translation>%1, 95 % до</translation>
-        </message>
-        <message>
-            <source>Below it lie 0.135 % of the parts, as below mean − 3 s of a normal quantity; given from 741 parts on</source>
-            <translation>Ниже него 0.135 % деталей, как ниже среднего − 3 s у нормальной величины; указывается от 741 детали</translation>
-        </message>
-        <message>
-            <source>Above it lie 0.135 % of the parts, as above mean + 3 s of a normal quantity; given from 741 parts on</source>
-            <translation>Выше него 0.135 % деталей, как выше среднего + 3 s у нормальной величины; указывается от 741 детали</translation>
-        </message>
-        <message>
-            <source>Width of the field over 6 s, with 95 % bounds; s is that of all parts, with whatever drifts over the batch. Where nothing drifts it is Cp</source>
-            <translation>Ширина поля допуска, делённая на 6 s, с 95%-ными границами; s — по всем деталям, вместе с тем, что изменяется по ходу партии. Если ничто не изменяется, это Cp</translation>
-        </message>
-        <message>
-            <source>Pp</source>
-            <translation>Pp</translation>
-        </message>
-        <message>
-            <source>Distance from the mean to the nearer limit over 3 s, with 95 % bounds; it says what it says of a normal quantity. A dash: no size or form of the part, or one that hardly scatters beside its field</source>
-            <translation>Расстояние от среднего до ближнего предела, делённое на 3 s, с 95%-ными границами; полный смысл имеет при нормальном распределении. Прочерк: не размер и не форма детали, или рассеяние ничтожно по сравнению с полем</translation>
-        </message>
-        <message>
-            <source>Ppk</source>
-            <translation>Ppk</translation>
-        </message>
-        <message>
-            <source>Probability that normal values deviate so much from the normal law, by the test of Shapiro and Wilk, of more than 4096 parts of Anderson and Darling; below 0.05 the values are called not normal</source>
-            <translation>Вероятность такого отклонения от нормального закона при нормальном распределении по критерию Шапиро — Уилка, свыше 4096 деталей — Андерсона — Дарлинга; если она меньше 0,05, распределение названо не нормальным</translation>
-        </message>
-        <message>
-            <source>Normality, test</source>
-            <translation>Нормальность, критерий</translation>
-        </message>
-        <message>
-            <source>Pp, 95 % from</source>
-            <translation>Pp, 95 % от</translation>
-        </message>
-        <message>
-            <source>Pp, 95 % to</source>
-            <translation>Pp, 95 % до</translation>
-        </message>
-        <message>
-            <source>Ppk, 95 % from</source>
-            <translation>Ppk, 95 % от</translation>
-        </message>
-        <message>
-            <source>Ppk, 95 % to</source>
-            <translation>Ppk, 95 % до</translation>
         </message>
     </context>
     <context>
@@ -15261,49 +15305,6 @@ target, µm</source>
         <message>
             <source>wheel head</source>
             <translation>шлифовальная бабка</translation>
-        </message>
-    </context>
-    <context>
-        <name>sparkout::ShopModel</name>
-        <message>
-            <source>near a whole number</source>
-            <translation>почти целое число</translation>
-        </message>
-        <message>
-            <source>below the usual</source>
-            <translation>ниже обычного</translation>
-        </message>
-        <message>
-            <source>above the usual</source>
-            <translation>выше обычного</translation>
-        </message>
-        <message>
-            <source>Whole cycle</source>
-            <translation>Весь цикл</translation>
-        </message>
-        <message>
-            <source>Stage %1</source>
-            <translation>Ступень %1</translation>
-        </message>
-        <message>
-            <source>%1, %2: %3</source>
-            <translation>%1, %2: %3</translation>
-        </message>
-        <message>
-            <source>Cycle</source>
-            <translation>Цикл</translation>
-        </message>
-        <message>
-            <source>Quantity</source>
-            <translation>Показатель</translation>
-        </message>
-        <message>
-            <source>Outside the usual</source>
-            <translation>Вне обычного</translation>
-        </message>
-        <message>
-            <source>%1: %2</source>
-            <translation>%1: %2</translation>
         </message>
     </context>
     <context>
@@ -19630,61 +19631,6 @@ s</source>
         <message>
             <source>Form by zone, µm</source>
             <translation>Форма по зонам, мкм</translation>
-        </message>
-    </context>
-    <context>
-        <name>sparkout::FormModel</name>
-        <message>
-            <source>Roundness</source>
-            <translation>Откл. от круглости</translation>
-        </message>
-        <message>
-            <source>Cylindricity</source>
-            <translation>Откл. от цилиндричности</translation>
-        </message>
-        <message>
-            <source>Total runout</source>
-            <translation>Полное биение</translation>
-        </message>
-        <message>
-            <source>Taper</source>
-            <translation>Конусообразность</translation>
-        </message>
-        <message>
-            <source>Crown</source>
-            <translation>Бочкообразность</translation>
-        </message>
-        <message>
-            <source>Minimum zone, of the least round section of the zone.</source>
-            <translation>Минимальная зона, по наименее круглому сечению зоны.</translation>
-        </message>
-        <message>
-            <source>Minimum zone, over all sections of the zone.</source>
-            <translation>Минимальная зона, по всем сечениям зоны.</translation>
-        </message>
-        <message>
-            <source>About the centre axis, over all sections, with the machine&apos;s own.</source>
-            <translation>Относительно оси центров, по всем сечениям, вместе с биением станка.</translation>
-        </message>
-        <message>
-            <source>Mean radius at the zone&apos;s last section less that at its first, of the straight line through them.</source>
-            <translation>Средний радиус последнего сечения зоны за вычетом первого, по прямой через них.</translation>
-        </message>
-        <message>
-            <source>Mean radius in the zone&apos;s middle less that at its ends: above 0 a barrel, below it a saddle.</source>
-            <translation>Средний радиус в середине зоны за вычетом радиуса на концах: больше 0 — бочка, меньше — седло.</translation>
-        </message>
-        <message>
-            <source>%1, %2: %3 µm</source>
-            <translation>%1, %2: %3 мкм</translation>
-        </message>
-        <message>
-            <source>%1, µm</source>
-            <translation>%1, мкм</translation>
-        </message>
-        <message>
-            <source>Quantity</source>
-            <translation>Величина</translation>
         </message>
     </context>
     <context>

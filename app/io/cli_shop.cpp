@@ -52,9 +52,9 @@ std::string marked(BandSide band, const std::string& value) {
     return mark + value;
 }
 
-std::string nameOf(const OutputRow& row, bool revolutions) {
-    const char* const name = revolutions && *row.ofRevolutions ? row.ofRevolutions : row.label;
-    return std::string("  ") + name + (*row.unit ? std::string(", ") + row.unit : std::string());
+std::string nameOf(const OutputRow& row, bool revolutions = false) {
+    return std::string("  ") + row.labelOf(revolutions)
+           + (*row.unit ? std::string(", ") + row.unit : std::string());
 }
 
 std::string bandText(const ShopNumbers& shop) {
@@ -93,9 +93,15 @@ std::string shopText(const ShopNumbers& shop, bool revolutions) {
         }
         text += '\n';
     }
-    return text + bandText(shop) + label("  Rotation ratio") + significant(shop.rotationRatio)
-           + " wheel : work" + (shop.ratioNearInteger() ? ", near a whole number: WAVINESS" : "")
-           + '\n';
+    text += bandText(shop);
+    for (const Output<ShopNumbers>& row : shopOutputs()) {
+        if (!row.detail) {
+            text += label(nameOf(row)) + valueText(row.of(shop))
+                    + (row.bandOf(shop) == BandSide::above ? ", near a whole number: WAVINESS" : "")
+                    + '\n';
+        }
+    }
+    return text;
 }
 
 } // namespace sparkout::cli

@@ -9,54 +9,55 @@ namespace sparkout {
 
 namespace {
 
-using F = CharacteristicFigures;
+using Figures = CharacteristicFigures;
 
-bool counted(const F& f) {
+bool counted(const Figures& f) {
     return f.of->count > 0;
 }
 
-bool sampled(const F& f) {
+bool sampled(const Figures& f) {
     return counted(f) && f.isSample;
 }
 
-std::optional<double> ifSampled(const F& f, double value) {
-    return sampled(f) ? std::optional(value) : std::nullopt;
+/// A single part has no scatter, and its value is no mean.
+std::optional<double> ifSampled(const Figures& f, double value) {
+    return sampled(f) && f.of->count > 1 ? std::optional(value) : std::nullopt;
 }
 
 /// Of a process at rest: of a batch without a drift.
-std::optional<Estimate> atRest(const F& f, const std::optional<Estimate>& index) {
+std::optional<Estimate> atRest(const Figures& f, const std::optional<Estimate>& index) {
     return f.drifts ? std::nullopt : index;
 }
 
-constexpr Output<F> rows[] = {
-    {{.key = "where"}, [](const F& f) { return placeKey(f.of->characteristic); }},
+constexpr Output<Figures> characteristicRows[] = {
+    {{.key = "where"}, [](const Figures& f) { return placeKey(f.of->characteristic); }},
     {{.key = "name", .column = "characteristic"},
-     [](const F& f) { return std::string(f.of->characteristic.name); }},
-    {{.key = "unit"}, [](const F& f) { return std::string(f.of->characteristic.unit); }},
+     [](const Figures& f) { return std::string(f.of->characteristic.name); }},
+    {{.key = "unit"}, [](const Figures& f) { return std::string(f.of->characteristic.unit); }},
     {{.key = "low", .label = SPARKOUT_NOOP("Output", "Lower limit"), .detail = true},
-     [](const F& f) { return f.of->characteristic.low; }},
+     [](const Figures& f) { return f.of->characteristic.low; }},
     {{.key = "high", .label = SPARKOUT_NOOP("Output", "Upper limit"), .detail = true},
-     [](const F& f) { return f.of->characteristic.high; }},
+     [](const Figures& f) { return f.of->characteristic.high; }},
     {{.key = "count", .label = SPARKOUT_NOOP("Output", "Values"), .detail = true},
-     [](const F& f) { return f.of->count; }},
+     [](const Figures& f) { return f.of->count; }},
     {{.key = "min", .label = SPARKOUT_NOOP("Output", "Minimum")},
-     [](const F& f) { return counted(f) ? std::optional(f.of->least.value) : std::nullopt; },
+     [](const Figures& f) { return counted(f) ? std::optional(f.of->least.value) : std::nullopt; },
      nullptr,
      counted},
     {{.key = "min_part", .column = "", .detail = true},
-     [](const F& f) { return f.of->least.part; },
+     [](const Figures& f) { return f.of->least.part; },
      nullptr,
      counted},
     {{.key = "max", .label = SPARKOUT_NOOP("Output", "Maximum")},
-     [](const F& f) { return counted(f) ? std::optional(f.of->most.value) : std::nullopt; },
+     [](const Figures& f) { return counted(f) ? std::optional(f.of->most.value) : std::nullopt; },
      nullptr,
      counted},
     {{.key = "max_part", .column = "", .detail = true},
-     [](const F& f) { return f.of->most.part; },
+     [](const Figures& f) { return f.of->most.part; },
      nullptr,
      counted},
     {{.key = "mean", .label = SPARKOUT_NOOP("Output", "Mean")},
-     [](const F& f) { return ifSampled(f, f.of->moments.mean); },
+     [](const Figures& f) { return ifSampled(f, f.of->moments.mean); },
      nullptr,
      sampled},
     {{.key = "mean_interval_95",
@@ -66,39 +67,39 @@ constexpr Output<F> rows[] = {
       .hint = SPARKOUT_NOOP("Output",
                             "Student's interval: the mean of endlessly many such parts lies in it "
                             "with 95 %")},
-     [](const F& f) { return f.of->mean95; },
+     [](const Figures& f) { return f.of->mean95; },
      nullptr,
      sampled},
     {{.key = "standard_deviation",
       .column = "s",
       .label = SPARKOUT_NOOP("Output", "s"),
       .hint = SPARKOUT_NOOP("Output", "Standard deviation of the sample")},
-     [](const F& f) { return ifSampled(f, f.of->moments.deviation); },
+     [](const Figures& f) { return ifSampled(f, f.of->moments.deviation); },
      nullptr,
      sampled},
     {{.key = "skewness",
       .column = "",
       .label = SPARKOUT_NOOP("Output", "Skewness"),
       .detail = true},
-     [](const F& f) { return ifSampled(f, f.of->moments.skewness); },
+     [](const Figures& f) { return ifSampled(f, f.of->moments.skewness); },
      nullptr,
      sampled},
     {{.key = "excess_kurtosis",
       .column = "",
       .label = SPARKOUT_NOOP("Output", "Excess kurtosis"),
       .detail = true},
-     [](const F& f) { return ifSampled(f, f.of->moments.excess); },
+     [](const Figures& f) { return ifSampled(f, f.of->moments.excess); },
      nullptr,
      sampled},
-    {{.key = "cp"}, [](const F& f) { return atRest(f, f.of->pp); }, nullptr, sampled},
-    {{.key = "cpk"}, [](const F& f) { return atRest(f, f.of->ppk); }, nullptr, sampled},
+    {{.key = "cp"}, [](const Figures& f) { return atRest(f, f.of->pp); }, nullptr, sampled},
+    {{.key = "cpk"}, [](const Figures& f) { return atRest(f, f.of->ppk); }, nullptr, sampled},
     {{.key = "pp",
       .label = SPARKOUT_NOOP("Output", "Pp"),
       .hint = SPARKOUT_NOOP("Output",
                             "Width of the field over 6 s, with 95 % bounds; s is that of all "
                             "parts, with whatever drifts over the batch. Where nothing drifts it "
                             "is Cp")},
-     [](const F& f) { return f.of->pp; },
+     [](const Figures& f) { return f.of->pp; },
      nullptr,
      sampled},
     {{.key = "ppk",
@@ -107,7 +108,7 @@ constexpr Output<F> rows[] = {
                             "Distance from the mean to the nearer limit over 3 s, with 95 % "
                             "bounds; it says what it says of a normal quantity. A dash: no size or "
                             "form of the part, or one that hardly scatters beside its field")},
-     [](const F& f) { return f.of->ppk; },
+     [](const Figures& f) { return f.of->ppk; },
      nullptr,
      sampled},
     {{.key = "outside",
@@ -115,7 +116,7 @@ constexpr Output<F> rows[] = {
       .hint = SPARKOUT_NOOP("Output",
                             "Parts beyond the limits, as a share with the 95 % bounds of Clopper "
                             "and Pearson")},
-     [](const F& f) {
+     [](const Figures& f) {
          const Characteristic& of = f.of->characteristic;
          return counted(f) && (of.low || of.high) ? std::optional(f.of->outside) : std::nullopt;
      },
@@ -124,7 +125,7 @@ constexpr Output<F> rows[] = {
     {{.key = "expected_outside",
       .label = SPARKOUT_NOOP("Output", "Expected share out of tolerance"),
       .detail = true},
-     [](const F& f) { return f.of->expectedOutside; },
+     [](const Figures& f) { return f.of->expectedOutside; },
      nullptr,
      sampled},
     {{.key = "normality_probability",
@@ -134,13 +135,13 @@ constexpr Output<F> rows[] = {
                             "Probability that normal values deviate so much from the normal law, "
                             "by the test of Shapiro and Wilk, of more than 4096 parts of Anderson "
                             "and Darling; below 0.05 the values are called not normal")},
-     [](const F& f) {
+     [](const Figures& f) {
          return f.of->normality ? std::optional(f.of->normality->probability) : std::nullopt;
      },
      nullptr,
      sampled},
     {{.key = "normality_test", .detail = true},
-     [](const F& f) -> std::optional<std::string> {
+     [](const Figures& f) -> std::optional<std::string> {
          if (!f.of->normality) {
              return {};
          }
@@ -150,9 +151,9 @@ constexpr Output<F> rows[] = {
      nullptr,
      sampled},
     {{.key = "strips_uncut", .detail = true},
-     [](const F& f) { return f.of->unstated; },
+     [](const Figures& f) { return f.of->unstated; },
      nullptr,
-     [](const F& f) { return f.of->unstated > 0; }},
+     [](const Figures& f) { return f.of->unstated > 0; }},
 };
 
 } // namespace
@@ -166,7 +167,7 @@ std::vector<CharacteristicFigures> figuresOf(const BatchSummary& summary) {
 }
 
 std::span<const Output<CharacteristicFigures>> characteristicOutputs() {
-    return rows;
+    return characteristicRows;
 }
 
 } // namespace sparkout

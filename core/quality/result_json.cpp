@@ -6,6 +6,7 @@
 #include "core/project/part.h"
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/finished_surface.h"
+#include "core/quality/form_outputs.h"
 #include "core/quality/result_names.h"
 #include "core/quality/roughness.h"
 #include "core/quality/shop_outputs.h"
@@ -98,15 +99,13 @@ ordered_json constraintsJson(const std::vector<ConstraintResult>& constraints) {
 
 /// What a zone with several sections has beside the worst of them; null where strips stay uncut.
 void addZoneSections(ordered_json& zone, const SimulationResult& result, std::size_t index,
-                     const ZoneForm& form) {
+                     const PartAccuracy& accuracy) {
     const FinishedSurface surface(result.project);
     const auto um = [&surface](double value_mm) {
         return statedJson(surface, value_mm * units::umPerMm);
     };
-    zone["cylindricity_um"] = um(form.cylindricity_mm);
-    zone["total_runout_um"] = um(form.totalRunout_mm);
-    zone["taper_um"] = um(form.profile.taper_mm);
-    zone["crown_um"] = um(form.profile.crown_mm);
+    zone.update(outputsJson(
+        zoneFormOutputs(), {&accuracy.sections[index], &accuracy.zones[index], surface.isWhole()}));
     ordered_json list = ordered_json::array();
     const std::size_t inZone = result.zoneSections.size() / result.sections.size();
     for (std::size_t i = index * inZone; i < (index + 1) * inZone; ++i) {
@@ -131,7 +130,7 @@ ordered_json sectionsJson(const SimulationResult& result, const PartAccuracy& ac
         const SectionResult& section = result.sections[i];
         ordered_json one = zoneJson(result, section, accuracy.sections[i]);
         if (!accuracy.zones.empty()) {
-            addZoneSections(one, result, i, accuracy.zones[i]);
+            addZoneSections(one, result, i, accuracy);
         }
         zones ? void(all[zoneKey(section.zone)] = std::move(one)) : all.push_back(std::move(one));
     }

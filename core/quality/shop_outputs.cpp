@@ -9,30 +9,28 @@ namespace sparkout {
 
 namespace {
 
-using C = ShopColumn;
-
 /// Nothing for a stage that removed nothing.
-std::optional<std::string> whereOf(const Peak& peak) {
+std::optional<std::string> peakPlace(const Peak& peak) {
     return peak.value > 0 ? std::optional(placeText(peak.at)) : std::nullopt;
 }
 
-constexpr Output<ShopColumn> columnRows[] = {
+constexpr Output<ShopColumn> shopColumnRows[] = {
     {{.label = SPARKOUT_NOOP("Output", "Double strokes"),
       .ofRevolutions = SPARKOUT_NOOP("Output", "Revolutions"),
       .hint = SPARKOUT_NOOP("Output", "How many of them the stage took.")},
-     [](const C& c) { return std::int64_t{c.count}; }},
+     [](const ShopColumn& c) { return std::int64_t{c.count}; }},
     {{.key = "grinding_time_min",
       .label = SPARKOUT_NOOP("Output", "Time"),
       .unit = "min",
       .hint = SPARKOUT_NOOP("Output", "Machining time of the stage.")},
-     [](const C& c) { return c.time_s / units::secondsPerMinute; }},
+     [](const ShopColumn& c) { return c.time_s / units::secondsPerMinute; }},
     {{.key = "largest_depth_um",
       .label = SPARKOUT_NOOP("Output", "Maximum actual feed"),
       .unit = "µm",
       .detail = true},
-     [](const C& c) { return c.depth_mm.value * units::umPerMm; }},
+     [](const ShopColumn& c) { return c.depth_mm.value * units::umPerMm; }},
     {{.key = "largest_depth_where", .detail = true},
-     [](const C& c) { return whereOf(c.depth_mm); }},
+     [](const ShopColumn& c) { return peakPlace(c.depth_mm); }},
     {{.key = "removal_rate_mm3_mm_s",
       .label = SPARKOUT_NOOP("Output", "Q′w"),
       .unit = "mm³/(mm·s)",
@@ -40,7 +38,7 @@ constexpr Output<ShopColumn> columnRows[] = {
           "Output", "Specific removal rate Q′_w = π·d·n·a/60: volume removed in a second by each "
                     "millimetre of the width that cuts, at the maximum actual feed a of the stage. "
                     "No band holds for every wheel: compare with cycles known to be good.")},
-     [](const C& c) { return c.removalRate_mm2_s; }},
+     [](const ShopColumn& c) { return c.removalRate_mm2_s; }},
     {{.key = "mean_removal_rate_mm3_mm_s",
       .label = SPARKOUT_NOOP("Output", "Mean Q′w"),
       .brief = SPARKOUT_NOOP("Output", "   mean"),
@@ -48,7 +46,7 @@ constexpr Output<ShopColumn> columnRows[] = {
       .hint =
           SPARKOUT_NOOP("Output", "The specific removal rate at the mean actual feed of all passes "
                                   "of the stage, those that remove nothing included.")},
-     [](const C& c) { return c.meanRemovalRate_mm2_s; }},
+     [](const ShopColumn& c) { return c.meanRemovalRate_mm2_s; }},
     {{.key = "equivalent_chip_um",
       .label = SPARKOUT_NOOP("Output", "heq"),
       .unit = "µm",
@@ -57,16 +55,16 @@ constexpr Output<ShopColumn> columnRows[] = {
           "Equivalent chip thickness h_eq = Q′_w/V_k, at the maximum actual feed of the stage: the "
           "layer of metal that leaves at the wheel's speed. Forces and roughness rise with it. No "
           "band holds for every wheel: compare with cycles known to be good.")},
-     [](const C& c) { return c.equivalentChip_um; }},
+     [](const ShopColumn& c) { return c.equivalentChip_um; }},
     {{.key = "aggressiveness",
       .label = SPARKOUT_NOOP("Output", "Aggressiveness"),
       .hint = SPARKOUT_NOOP(
           "Output",
           "Aggressiveness 10⁶·(V_d/V_k)·√(a/D_e), at the maximum actual feed of the stage: how "
-          "hard "
-          "the contact loads a grain, for wheels of any size. Large, the grains break out; small, "
+          "hard the contact loads a grain, for wheels of any size. Large, the grains break out; "
+          "small, "
           "they rub. No band holds for every wheel: compare with cycles known to be good.")},
-     [](const C& c) { return c.aggressiveness; }},
+     [](const ShopColumn& c) { return c.aggressiveness; }},
     {{.key = "overlap_ratio",
       .label = SPARKOUT_NOOP("Output", "Overlap B/s"),
       .hint =
@@ -74,8 +72,8 @@ constexpr Output<ShopColumn> columnRows[] = {
                                   "place of the surface is under the wheel in one stroke. Below 1 "
                                   "strips stay unground. For the cycle: the least of its stages."),
       .sparse = true},
-     [](const C& c) { return c.overlap; },
-     [](const C& c) { return c.overlapBand(); }},
+     [](const ShopColumn& c) { return c.overlap; },
+     [](const ShopColumn& c) { return c.overlapBand(); }},
     {{.key = "specific_energy_j_mm3",
       .label = SPARKOUT_NOOP("Output", "Energy"),
       .unit = "J/mm³",
@@ -84,10 +82,10 @@ constexpr Output<ShopColumn> columnRows[] = {
           "Specific energy: ∫P_z·V_k dt over the volume removed. Plausible for steel: "
           "20…120 J/mm³. A dull wheel needs more; so does spark-out, where the wheel rubs "
           "more than it cuts.")},
-     [](const C& c) { return c.energy_j_mm3; },
-     [](const C& c) { return c.specificEnergyBand(); }},
+     [](const ShopColumn& c) { return c.energy_j_mm3; },
+     [](const ShopColumn& c) { return c.specificEnergyBand(); }},
     {{.key = "specific_energy_plausible", .detail = true},
-     [](const C& c) {
+     [](const ShopColumn& c) {
          const BandSide band = c.specificEnergyBand();
          return band == BandSide::none ? std::nullopt : std::optional(band == BandSide::inside);
      }},
@@ -98,8 +96,9 @@ constexpr Output<ShopColumn> columnRows[] = {
       .shownUnit = "kW",
       .shownFactor = 1 / units::wPerKw,
       .hint = SPARKOUT_NOOP("Output", "Maximum wheel power P_z·V_k of any pass of the stage.")},
-     [](const C& c) { return c.power_w.value; }},
-    {{.key = "peak_power_where", .detail = true}, [](const C& c) { return whereOf(c.power_w); }},
+     [](const ShopColumn& c) { return c.power_w.value; }},
+    {{.key = "peak_power_where", .detail = true},
+     [](const ShopColumn& c) { return peakPlace(c.power_w); }},
     {{.key = "mean_power_w",
       .label = SPARKOUT_NOOP("Output", "Mean power"),
       .brief = SPARKOUT_NOOP("Output", "   mean"),
@@ -109,30 +108,30 @@ constexpr Output<ShopColumn> columnRows[] = {
       .hint = SPARKOUT_NOOP(
           "Output", "Mean wheel power: the energy over the machining time of the stage, in all of "
                     "which the wheel grinds: plunging, dwells and strokes of the table.")},
-     [](const C& c) { return c.meanPower_w; }},
+     [](const ShopColumn& c) { return c.meanPower_w; }},
     {{.key = "peak_normal_force_n",
       .label = SPARKOUT_NOOP("Output", "Maximum force Py"),
       .brief = SPARKOUT_NOOP("Output", "Force Py"),
       .unit = "N",
       .hint = SPARKOUT_NOOP("Output", "Maximum normal force P_y of any pass of the stage.")},
-     [](const C& c) { return c.normalForce_n.value; }},
+     [](const ShopColumn& c) { return c.normalForce_n.value; }},
     {{.key = "peak_normal_force_where", .detail = true},
-     [](const C& c) { return whereOf(c.normalForce_n); }},
+     [](const ShopColumn& c) { return peakPlace(c.normalForce_n); }},
     {{.key = "removed_volume_mm3",
       .label = SPARKOUT_NOOP("Output", "Volume removed"),
       .unit = "mm³",
       .detail = true},
-     [](const C& c) { return c.removedVolume_mm3; }},
+     [](const ShopColumn& c) { return c.removedVolume_mm3; }},
     {{.key = "energy_j",
       .label = SPARKOUT_NOOP("Output", "Total energy"),
       .unit = "J",
       .shownUnit = "kJ",
       .shownFactor = 1 / units::jPerKj,
       .detail = true},
-     [](const C& c) { return c.energy_j; }},
+     [](const ShopColumn& c) { return c.energy_j; }},
 };
 
-constexpr Output<ShopNumbers> wholeRows[] = {
+constexpr Output<ShopNumbers> shopRows[] = {
     {{.key = "wheel_speed_rpm",
       .label = SPARKOUT_NOOP("Output", "Wheel speed"),
       .unit = "rev/min",
@@ -152,14 +151,18 @@ constexpr Output<ShopNumbers> wholeRows[] = {
      [](const ShopNumbers& shop) { return std::optional(shop.ratioNearInteger()); }},
 };
 
+// The hints above state them in words.
+static_assert(leastSpecificEnergy_j_mm3 == 20 && mostSpecificEnergy_j_mm3 == 120
+              && nearInteger == 0.05);
+
 } // namespace
 
 std::span<const Output<ShopColumn>> shopColumnOutputs() {
-    return columnRows;
+    return shopColumnRows;
 }
 
 std::span<const Output<ShopNumbers>> shopOutputs() {
-    return wholeRows;
+    return shopRows;
 }
 
 } // namespace sparkout

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // `dressing` as a user meets it: what it prints is what the engine finds, and its exit status.
 #include "core/dressing/dressing_interval.h"
 #include "core/project/optimisation.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // Commands on a file of several surfaces: all of them, or the one that --surface names.
 #include "core/setup/setup_file.h"
 #include "core/setup/worn_project.h"

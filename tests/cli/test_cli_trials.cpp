@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // Trials as a user meets them: the form as a roundness machine states it, the choice of a trial and
 // the stiffness of the units, by the real program.
 #include "tests/cli/cli_bench.h"

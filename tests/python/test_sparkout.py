@@ -20,6 +20,7 @@ sys.path.insert(0, str(pathlib.Path(MODULE).parent))
 import sparkout  # noqa: E402
 
 FACTORY = EXAMPLES / "shaft-30h6-factory.sparkout"
+SPINDLE = EXAMPLES / "setups/spindle.sparkout"
 
 
 def cli(*arguments):
@@ -157,6 +158,23 @@ class Projects(unittest.TestCase):
 
 
 class Studies(unittest.TestCase):
+    def test_phases_and_dressing_are_those_of_the_command_line(self):
+        project = sparkout.Project.read(FACTORY)
+        self.assertEqual(sparkout.phases(project), cli("phases", FACTORY, "--json"))
+        self.assertEqual(
+            sparkout.phases(project, from_mm=0.149, to_mm=0.15),
+            cli("phases", FACTORY, "--from", "0.149", "--to", "0.15", "--json"),
+        )
+        with self.assertRaisesRegex(ValueError, "from_mm"):
+            sparkout.phases(project, from_mm=0.2, to_mm=0.1)
+        by_position = project.with_values({"/gauge/control": "position"})
+        with self.assertRaisesRegex(sparkout.ProjectError, "gauge control"):
+            sparkout.phases(by_position)
+        with open(SPINDLE, encoding="utf-8") as file:
+            self.assertEqual(sparkout.dressing(file.read()), cli("dressing", SPINDLE, "--json"))
+        with self.assertRaisesRegex(sparkout.ProjectError, "wear"):
+            sparkout.dressing(project.to_text())
+
     def test_a_batch_is_that_of_the_command_line(self):
         batch = sparkout.batch(sparkout.Project.read(FACTORY))
         summary = cli("batch", FACTORY, "--json")

@@ -2,16 +2,20 @@
 #include "ui/charts/result_tables.h"
 
 #include "core/quality/finished_surface.h"
+#include "core/quality/form_outputs.h"
 #include "core/quality/roughness.h"
 #include "core/units.h"
 #include "ui/charts/margin_model.h"
 #include "ui/charts/verdict_model.h"
+#include "ui/tables/output_cells.h"
 #include "ui/text/names.h"
+#include "ui/text/output_text.h"
 #include "ui/text/texts.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <string_view>
 
 namespace sparkout {
 
@@ -21,16 +25,22 @@ struct ResultTables {
     Q_DECLARE_TR_FUNCTIONS(ResultTables)
 };
 
-/// Of a zone with several sections.
-void addFormHeads(QStringList& header) {
-    header << ResultTables::tr("Cylindricity, µm") << ResultTables::tr("Total runout, µm")
-           << ResultTables::tr("Taper, µm") << ResultTables::tr("Crown, µm");
+/// Of a zone that holds several sections.
+ZoneFormFigures formOf(const Outcome& outcome, std::size_t zone) {
+    return {&outcome.accuracy.sections.at(zone), &outcome.accuracy.zones.at(zone),
+            FinishedSurface(outcome.result.project).isWhole()};
 }
-void addForm(std::vector<CsvCell>& cells, const ZoneForm& zone, const FinishedSurface& surface) {
-    for (const double value_mm : {zone.cylindricity_mm, zone.totalRunout_mm, zone.profile.taper_mm,
-                                  zone.profile.crown_mm}) {
-        cells.push_back(surface.isWhole() ? CsvCell(value_mm * units::umPerMm) : CsvCell());
-    }
+
+/// Among all that is stated of a zone its roundness stands already.
+std::span<const Output<ZoneFormFigures>> withoutRoundness() {
+    return zoneFormOutputs().subspan(1);
+}
+
+QString formText(const OutputRow& row, const std::optional<double>& value_um) {
+    const std::string_view key = row.key;
+    return !value_um                                ? QStringLiteral("—")
+           : key == "taper_um" || key == "crown_um" ? Names::signedMicrometres(*value_um)
+                                                    : Names::amountFixed(*value_um, 2);
 }
 
 } // namespace
@@ -58,17 +68,36 @@ CsvTable requirementTable(const std::vector<ConstraintResult>& requirements, Ope
 
 CsvTable formTable(const Outcome& outcome) {
     CsvTable table;
-    table.header << ResultTables::tr("Zone or section")
-                 << ResultTables::tr("Roundness, minimum zone, µm");
-    addFormHeads(table.header);
-    const FinishedSurface surface(outcome.result.project);
+    table.header << ResultTables::tr("Zone or section");
+    addOutputHeads(table.header, zoneFormOutputs());
     for (std::size_t i = 0; i < outcome.accuracy.zones.size(); ++i) {
-        const double roundness_mm = outcome.accuracy.sections.at(i).minimumZone.deviation();
-        std::vector<CsvCell> cells{
-            Names::zone(outcome.result.sections.at(i).zone, static_cast<int>(i)),
-            surface.isWhole() ? CsvCell(roundness_mm * units::umPerMm) : CsvCell()};
-        addForm(cells, outcome.accuracy.zones[i], surface);
-        table.rows.push_back(std::move(cells));
+        const ZoneFormFigures form = formOf(outcome, i);
+        std::vector<CsvCell>& cells = table.rows.emplace_back();
+        cells.emplace_back(Names::zone(outcome.result.sections.at(i).zone, static_cast<int>(i)));
+        addOutputCells(cells, zoneFormOutputs(), &form);
+    }
+    return table;
+}
+
+ValueTable formValues(const Outcome& outcome) {
+    ValueTable table;
+    if (outcome.accuracy.zones.empty()) {
+        return table;
+    }
+    table.corner = ResultTables::tr("Quantity");
+    for (const Output<ZoneFormFigures>& row : zoneFormOutputs()) {
+        table.rows.push_back({outputLabel(row), outputName(row), outputHint(row), row.key});
+    }
+    table.cells.resize(table.rows.size());
+    for (std::size_t i = 0; i < outcome.accuracy.zones.size(); ++i) {
+        const Zone zone = outcome.result.sections.at(i).zone;
+        const int index = static_cast<int>(i);
+        table.columns.push_back({Names::zone(zone, index), Names::zoneFull(zone, index), {}});
+        const ZoneFormFigures form = formOf(outcome, i);
+        for (std::size_t r = 0; r < table.rows.size(); ++r) {
+            const Output<ZoneFormFigures>& row = zoneFormOutputs()[r];
+            table.cells[r].push_back({formText(row, outputNumber(row, row.of(form))), {}, {}});
+        }
     }
     return table;
 }
@@ -92,7 +121,7 @@ CsvTable zoneTable(const Outcome& outcome) {
     }
     const std::vector<ZoneForm>& forms = outcome.accuracy.zones;
     if (!forms.empty()) {
-        addFormHeads(table.header);
+        addOutputHeads(table.header, withoutRoundness());
     }
     using units::umPerMm;
     const FinishedSurface surface(result.project);
@@ -117,7 +146,8 @@ CsvTable zoneTable(const Outcome& outcome) {
                                             : CsvCell());
         }
         if (!forms.empty()) {
-            addForm(cells, forms.at(i), surface);
+            const ZoneFormFigures figures = formOf(outcome, i);
+            addOutputCells(cells, withoutRoundness(), &figures);
         }
         table.rows.push_back(std::move(cells));
     }

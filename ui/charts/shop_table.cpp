@@ -116,8 +116,9 @@ ValueTable shopTable(const Outcome& outcome) {
         if (!row.detail) {
             std::vector<ValueCell> cells(columns.size());
             cells.back() = {outputText(row, row.of(shop)),
-                            shop.ratioNearInteger() ? ShopText::tr("near a whole number")
-                                                    : QString(),
+                            row.bandOf(shop) == BandSide::above
+                                ? ShopText::tr("near a whole number")
+                                : QString(),
                             {}};
             table.rows.push_back(headOf(row, operation));
             table.cells.push_back(std::move(cells));

@@ -71,6 +71,9 @@ QVariant ValueModel::cell(int row, int column, int role) const {
 }
 
 QVariant ValueModel::side(int row, int role) const {
+    if (row >= rowsShown()) {
+        return {};
+    }
     const ValueHead& head = itemOf(m_table.rows, row);
     switch (role) {
     case Qt::DisplayRole: return head.text;

@@ -18,6 +18,14 @@ void addIntervalHeads(QStringList& header, const QString& name) {
            << OutputCells::tr("%1, 95 % to").arg(name);
 }
 
+void addNumber(std::vector<CsvCell>& cells, const std::optional<double>& number) {
+    if (number) {
+        cells.emplace_back(*number);
+    } else {
+        cells.emplace_back();
+    }
+}
+
 } // namespace
 
 void addEstimateHeads(QStringList& header, const QString& name) {
@@ -25,9 +33,10 @@ void addEstimateHeads(QStringList& header, const QString& name) {
     addIntervalHeads(header, name);
 }
 
-void addIntervalCells(std::vector<CsvCell>& cells, const std::optional<Interval>& interval) {
-    cells.push_back(interval ? CsvCell(interval->low) : CsvCell());
-    cells.push_back(interval ? CsvCell(interval->high) : CsvCell());
+void addIntervalCells(std::vector<CsvCell>& cells, const std::optional<Interval>& interval,
+                      double factor) {
+    addNumber(cells, interval ? std::optional(interval->low * factor) : std::nullopt);
+    addNumber(cells, interval ? std::optional(interval->high * factor) : std::nullopt);
 }
 
 void addHeads(QStringList& header, const OutputRow& row, OutputKind kind, bool revolutions) {
@@ -46,27 +55,28 @@ void addHeads(QStringList& header, const OutputRow& row, OutputKind kind, bool r
 void addCells(std::vector<CsvCell>& cells, const OutputRow& row, OutputKind kind,
               const OutputValue& value) {
     const std::optional<double> number = outputNumber(row, value);
-    const CsvCell cell = number ? CsvCell(*number) : CsvCell();
     switch (kind) {
     case OutputKind::interval: {
         const auto* interval = std::get_if<Interval>(&value);
-        addIntervalCells(cells, interval ? std::optional(*interval) : std::nullopt);
+        addIntervalCells(cells, interval ? std::optional(*interval) : std::nullopt,
+                         row.shownFactor);
         break;
     }
     case OutputKind::estimate: {
         const auto* estimate = std::get_if<Estimate>(&value);
-        cells.push_back(cell);
-        addIntervalCells(cells, estimate ? std::optional(estimate->interval) : std::nullopt);
+        addNumber(cells, number);
+        addIntervalCells(cells, estimate ? std::optional(estimate->interval) : std::nullopt,
+                         row.shownFactor);
         break;
     }
     case OutputKind::share: {
         const auto* share = std::get_if<Share>(&value);
-        cells.push_back(share ? CsvCell(static_cast<double>(share->count)) : CsvCell());
-        cells.push_back(cell);
+        addNumber(cells, share ? std::optional(static_cast<double>(share->count)) : std::nullopt);
+        addNumber(cells, number);
         addIntervalCells(cells, share ? share->interval : std::nullopt);
         break;
     }
-    default: cells.push_back(cell);
+    default: addNumber(cells, number);
     }
 }
 

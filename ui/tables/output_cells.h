@@ -13,7 +13,8 @@ namespace sparkout {
 
 /// `name` with the ends of its interval of 95 %.
 void addEstimateHeads(QStringList& header, const QString& name);
-void addIntervalCells(std::vector<CsvCell>& cells, const std::optional<Interval>& interval);
+void addIntervalCells(std::vector<CsvCell>& cells, const std::optional<Interval>& interval,
+                      double factor = 1);
 
 void addHeads(QStringList& header, const OutputRow& row, OutputKind kind, bool revolutions);
 void addCells(std::vector<CsvCell>& cells, const OutputRow& row, OutputKind kind,

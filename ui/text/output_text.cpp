@@ -17,10 +17,6 @@ QString translated(const char* text) {
     return *text ? QCoreApplication::translate("Output", text) : QString();
 }
 
-const char* labelOf(const OutputRow& row, bool revolutions) {
-    return revolutions && *row.ofRevolutions ? row.ofRevolutions : row.label;
-}
-
 QString withUnit(const QString& label, const OutputRow& row) {
     const QString unit = unitText(row.unitShown());
     return unit.isEmpty() ? label : QStringLiteral("%1, %2").arg(label, unit);
@@ -28,8 +24,12 @@ QString withUnit(const QString& label, const OutputRow& row) {
 
 } // namespace
 
+QString outputLabel(const OutputRow& row) {
+    return translated(*row.brief ? row.brief : row.label);
+}
+
 QString outputName(const OutputRow& row, bool revolutions) {
-    return withUnit(translated(labelOf(row, revolutions)), row);
+    return withUnit(translated(row.labelOf(revolutions)), row);
 }
 
 QString outputBrief(const OutputRow& row, bool revolutions) {

@@ -10,6 +10,8 @@
 /// The words and numbers of outputs, in the present language.
 namespace sparkout {
 
+/// Without its unit, as short as its place in a table allows.
+[[nodiscard]] QString outputLabel(const OutputRow& row);
 /// With its unit, standing alone; `revolutions`: they are counted, not double strokes.
 [[nodiscard]] QString outputName(const OutputRow& row, bool revolutions = false);
 /// The same as short as its place in a table allows.
@@ -18,7 +20,8 @@ namespace sparkout {
 
 /// A number in the unit that it is shown in; of a share or an estimate that itself.
 [[nodiscard]] std::optional<double> outputNumber(const OutputRow& row, const OutputValue& value);
-/// The same as a text; empty where there is none.
+/// The same as a text, as threeDigits() has it; empty where there is none. Of amounts, which are
+/// never negative.
 [[nodiscard]] QString outputText(const OutputRow& row, const OutputValue& value);
 
 /// Three significant digits, three decimals at most, but one digit always. 0 for what is not

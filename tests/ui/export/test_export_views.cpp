@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // Plots and tables of the window, saved from their own menus.
 #include "tests/registry.h"
 #include "tests/ui/export/export_bench.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: measures
 // Check 9: windows are killed at random moments while they are edited; what was typed must be
 // offered, and no damage of the recovery files may stop a start. The windows are processes of
 // their own: this program, started with --edit.

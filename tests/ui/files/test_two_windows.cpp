@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: measures
 // Check 10: two windows, one file, for every kind of file that the window owns. The other window is
 // a process of its own: this program, started with --hold or --put.
 #include "core/course/work_file.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The stages of the table: added, removed, moved, made to spark out.
 #include "core/project/cycle.h"
 #include "core/project/part.h"

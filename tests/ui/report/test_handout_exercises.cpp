@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The questions of the course hand-out, run again, and the page of their answers.
 #include "core/format/difference.h"
 #include "core/format/project_file.h"

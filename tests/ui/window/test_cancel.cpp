@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: measures
 // A run of seconds stops at once: in the engine, when a newer edit replaces it and when the window
 // is closed, every time (25 times, 100 with SPARKOUT_LONG). So do a batch, a search, the making of
 // a report and the reading of a project, at random moments (4 of smaller ones, with SPARKOUT_LONG

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The parts between dressings in the window: what it says is what the engine finds.
 #include "core/dressing/dressing_interval.h"
 #include "core/project/batch.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: own_language
 // Every example in every view, language and theme: pictures to look at, in gallery/ of the build
 // folder, and none of them empty or with a warning. With SPARKOUT_GALLERY set also two of them with
 // batch, sweep, search and comparison filled, in three themes, sizes of type and two of the window.

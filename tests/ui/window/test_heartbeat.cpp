@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: measures
 // The window never stands still: a heartbeat of 5 ms beats on while values are dragged and
 // projects opened. Prints the worst gap, and the worst that comes back at its time when the same is
 // done again: that one is the window's own. Fails only at four times the target, so that a busy

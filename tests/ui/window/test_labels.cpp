@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: own_language
 // Every text of the window has room on a small screen, and in a Russian window all are Russian.
 #include "core/project/cycle.h"
 #include "core/project/part.h"

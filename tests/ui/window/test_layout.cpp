@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: own_language
 // Torn-off views, the layout that is remembered, and what becomes of a damaged one.
 #include "core/study/operation.h"
 #include "tests/registry.h"

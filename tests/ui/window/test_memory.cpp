@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: measures
 // Check 23: the window opens, computes, draws and drops projects again and again.
 #include "tests/check_line.h"
 #include "tests/registry.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: measures
 // How fast the window answers. Prints its figures; fails only at four times the target, so that a
 // busy machine does not turn it red.
 #include "core/project/cycle.h"

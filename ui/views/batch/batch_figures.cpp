@@ -133,7 +133,7 @@ ValueTable batchFigures(const BatchSummary& summary, const std::string& name, bo
 QString figureText(const CharacteristicFigures& figures, std::string_view key) {
     const auto row = std::ranges::find_if(
         characteristicOutputs(), [key](const Output<Figures>& each) { return each.key == key; });
-    return textOf(*row, figures);
+    return row == characteristicOutputs().end() ? dash : textOf(*row, figures);
 }
 
 CsvTable batchFiguresTable(const BatchSummary& summary) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/verdict/form_section.h"
 
+#include "ui/charts/result_tables.h"
+#include "ui/dialogs/value_model.h"
 #include "ui/kit/metrics.h"
-#include "ui/views/verdict/form_model.h"
 #include "ui/views/verdict/narrow_table.h"
 
 #include <QLabel>
@@ -13,8 +14,8 @@ namespace sparkout {
 FormSection::FormSection(QWidget* parent)
     : QWidget(parent)
     , m_title(new QLabel(this))
-    , m_model(new FormModel(this))
-    , m_table(new NarrowTable([this] { return m_model->asTsv(); }, this)) {
+    , m_model(new ValueModel(this))
+    , m_table(new NarrowTable([this] { return m_model->table().asTsv(); }, this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(metrics::tight);
@@ -32,9 +33,9 @@ FormSection::FormSection(QWidget* parent)
 }
 
 void FormSection::setOutcome(const OutcomePtr& outcome) {
-    m_model->setOutcome(outcome);
+    m_outcome = outcome;
+    showTable();
     setVisible(m_model->columnCount() > 0);
-    m_table->fit();
 }
 
 void FormSection::setGreyed(bool grey, const QPalette& palette) {
@@ -46,7 +47,11 @@ void FormSection::retranslate() {
     m_title->setText(tr("Form by zone, µm"));
     m_table->setAccessibleName(tr("Form by zone"));
     m_table->retranslate();
-    m_model->retranslate();
+    showTable();
+}
+
+void FormSection::showTable() {
+    m_model->setTable(m_outcome ? formValues(*m_outcome) : ValueTable());
     m_table->fit();
 }
 

@@ -9,8 +9,8 @@ class QLabel;
 
 namespace sparkout {
 
-class FormModel;
 class NarrowTable;
+class ValueModel;
 
 /// The verdict's section of the form of each zone; hidden where a zone is one section.
 class FormSection : public QWidget {
@@ -22,12 +22,15 @@ public:
     void setGreyed(bool grey, const QPalette& palette); ///< of the labels
     void retranslate();
 
-    [[nodiscard]] FormModel* model() const { return m_model; }
+    [[nodiscard]] ValueModel* model() const { return m_model; }
     [[nodiscard]] NarrowTable* table() const { return m_table; }
 
 private:
+    void showTable();
+
+    OutcomePtr m_outcome;
     QLabel* m_title;
-    FormModel* m_model;
+    ValueModel* m_model;
     NarrowTable* m_table;
 };
 

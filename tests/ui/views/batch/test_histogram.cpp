@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
 #include "ui/views/batch/histogram_plot.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels: numbers
 // The view "Constraints": a row leads to its place and its formula, and what is off to its field.
 #include "core/limits/formula.h"
 #include "core/project/cycle.h"

@@ -9,8 +9,8 @@
 #include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/views/verdict/verdict_bench.h"
 #include "ui/charts/result_tables.h"
+#include "ui/dialogs/value_model.h"
 #include "ui/text/names.h"
-#include "ui/views/verdict/form_model.h"
 #include "ui/views/verdict/form_section.h"
 #include "ui/views/verdict/narrow_table.h"
 
@@ -34,7 +34,10 @@ Project several(int sections = 5) {
     return p;
 }
 
-QString shown(const FormModel& model, int row, int zone) {
+/// In the order of the table.
+enum FormRow { roundness, cylindricity, totalRunout, taper, crown, formRows };
+
+QString shown(const ValueModel& model, int row, int zone) {
     return model.index(row, zone).data(Qt::DisplayRole).toString();
 }
 
@@ -53,7 +56,7 @@ private slots:
         soft.part->shaft.segments = {{soft.part->length_mm, soft.part->diameter_mm}};
         const OutcomePtr outcome = run(soft);
         Bench bench(outcome);
-        const FormModel& model = *bench.panel.form().model();
+        const ValueModel& model = *bench.panel.form().model();
         QVERIFY(bench.panel.form().isVisible());
         QCOMPARE(model.columnCount(), 3);
         QCOMPARE(model.rowCount(), 5);
@@ -67,18 +70,17 @@ private slots:
             const double roundness_mm = outcome->accuracy.sections.at(i).minimumZone.deviation();
             const auto um = [](double value_mm) { return value_mm * units::umPerMm; };
             QVERIFY(form.cylindricity_mm > 0);
-            QCOMPARE(shown(model, FormModel::roundness, zone),
-                     Names::amountFixed(um(roundness_mm), 2));
-            QCOMPARE(shown(model, FormModel::cylindricity, zone),
+            QCOMPARE(shown(model, roundness, zone), Names::amountFixed(um(roundness_mm), 2));
+            QCOMPARE(shown(model, cylindricity, zone),
                      Names::amountFixed(um(form.cylindricity_mm), 2));
-            QCOMPARE(shown(model, FormModel::totalRunout, zone),
+            QCOMPARE(shown(model, totalRunout, zone),
                      Names::amountFixed(um(form.totalRunout_mm), 2));
-            QCOMPARE(shown(model, FormModel::taper, zone),
+            QCOMPARE(shown(model, taper, zone),
                      Names::signedMicrometres(um(form.profile.taper_mm)));
-            QCOMPARE(shown(model, FormModel::crown, zone),
+            QCOMPARE(shown(model, crown, zone),
                      Names::signedMicrometres(um(form.profile.crown_mm)));
         }
-        QVERIFY(shown(model, FormModel::taper, 0) != shown(model, FormModel::crown, 0));
+        QVERIFY(shown(model, taper, 0) != shown(model, crown, 0));
     }
 
     /// Zones of one section and sections of a plunge have none.
@@ -99,7 +101,7 @@ private slots:
             1.2 * p.wheel->width_mm * p.machine->work_speed_rpm;
         const OutcomePtr outcome = run(p);
         Bench bench(outcome);
-        for (int row = 0; row < FormModel::count_; ++row) {
+        for (int row = 0; row < formRows; ++row) {
             QCOMPARE(shown(*bench.panel.form().model(), row, 1), QStringLiteral("—"));
         }
         QVERIFY(std::holds_alternative<std::monostate>(formTable(*outcome).rows.at(1).at(1)));
@@ -112,8 +114,10 @@ private slots:
         QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
         const QStringList lines = QApplication::clipboard()->text().trimmed().split(u'\n');
         QCOMPARE(lines.size(), 6);
-        QCOMPARE(lines.front(), QStringLiteral("Quantity\tRZ1\tNZ\tRZ2"));
-        QVERIFY(lines[2].startsWith(QStringLiteral("Cylindricity, µm\t")));
+        QCOMPARE(lines.front().split(u'\t'),
+                 (QStringList{QStringLiteral("Quantity"), Names::zoneFull(Zone::rz1, 0),
+                              Names::zoneFull(Zone::nz, 1), Names::zoneFull(Zone::rz2, 2)}));
+        QVERIFY(lines[2].startsWith(QStringLiteral("Cylindricity, minimum zone, µm\t")));
         QVERIFY(!QApplication::clipboard()->text().contains(u'−')); // as a spreadsheet reads it
     }
 
@@ -133,7 +137,7 @@ private slots:
     void itIsAsHighAsItsRows() {
         Bench bench(run(several()));
         const NarrowTable& table = *bench.panel.form().table();
-        for (int row = 0; row < FormModel::count_; ++row) {
+        for (int row = 0; row < formRows; ++row) {
             const QRect cell = table.visualRect(table.model()->index(row, 2));
             QVERIFY(table.viewport()->rect().contains(cell));
         }
@@ -144,7 +148,7 @@ private slots:
         fixtures::Marking marking;
         QApplication::installTranslator(&marking);
         QTest::qWait(30);
-        const FormModel& model = *bench.panel.form().model();
+        const ValueModel& model = *bench.panel.form().model();
         for (int row = 0; row < model.rowCount(); ++row) {
             for (const int role : {int(Qt::DisplayRole), int(Qt::ToolTipRole)}) {
                 QVERIFY(model.headerData(row, Qt::Vertical, role).toString().contains(u'«'));
