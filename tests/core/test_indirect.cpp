@@ -156,7 +156,8 @@ private slots:
         to = from; // NOLINT(bugprone-use-after-move)
         from = std::move(last);
         QCOMPARE(from->number, 6);
-        from = from; // NOLINT(clang-diagnostic-self-assign-overloaded)
+        const Indirect<Watched>& same = from;
+        from = same;
         QCOMPARE(from->number, 6);
     } // and `to`, which holds nothing, is destroyed
 
@@ -219,11 +220,11 @@ private slots:
         OptionalIndirect<Watched> perhaps, none;
         perhaps.emplace();
         Watched::copyFails = true;
-        QVERIFY_EXCEPTION_THROWN(Indirect<Watched> copy(from), std::runtime_error);
-        QVERIFY_EXCEPTION_THROWN(to = from, std::runtime_error);
-        QVERIFY_EXCEPTION_THROWN(hollow = from, std::runtime_error);
-        QVERIFY_EXCEPTION_THROWN(none = perhaps, std::runtime_error);
-        QVERIFY_EXCEPTION_THROWN(OptionalIndirect<Watched> copy(perhaps), std::runtime_error);
+        QVERIFY_THROWS_EXCEPTION(std::runtime_error, Indirect<Watched> copy(from));
+        QVERIFY_THROWS_EXCEPTION(std::runtime_error, to = from);
+        QVERIFY_THROWS_EXCEPTION(std::runtime_error, hollow = from);
+        QVERIFY_THROWS_EXCEPTION(std::runtime_error, none = perhaps);
+        QVERIFY_THROWS_EXCEPTION(std::runtime_error, OptionalIndirect<Watched> copy(perhaps));
         QCOMPARE(from->number, 5);
         QCOMPARE(to->number, 6);
         QVERIFY(perhaps && !none);

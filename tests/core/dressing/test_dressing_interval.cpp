@@ -196,7 +196,7 @@ private slots:
     void noPartBeforeTheLastFails() {
         int ended = 0, several = 0, whole = 0;
         const std::int64_t most = 40;
-        const auto setups = static_cast<std::uint64_t>(samples::sized(250, 60, 2000));
+        const auto setups = static_cast<std::uint64_t>(samples::sized(250, 150, 2000));
         for (std::uint64_t seed = 0; seed < setups; ++seed) {
             auto setup = setup_samples::randomSetup(seed);
             if (!setup) {

@@ -231,7 +231,7 @@ private slots:
         if (readable) {
             QCOMPARE(workOut(step).value, 6.0);
         } else {
-            QVERIFY_EXCEPTION_THROWN(workOut(step), FormulaError);
+            QVERIFY_THROWS_EXCEPTION(FormulaError, workOut(step));
         }
     }
 };
