@@ -5,6 +5,8 @@
 #include "core/batch/part_table.h"
 #include "core/text.h"
 
+#include <cmath>
+
 namespace sparkout {
 
 namespace {
@@ -19,9 +21,10 @@ bool sampled(const Figures& f) {
     return counted(f) && f.isSample;
 }
 
-/// A single part has no scatter, and its value is no mean.
+/// A single part has no scatter, and its value is no mean; what is NaN is not known.
 std::optional<double> ifSampled(const Figures& f, double value) {
-    return sampled(f) && f.of->count > 1 ? std::optional(value) : std::nullopt;
+    return sampled(f) && f.of->count > 1 && !std::isnan(value) ? std::optional(value)
+                                                               : std::nullopt;
 }
 
 /// Of a process at rest: of a batch without a drift.

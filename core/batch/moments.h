@@ -11,8 +11,8 @@ inline constexpr double confidence95 = 0.95;
 struct Moments {
     double mean = 0;
     double deviation = 0; ///< s, with n − 1; 0 of one value
-    double skewness = 0;  ///< g₁ = m₃/m₂^1.5
-    double excess = 0;    ///< g₂ = m₄/m₂² − 3
+    double skewness = 0;  ///< g₁ = m₃/m₂^1.5; NaN where its error may exceed 0.001
+    double excess = 0;    ///< g₂ = m₄/m₂² − 3; NaN likewise
 };
 [[nodiscard]] Moments momentsOf(const ValueStatistics& values);
 

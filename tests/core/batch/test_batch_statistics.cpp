@@ -248,6 +248,28 @@ private slots:
         QVERIFY(close(found.excess, m4 / (m2 * m2) - 3, 1e-11));
     }
 
+    /// Skewness and excess do not change with the size of the values: they come out, or are not
+    /// stated where rounding hides them.
+    void theShapeOfALittleScatterIsRightOrNotStated() {
+        const std::vector<double> pattern{-3, -7, -9, -2, -11, -4, -4, 6};
+        const Moments around0 = momentsOf(statisticsOf(pattern));
+        int stated = 0, hidden = 0;
+        for (int power = 0; power < 40; ++power) {
+            std::vector<double> values;
+            for (const double each : pattern) {
+                values.push_back(1 + std::ldexp(each, -power)); // exact
+            }
+            const Moments found = momentsOf(statisticsOf(values));
+            for (const auto& [value, expected] : {std::pair(found.skewness, around0.skewness),
+                                                  std::pair(found.excess, around0.excess)}) {
+                QVERIFY2(std::isnan(value) || std::abs(value - expected) < 1e-3,
+                         qPrintable(QStringLiteral("%1 for %2").arg(value).arg(expected)));
+                ++(std::isnan(value) ? hidden : stated);
+            }
+        }
+        QVERIFY(stated > 20 && hidden > 20);
+    }
+
     void equalValuesHaveNoScatter() {
         const Moments found = momentsOf(statisticsOf({0.1, 0.1, 0.1}));
         QCOMPARE(found.deviation, 0.0);
