@@ -7,10 +7,10 @@ namespace sparkout {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN(); // an empty cell
+constexpr double emptyCell = std::numeric_limits<double>::quiet_NaN();
 
 void addInterval(CsvLine& line, const std::optional<Interval>& interval) {
-    line.number(interval ? interval->low : none).number(interval ? interval->high : none);
+    line.number(interval ? interval->low : emptyCell).number(interval ? interval->high : emptyCell);
 }
 
 } // namespace
@@ -33,7 +33,7 @@ void addCsvCells(CsvLine& line, OutputKind kind, const OutputValue& value) {
     case OutputKind::number:
     case OutputKind::optionalNumber: {
         const auto* number = std::get_if<double>(&value);
-        line.number(number ? *number : none);
+        line.number(number ? *number : emptyCell);
         break;
     }
     case OutputKind::whole: line.whole(std::get<std::int64_t>(value)); break;
@@ -55,13 +55,13 @@ void addCsvCells(CsvLine& line, OutputKind kind, const OutputValue& value) {
     }
     case OutputKind::estimate: {
         const auto* estimate = std::get_if<Estimate>(&value);
-        line.number(estimate ? estimate->value : none);
+        line.number(estimate ? estimate->value : emptyCell);
         addInterval(line, estimate ? std::optional(estimate->interval) : std::nullopt);
         break;
     }
     case OutputKind::share: {
         const auto* share = std::get_if<Share>(&value);
-        line.number(share ? share->value : none);
+        line.number(share ? share->value : emptyCell);
         addInterval(line, share ? share->interval : std::nullopt);
         break;
     }

@@ -36,7 +36,7 @@ inline void endBySignal(const QProcess& process, int signal) {
 }
 
 inline Outcome outcomeOf(QProcess& process) {
-    const int patience_ms = 60'000;
+    const int patience_ms = qEnvironmentVariableIsSet("SPARKOUT_LONG") ? 900'000 : 60'000;
     if (!process.waitForFinished(patience_ms)) {
         process.kill();
         process.waitForFinished();
