@@ -143,7 +143,8 @@ private slots:
         const OutcomePtr outcome = fixtures::run(project);
         const report::Table card = CycleCard::zoneForms(*outcome);
         const CsvTable table = zoneTable(*outcome);
-        const qsizetype first = table.header.indexOf(QStringLiteral("Cylindricity, minimum zone, µm"));
+        const qsizetype first =
+            table.header.indexOf(QStringLiteral("Cylindricity, minimum zone, µm"));
         QVERIFY(first > 0);
         ProfileSeries series = makeProfileSeries(outcome->result, outcome->trajectory);
         series.zoneForms = outcome->accuracy.zones;
