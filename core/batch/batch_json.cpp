@@ -59,7 +59,7 @@ ordered_json worstJson(const BatchResult& result, std::int64_t part) {
             {"project", ordered_json::parse(writeProject(source.project(part)))}};
 }
 
-/// Coefficients by factor; null where there is no regression.
+/// Coefficients by factor; null if the ranks could not be regressed.
 ordered_json regressionJson(const std::optional<RankRegression>& regression,
                             const std::vector<GivenFactor>& factors, std::int64_t batchParts) {
     if (!regression) {

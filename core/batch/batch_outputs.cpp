@@ -21,7 +21,7 @@ bool sampled(const Figures& f) {
     return counted(f) && f.isSample;
 }
 
-/// A single part has no scatter, and its value is no mean; what is NaN is not known.
+/// Moments need at least two parts. NaN marks a moment that rounding hides.
 std::optional<double> ifSampled(const Figures& f, double value) {
     return sampled(f) && f.of->count > 1 && !std::isnan(value) ? std::optional(value)
                                                                : std::nullopt;

@@ -71,29 +71,20 @@ QVariant ValueModel::cell(int row, int column, int role) const {
 }
 
 QVariant ValueModel::side(int row, int role) const {
-    if (row >= rowsShown()) {
-        return {};
-    }
-    const ValueHead& head = itemOf(m_table.rows, row);
+    return row < rowsShown() ? headData(itemOf(m_table.rows, row), role, false) : QVariant();
+}
+
+QVariant ValueModel::head(int column, int role) const {
+    return column < columnsShown() ? headData(itemOf(m_table.columns, column), role, true)
+                                   : QVariant();
+}
+
+QVariant ValueModel::headData(const ValueHead& head, int role, bool right) {
     switch (role) {
     case Qt::DisplayRole: return head.text;
     case Qt::AccessibleTextRole: return head.fullName();
     case Qt::ToolTipRole: return paragraphs({head.fullName(), head.tip});
-    case Qt::TextAlignmentRole: return aligned(false);
-    default: return {};
-    }
-}
-
-QVariant ValueModel::head(int column, int role) const {
-    if (column >= columnsShown()) {
-        return {};
-    }
-    const ValueHead& head = itemOf(m_table.columns, column);
-    switch (role) {
-    case Qt::DisplayRole: return head.text;
-    case Qt::ToolTipRole: return head.tip.isEmpty() ? head.fullName() : paragraphs({head.tip});
-    case Qt::AccessibleTextRole: return head.fullName();
-    case Qt::TextAlignmentRole: return aligned(true);
+    case Qt::TextAlignmentRole: return aligned(right);
     default: return {};
     }
 }

@@ -24,6 +24,7 @@ private:
     [[nodiscard]] QVariant cell(int row, int column, int role) const override;
     [[nodiscard]] QVariant head(int column, int role) const override;
     [[nodiscard]] QVariant side(int row, int role) const override;
+    [[nodiscard]] static QVariant headData(const ValueHead& head, int role, bool right);
     [[nodiscard]] QString spoken(int row, int column) const;
 
     ValueTable m_table;
