@@ -9,6 +9,8 @@
 #include <QMenu>
 #include <QTimer>
 
+#include <algorithm>
+
 namespace sparkout {
 
 namespace {
@@ -109,6 +111,21 @@ void CopyTable::addSaving(QMenu& menu) {
     }
 }
 
+void CopyTable::setUniformRows() {
+    m_uniform = true;
+    setWordWrap(false);
+    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    connect(model(), &QAbstractItemModel::modelReset, this, &CopyTable::fitUniformRows);
+    fitUniformRows();
+}
+
+void CopyTable::fitUniformRows() {
+    if (m_uniform && model()->rowCount() > 0) {
+        verticalHeader()->setDefaultSectionSize(
+            std::max(sizeHintForRow(0), verticalHeader()->sectionSizeHint(0)));
+    }
+}
+
 void CopyTable::save(TableFormat format) {
     QStringList heading{accessibleName(), m_project()};
     heading.removeAll(QString());
@@ -150,6 +167,7 @@ void CopyTable::initViewItemOption(QStyleOptionViewItem* option) const {
 void CopyTable::changeEvent(QEvent* event) {
     QTableView::changeEvent(event);
     if (event->type() == QEvent::FontChange) {
+        fitUniformRows();
         QTimer::singleShot(0, this, [this] {
             measure(*horizontalHeader());
             QTimer::singleShot(0, this, [this] {

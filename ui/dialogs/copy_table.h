@@ -26,6 +26,9 @@ public:
     /// empty table is not offered.
     void setSaving(std::function<CsvTable()> table, std::function<QString()> project,
                    Settings* settings);
+    /// Every row is one line high, as the first one: none is measured, however many there are.
+    /// Once the model is set.
+    void setUniformRows();
     void copy() const;         ///< all of it, with its heads
     void copySelected() const; ///< the selected rows; where none is, all of it
     void retranslate();        ///< the tool tip; the owner names the table
@@ -44,6 +47,7 @@ protected:
 
 private:
     static void measure(QHeaderView& header);
+    void fitUniformRows();
     void addSaving(QMenu& menu);
     void save(TableFormat format);
 
@@ -51,6 +55,7 @@ private:
     std::function<CsvTable()> m_table;
     std::function<QString()> m_project;
     Settings* m_settings = nullptr;
+    bool m_uniform = false;
 };
 
 } // namespace sparkout

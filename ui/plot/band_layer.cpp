@@ -58,11 +58,18 @@ void BandLayer::draw(QCPPainter* painter) {
     const QCPAxis* axis = m_rect->axis(QCPAxis::atBottom);
     const QRectF area = m_rect->rect();
     painter->setPen(Qt::NoPen);
-    for (const Band& band : m_bands) {
-        const double from = std::max(axis->coordToPixel(band.from), area.left());
-        const double to = std::min(axis->coordToPixel(band.to), area.right() + 1);
+    for (std::size_t i = 0; i < m_bands.size();) {
+        // Neighbours of one colour are one: each rectangle takes Qt a change of threads.
+        const Band& first = m_bands[i];
+        double end = first.to;
+        for (++i; i < m_bands.size() && m_bands[i].from == end && m_bands[i].colour == first.colour;
+             ++i) {
+            end = m_bands[i].to;
+        }
+        const double from = std::max(axis->coordToPixel(first.from), area.left());
+        const double to = std::min(axis->coordToPixel(end), area.right() + 1);
         if (to > from) {
-            painter->setBrush(band.colour);
+            painter->setBrush(first.colour);
             painter->drawRect(QRectF(from, area.top(), to - from, area.height()));
         }
     }

@@ -64,10 +64,14 @@ void LayerStack::drawLayers(QCPPainter& painter) const {
     const LayerSeries& series = m_plot.series();
     const QPalette palette = mParentPlot->palette();
     const std::size_t done = m_plot.done().count;
+    const QPen edge(style::thinned(palette.color(QPalette::Text), edgeAlpha), 0);
+    const QPen newestEdge(style::thinned(palette.color(QPalette::Text), 255), 2);
+    painter.setBrush(Qt::NoBrush);
     for (std::size_t i = 0; i < done; ++i) {
         const QColor colour =
             style::dimmed(LayersLook::layer(series, i, palette), m_plot.isDimmed());
         const bool newest = i + 1 == done && i + 1 < series.spans.size();
+        painter.setPen(newest ? newestEdge : edge);
         for (std::size_t j = 0; j < series.columns.size(); ++j) {
             const QRectF rect = m_plot.layerRect(j, i);
             if (rect.isEmpty()) {
@@ -75,10 +79,6 @@ void LayerStack::drawLayers(QCPPainter& painter) const {
             }
             painter.fillRect(rect, colour);
             if (newest || rect.height() >= outlined) {
-                painter.setBrush(Qt::NoBrush);
-                painter.setPen(
-                    QPen(style::thinned(palette.color(QPalette::Text), newest ? 255 : edgeAlpha),
-                         newest ? 2 : 0));
                 painter.drawRect(rect);
             }
         }

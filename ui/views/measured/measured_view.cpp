@@ -109,7 +109,7 @@ QWidget* MeasuredView::buildTools() {
 
 QWidget* MeasuredView::buildComparison() {
     m_table = addTable(*m_model, [this] { return m_model->table(); });
-    m_table->setWordWrap(false);
+    m_table->setUniformRows();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->verticalHeader()->hide();

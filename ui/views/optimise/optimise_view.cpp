@@ -89,7 +89,7 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings)
 CopyTable* OptimiseView::buildTable() {
     m_table = addTable(*m_found, [this] { return m_found->table(); });
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setWordWrap(false);
+    m_table->setUniformRows();
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     return m_table;
