@@ -15,6 +15,7 @@
 #include "core/printable.h"
 #include "core/project/optimisation.h"
 #include "core/setup/setup_file.h"
+#include "core/study/search_json.h"
 #include "words/search_words.h"
 
 #include <algorithm>
@@ -29,11 +30,10 @@ namespace {
 
 struct OptimiseOptions {
     std::string file, output, surface, resume;
-    bool json = false, robust = false, refine = false;
-    SearchMethod method = SearchMethod::pruned;
+    bool json = false;
+    SearchWish wish;
     std::vector<double> stages; ///< empty: the file's
     std::optional<double> timeLimit_s;
-    unsigned threads = 0;
 };
 
 template <class Number>
@@ -84,7 +84,7 @@ const char* valueOf(const std::string& option) {
 bool readValue(const std::string& option, const std::string& value, OptimiseOptions& options) {
     if (option == "--method") {
         const auto method = searchMethodNamed(value);
-        options.method = method.value_or(SearchMethod::pruned);
+        options.wish.method = method.value_or(SearchMethod::pruned);
         return method.has_value();
     }
     if (option == "--stages") {
@@ -97,7 +97,7 @@ bool readValue(const std::string& option, const std::string& value, OptimiseOpti
     }
     if (option == "--threads") {
         const auto threads = numberIn<int>(value);
-        options.threads = static_cast<unsigned>(threads.value_or(0));
+        options.wish.threads = static_cast<unsigned>(threads.value_or(0));
         return threads && *threads >= 1 && *threads <= 1024;
     }
     (option == "--surface"  ? options.surface
@@ -117,9 +117,11 @@ int parseOptimise(const std::vector<std::string>& arguments, OptimiseOptions& op
         if (argument == "--json") {
             options.json = true;
         } else if (argument == "--robust") {
-            options.robust = true;
+            options.wish.phases = true;
         } else if (argument == "--refine") {
-            options.refine = true;
+            options.wish.refine = true;
+        } else if (argument == "--front") {
+            options.wish.front = true;
         } else if (const char* value = valueOf(argument)) {
             if (++i == arguments.size() || !readValue(argument, arguments[i], options)) {
                 return usageError(argument + " needs " + value);
@@ -135,7 +137,7 @@ int parseOptimise(const std::vector<std::string>& arguments, OptimiseOptions& op
     if (options.file.empty()) {
         return usageError("optimize needs a file");
     }
-    if (!options.resume.empty() && options.method != SearchMethod::full) {
+    if (!options.resume.empty() && options.wish.method != SearchMethod::full) {
         return usageError("--resume needs --method full");
     }
     if (replacesProject(options.resume, options.file)
@@ -147,47 +149,24 @@ int parseOptimise(const std::vector<std::string>& arguments, OptimiseOptions& op
                : done;
 }
 
-/// How the wheel goes on from part to part, where that counts; with the cycles found before.
-std::optional<SurfaceWear> wearOf(const Setup& answers, std::size_t surface,
-                                  const Project& project) {
-    return answers.wear.isGiven() && objectiveOf(project) != SearchObjective::time
-               ? std::optional(SurfaceWear(answers, surface))
-               : std::nullopt;
-}
-
 /// What of the options makes another search of a project: not how many threads it has, nor when it
 /// is stopped.
 std::string optionsAsked(const OptimiseOptions& options) {
-    std::string text = std::string("--method ") + searchMethodName(options.method);
-    text += options.robust ? " --robust" : "";
-    text += options.refine ? " --refine" : "";
+    std::string text = std::string("--method ") + searchMethodName(options.wish.method);
+    text += options.wish.phases ? " --robust" : "";
+    text += options.wish.refine ? " --refine" : "";
     for (std::size_t i = 0; i < options.stages.size(); ++i) {
         text += (i == 0 ? " --stages " : ",") + std::to_string(static_cast<int>(options.stages[i]));
     }
     return text;
 }
 
-GridSearchReport search(const Project& project, const std::optional<SurfaceWear>& wear,
-                        const OptimiseOptions& options, SearchJournal* journal) {
-    SearchWatch watch(options.timeLimit_s); // of everything that follows
-    return searchGrid(
-        project, {.method = options.method,
-                  .threads = options.threads,
-                  .robust = options.robust,
-                  .refine = options.refine,
-                  .wear = wear,
-                  .onProgress = [&watch](const SearchProgress& progress) { watch.note(progress); },
-                  .journal = journal,
-                  .stop = watch.token()});
-}
-
 /// A search that was stopped, or that ran out of rounds or ways, decided nothing.
-int statusWithoutAnswer(const GridSearchReport& report) {
-    if (report.search.status == SearchStatus::infeasible) {
+int statusWithoutAnswer(const SearchOutcome& outcome) {
+    if (outcome.search.status == SearchStatus::infeasible) {
         return nothingFeasible;
     }
-    const bool isStopped = report.search.status == SearchStatus::stopped;
-    return isStopped && caughtSignal() != 0 ? interrupted + caughtSignal() : undecided;
+    return outcome.stopped() && caughtSignal() != 0 ? interrupted + caughtSignal() : undecided;
 }
 
 /// Searches for the cycle of one surface, and puts it into the set-up.
@@ -206,30 +185,37 @@ int optimise(Project project, std::size_t surface, const std::string& name,
     if (project.optimisation && !options.stages.empty()) {
         project.optimisation->stages = options.stages;
     }
-    const GridSearchReport report =
-        search(project, wearOf(answers, surface, project), options, kept.journal());
+    SearchWish wish = options.wish;
+    wish.wear = searchWear(answers, surface); // with the cycles found before
+    wish.journal = kept.journal();
+    const SearchOutcomePtr outcome = [&] {
+        SearchWatch watch(options.timeLimit_s); // of everything that follows
+        return search(project, wish, watch.token(),
+                      {.note = [&watch](const SearchState& state) { watch.note(state); }});
+    }();
     kept.close();
-    if (!report.ran()) {
-        printIssues(name, report.issues);
-        if (const std::string reason = searchRefusal(report); !reason.empty()) {
+    if (!outcome->ran()) {
+        printIssues(name, outcome->issues);
+        printIssues(name, outcome->batchIssues);
+        if (const std::string reason = searchRefusal(*outcome); !reason.empty()) {
             print(stderr, printable(name) + ": " + reason + '\n');
         }
         return refused;
     }
+    const FoundCycle* const answer = outcome->answer();
     if (options.json) {
-        print(stdout, optimiseJson(report));
-    } else if (hasAnswer(report)) {
-        print(stdout, optimiseText(report));
+        print(stdout, searchJson(*outcome));
+    } else if (answer) {
+        print(stdout, optimiseText(*outcome));
     }
-    if (!hasAnswer(report)) {
-        print(stderr, printable(name) + ": " + noAnswerSentence(report) + '\n');
-        return statusWithoutAnswer(report);
+    if (!answer) {
+        print(stderr, printable(name) + ": " + SearchWording().noAnswer(*outcome) + '\n');
+        return statusWithoutAnswer(*outcome);
     }
-    const Project answer = withAnswer(report);
-    answers.surfaces[surface].project.cycle = answer.cycle;
-    answers.surfaces[surface].project.machine = answer.machine;
+    Project& own = answers.surfaces[surface].project;
+    own = withFound(std::move(own), *answer);
     if (!options.stages.empty()) {
-        answers.surfaces[surface].project.optimisation = answer.optimisation;
+        own.optimisation = project.optimisation;
     }
     return done;
 }

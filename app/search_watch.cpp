@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/search_watch.h"
 
-#include "app/io/cli_io.h"
-#include "app/io/cli_report.h"
+#include "app/io/console.h"
 #include "app/io/stop_signals.h"
-#include "core/units.h"
+#include "words/search_words.h"
 
 #include <utility>
 
@@ -14,10 +13,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-std::string minutesText(double time_s) {
-    return fixed(time_s / units::secondsPerMinute, 4) + " min";
-}
-
 } // namespace
 
 SearchWatch::SearchWatch(std::optional<double> timeLimit_s) : m_timeLimit_s(timeLimit_s) {
@@ -25,9 +20,11 @@ SearchWatch::SearchWatch(std::optional<double> timeLimit_s) : m_timeLimit_s(time
     m_thread = std::jthread([this](const std::stop_token& ended) { watch(ended); });
 }
 
-void SearchWatch::note(const SearchProgress& progress) {
+void SearchWatch::note(SearchState state) {
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - m_begin;
+    state.took_s = took.count();
     const std::scoped_lock lock(m_mutex);
-    m_progress = progress;
+    m_state = state;
 }
 
 void SearchWatch::watch(const std::stop_token& ended) {
@@ -48,19 +45,9 @@ void SearchWatch::watch(const std::stop_token& ended) {
 }
 
 void SearchWatch::printProgress() {
-    if (!m_progress) {
-        return;
+    if (m_state) {
+        printText(stderr, SearchWording().state(*std::exchange(m_state, std::nullopt)) + '\n');
     }
-    const SearchProgress progress = *std::exchange(m_progress, std::nullopt);
-    std::string line = progress.best ? "best " + minutesText(progress.best->time_s)
-                                     : std::string("none feasible so far");
-    if (progress.bound_s > 0) {
-        line += ", none quicker than " + minutesText(progress.bound_s);
-    }
-    if (progress.share > 0) {
-        line += ", " + fixed(progress.share * 100, 1) + " % of the grid";
-    }
-    print(stderr, line + ", " + std::to_string(progress.evaluations) + " cycles judged\n");
 }
 
 } // namespace sparkout::cli

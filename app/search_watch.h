@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/optimisation/optimise.h"
+#include "core/study/search.h"
 
 #include <chrono>
 #include <condition_variable>
@@ -22,7 +22,7 @@ public:
 
     [[nodiscard]] std::stop_token token() const { return m_search.get_token(); }
     /// By the search.
-    void note(const SearchProgress& progress);
+    void note(SearchState state);
 
 private:
     void watch(const std::stop_token& ended);
@@ -31,8 +31,8 @@ private:
     std::chrono::steady_clock::time_point m_begin = std::chrono::steady_clock::now();
     std::optional<double> m_timeLimit_s;
     std::stop_source m_search;
-    std::mutex m_mutex; ///< of the progress
-    std::optional<SearchProgress> m_progress;
+    std::mutex m_mutex; ///< of the state
+    std::optional<SearchState> m_state;
     std::condition_variable_any m_wake;
     std::jthread m_thread; ///< the last member: it uses the others
 };

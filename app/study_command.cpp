@@ -3,21 +3,18 @@
 
 #include "app/io/batch_watch.h"
 #include "app/io/stop_signals.h"
+#include "app/search_watch.h"
 #include "app/window_io.h"
 #include "core/project/batch.h"
-#include "core/study/evaluate.h"
 #include "ui/export/export_file.h"
 #include "ui/session/document.h"
 #include "ui/views/optimise/optimise_text.h"
 
-#include <QElapsedTimer>
 #include <QFileInfo>
 #include <QLocale>
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
-#include <thread>
 
 namespace sparkout {
 
@@ -62,51 +59,26 @@ int ranSweep(const Project& project, Study& study) {
     return 0;
 }
 
-/// With the set-up of the file, whose wheel may wear.
-SearchWish wishFor(const ExportRequest& request) {
+/// Of the file's set-up, whose wheel may wear.
+std::optional<SurfaceWear> wearIn(const ExportRequest& request) {
     Document document;
-    SearchWish wish;
-    if (openOrSay(document, request.file, request.surface)) {
-        wish.setup = std::make_shared<const Setup>(document.setup());
-        wish.surface = document.surface();
-    }
-    return wish;
+    return openOrSay(document, request.file, request.surface)
+               ? searchWear(document.setup(), document.surface())
+               : std::nullopt;
 }
 
 /// A line a second; the search is stopped by Ctrl+C and SIGTERM.
-int ranSearch(const Project& project, const SearchWish& wish, Study& study) {
+int ranSearch(const Project& project, const ExportRequest& request, Study& study) {
     if (!project.optimisation) {
         return refuseFor(QStringLiteral("the project has no search (/optimisation)"));
     }
-    cli::catchStopSignals();
-    std::stop_source stop;
-    const std::jthread watch([&stop](const std::stop_token& over) {
-        constexpr auto look = std::chrono::milliseconds(20);
-        while (!over.stop_requested() && !stop.stop_requested()) {
-            std::this_thread::sleep_for(look);
-            if (cli::caughtSignal() != 0) {
-                stop.request_stop();
-            }
-        }
-    });
-    QElapsedTimer took;
-    took.start();
-    qint64 told_ms = 0;
-    const auto note = [&took, &told_ms](SearchState state) {
-        constexpr qint64 second_ms = 1000;
-        if (took.elapsed() - told_ms >= second_ms) {
-            told_ms = took.elapsed();
-            state.took_s = static_cast<double>(told_ms) / second_ms;
-            say(stderr, OptimiseText::state(state));
-        }
-    };
-    study.search = runWholeSearch(project, wish, stop.get_token(), note);
+    const SearchWish wish{.front = true, .wear = wearIn(request)};
+    cli::SearchWatch watch({});
+    study.search = search(project, wish, watch.token(),
+                          {.note = [&watch](const SearchState& state) { watch.note(state); }});
+    study.before_s = study.search->given.time_s;
     if (!study.search->ran()) {
         return refuseFor(OptimiseText::fault(*study.search));
-    }
-    const OutcomePtr own = evaluate(project, {});
-    if (own->ran() && own->result.status == RunStatus::completed) {
-        study.before_s = own->result.time_s;
     }
     if (cli::caughtSignal() == 0 && !study.search->best()) {
         say(stderr, QStringLiteral("sparkout: %1")
@@ -131,7 +103,7 @@ int writeStudy(const ExportRequest& request) {
     Study study;
     const int failed = kind == StudyKind::batch   ? ranBatch(*project, study)
                        : kind == StudyKind::sweep ? ranSweep(*project, study)
-                                                  : ranSearch(*project, wishFor(request), study);
+                                                  : ranSearch(*project, request, study);
     if (cli::caughtSignal() != 0) {
         say(stderr, QStringLiteral("sparkout: ended, nothing was written"));
         return exitInterrupted + cli::caughtSignal();

@@ -336,66 +336,79 @@ void bindSweep(py::module_& module) {
 
 // --- search -------------------------------------------------------------------------------------
 
-GridSearchReport runSearchOf(const ValidProject& project, bool robust, bool refine,
-                             std::optional<double> timeLimit_s) {
+SearchOutcomePtr runSearchOf(const ValidProject& project, bool robust, bool refine, bool front,
+                             const std::string& method, std::optional<double> timeLimit_s) {
     if (timeLimit_s && !(*timeLimit_s >= 0)) {
         throw py::value_error("time_limit_s: " + std::to_string(*timeLimit_s)
                               + " s; allowed: ≥ 0 s");
     }
-    GridSearchReport report = interruptible([&](const std::stop_token& stop) {
+    const auto named = searchMethodNamed(method);
+    if (!named) {
+        throw py::value_error("method: " + method + "; allowed: search, full, dp or labels");
+    }
+    SearchOutcomePtr outcome = interruptible([&](const std::stop_token& stop) {
         const DeadlineStop limit(
             stop, timeLimit_s ? std::optional<DeadlineStop::Duration>(*timeLimit_s) : std::nullopt);
-        GridSearchOptions options;
-        options.robust = robust;
-        options.refine = refine;
-        options.stop = limit.token();
-        return searchGrid(project.project, options);
+        return search(project.project,
+                      {.method = *named, .phases = robust, .refine = refine, .front = front},
+                      limit.token());
     });
-    if (!report.issues.empty()) {
-        raiseFaults(report.issues);
+    if (!outcome->ran()) {
+        Issues issues = outcome->issues;
+        issues.insert(issues.end(), outcome->batchIssues.begin(), outcome->batchIssues.end());
+        if (!issues.empty()) {
+            raiseFaults(issues);
+        }
+        raiseRefusal(searchRefusal(*outcome));
     }
-    if (const std::string reason = searchRefusal(report); !reason.empty()) {
-        raiseRefusal(reason);
-    }
-    return report;
+    return outcome;
 }
 
-std::optional<double> timeOf(const GridSearchReport& self) {
-    if (!hasAnswer(self)) {
+std::string searchStatusOf(const SearchOutcome& self) {
+    return searchStatusName(self.refined() ? SearchStatus::found : self.search.status);
+}
+
+std::optional<double> searchTime_s(const SearchOutcome& self) {
+    return self.answer() ? std::optional(self.answer()->time_s) : std::nullopt;
+}
+
+std::optional<ValidProject> projectFound(const SearchOutcome& self) {
+    return self.answer() ? std::optional(checkedProject(withFound(self.project, *self.answer())))
+                         : std::nullopt;
+}
+
+std::optional<double> limitOf_s(const SearchOutcome& self) {
+    return isKnownLimit(self.limit.time_s) ? std::optional(self.limit.time_s) : std::nullopt;
+}
+
+std::optional<std::vector<std::string>> bindingOf(const SearchOutcome& self) {
+    if (!self.binding) {
         return std::nullopt;
     }
-    return isRefined(self) ? self.refined->time_s : self.search.best->time_s;
+    std::vector<std::string> names;
+    for (const ConstraintKind kind : *self.binding) {
+        names.emplace_back(requirementOf(kind).key);
+    }
+    return names;
 }
 
 void bindSearch(py::module_& module) {
-    py::class_<GridSearchReport>(module, "Search", "What a search found.")
+    py::class_<SearchOutcome, std::shared_ptr<SearchOutcome>>(module, "Search",
+                                                              "What a search found.")
+        .def_property_readonly("status", &searchStatusOf,
+                               "proved, found, stopped, infeasible or not_found")
+        .def_property_readonly("time_s", &searchTime_s, "of the cycle found; None without one")
+        .def_property_readonly("project", &projectFound, "with the cycle found; None without one")
         .def_property_readonly(
-            "status",
-            [](const GridSearchReport& self) {
-                return searchStatusName(isRefined(self) ? SearchStatus::found : self.search.status);
-            },
-            "proved, found, stopped, infeasible or not_found")
-        .def_property_readonly("time_s", &timeOf, "of the cycle found; None without one")
-        .def_property_readonly(
-            "project",
-            [](const GridSearchReport& self) -> std::optional<ValidProject> {
-                return hasAnswer(self) ? std::optional(checkedProject(withAnswer(self)))
-                                       : std::nullopt;
-            },
-            "with the cycle found; None without one")
-        .def_property_readonly(
-            "bound_s", [](const GridSearchReport& self) { return self.search.bound_s; },
+            "bound_s", [](const SearchOutcome& self) { return self.search.bound_s; },
             "no cycle of the grid that holds is quicker; for the maximum margin the limit")
         .def_property_readonly(
-            "limit_s",
-            [](const GridSearchReport& self) {
-                return isKnownLimit(self.limit_s) ? std::optional(self.limit_s) : std::nullopt;
-            },
+            "limit_s", &limitOf_s,
             "of the stepless cycle: no cycle of those that limit_cycles names is quicker; None "
             "where none is known")
         .def_property_readonly(
             "limit_cycles",
-            [](const GridSearchReport& self) {
+            [](const SearchOutcome& self) {
                 const LimitedCycles& cycles = self.limit.cycles;
                 py::dict names;
                 names["continuous_feed_mm_min"] = cycles.continuousFeed_mm_min;
@@ -405,25 +418,33 @@ void bindSearch(py::module_& module) {
             },
             "which cycles limit_s is of, as in the JSON of optimize")
         .def_property_readonly(
-            "binding",
-            [](const GridSearchReport& self) -> std::optional<std::vector<std::string>> {
-                if (!self.binding) {
-                    return std::nullopt;
-                }
-                std::vector<std::string> names;
-                for (const ConstraintKind kind : *self.binding) {
-                    names.emplace_back(requirementOf(kind).key);
-                }
-                return names;
-            },
+            "binding", &bindingOf,
             "requirements that fail in quicker cycles nearby, or for the maximum margin those "
-            "that have the least; None where not known");
-    module.def("search", &runSearchOf, py::arg("project"), py::kw_only(), py::arg("robust") = false,
-               py::arg("refine") = false, py::arg("time_limit_s") = py::none(),
-               "Finds the quickest cycle of the project's grid that holds every requirement, or "
-               "where margin_within_min is given the one of the maximum margin within that time. "
-               "A project has no wear of the wheel: an objective of cost or wheel life has the "
-               "quickest cycle as its answer.");
+            "that have the least; None where not known")
+        .def_property_readonly(
+            "text",
+            [](const SearchOutcome& self) {
+                return SearchWording().answer(self, self.given.time_s);
+            },
+            "what came out, a sentence each, as the command line and the window say it")
+        .def(
+            "to_dict", [](const SearchOutcome& self) { return fromJson(searchJson(self)); },
+            "All that `sparkout-cli optimize --json` states.");
+    module.def(
+        "search",
+        [](const ValidProject& project, bool robust, bool refine, bool front,
+           const std::string& method, std::optional<double> timeLimit_s) {
+            return std::const_pointer_cast<SearchOutcome>(
+                runSearchOf(project, robust, refine, front, method, timeLimit_s));
+        },
+        py::arg("project"), py::kw_only(), py::arg("robust") = false, py::arg("refine") = false,
+        py::arg("front") = false, py::arg("method") = "search",
+        py::arg("time_limit_s") = py::none(),
+        "Finds the quickest cycle of the project's grid that holds every requirement, or where "
+        "margin_within_min is given the one of the maximum margin within that time. `front`: the "
+        "best cycle of each number of stages and margins by time, too, in to_dict(). `method`: "
+        "search, full, dp or labels. A project has no wear of the wheel: an objective of cost or "
+        "wheel life has the quickest cycle as its answer.");
 }
 
 // --- phases and dressing ------------------------------------------------------------------------

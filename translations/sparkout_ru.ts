@@ -1755,6 +1755,54 @@
             <source>Mean radius in the zone&apos;s middle less that at its ends: above 0 a barrel, below it a saddle.</source>
             <translation>Средний радиус в середине зоны за вычетом радиуса на концах: больше 0 — бочка, меньше — седло.</translation>
         </message>
+        <message>
+            <source>Time of the cycle found</source>
+            <translation>Время найденного цикла</translation>
+        </message>
+        <message>
+            <source>Minimum margin of all requirements, of its limit</source>
+            <translation>Наименьший запас по всем требованиям, от предела</translation>
+        </message>
+        <message>
+            <source>Cost of a part with its share of the dressing</source>
+            <translation>Стоимость детали с её долей правки</translation>
+        </message>
+        <message>
+            <source>Stepless limit</source>
+            <translation>Предел бесступенчатого цикла</translation>
+        </message>
+        <message>
+            <source>Gap to the stepless limit</source>
+            <translation>Разрыв до предела бесступенчатого цикла</translation>
+        </message>
+        <message>
+            <source>No cycle of the grid is quicker than</source>
+            <translation>Ни один цикл сетки не быстрее</translation>
+        </message>
+        <message>
+            <source>Cycles in the grid</source>
+            <translation>Циклов в сетке</translation>
+        </message>
+        <message>
+            <source>Rounds of levels</source>
+            <translation>Приближений уровней</translation>
+        </message>
+        <message>
+            <source>Cycles judged</source>
+            <translation>Проверено циклов</translation>
+        </message>
+        <message>
+            <source>Radii under the wheel in all runs</source>
+            <translation>Проходов радиусов под кругом во всех расчётах</translation>
+        </message>
+        <message>
+            <source>Scenarios added to hold in</source>
+            <translation>Добавлено сценариев</translation>
+        </message>
+        <message>
+            <source>Time of the quickest for the part alone</source>
+            <translation>Время самого быстрого цикла для одной номинальной детали</translation>
+        </message>
     </context>
     <context>
         <name>OutputCells</name>
@@ -7312,7 +7360,7 @@ With another name both versions stay as they are.</source>
         </message>
     </context>
     <context>
-        <name>OptimiseText</name>
+        <name>Search</name>
         <message>
             <source>more than 9·10¹⁸ cycles</source>
             <translation>более 9·10¹⁸ циклов</translation>
@@ -7322,24 +7370,28 @@ With another name both versions stay as they are.</source>
             <translation>циклов: %1</translation>
         </message>
         <message>
-            <source>Of every stage: radial feed, mm per double stroke; axial feed, mm/min; stock per side, mm</source>
-            <translation>Для каждой ступени: радиальная подача, мм/дв.ход; осевая подача, мм/мин; припуск на сторону, мм</translation>
+            <source>any number</source>
+            <translation>любое число</translation>
         </message>
         <message>
-            <source>Of every stage: radial feed, mm/min; stock per side, mm</source>
-            <translation>Для каждой ступени: радиальная подача, мм/мин; припуск на сторону, мм</translation>
+            <source>at least %1</source>
+            <translation>не менее %1</translation>
         </message>
         <message>
-            <source>Begins</source>
-            <translation>Начало</translation>
+            <source>Farther from the limits</source>
+            <translation>Дальше от пределов</translation>
         </message>
-        <message numerus="yes">
-            <source>%n stage(s)</source>
-            <translation>
-                <numerusform>%n ступень</numerusform>
-                <numerusform>%n ступени</numerusform>
-                <numerusform>%n ступеней</numerusform>
-            </translation>
+        <message>
+            <source>Between the levels</source>
+            <translation>Между уровнями</translation>
+        </message>
+        <message>
+            <source>Stages: %1</source>
+            <translation>Ступеней: %1</translation>
+        </message>
+        <message>
+            <source>rounds of levels: %1</source>
+            <translation>кругов с новыми уровнями: %1</translation>
         </message>
         <message>
             <source>best %1 min</source>
@@ -7350,12 +7402,44 @@ With another name both versions stay as they are.</source>
             <translation>нет быстрее %1 мин</translation>
         </message>
         <message>
+            <source>%1 % gone through</source>
+            <translation>пройдено %1 %</translation>
+        </message>
+        <message>
             <source>%1 judged</source>
             <translation>проверено %1</translation>
         </message>
         <message>
+            <source>Begins</source>
+            <translation>Начало</translation>
+        </message>
+        <message>
             <source>%1 s</source>
             <translation>%1 с</translation>
+        </message>
+        <message>
+            <source>This method is for plunge grinding; the exact search takes traverse cycles (--method search).</source>
+            <translation>Этот метод — для врезного шлифования; циклы с продольной подачей ищет точный поиск (--method search).</translation>
+        </message>
+        <message>
+            <source>This method looks for the minimum time alone.</source>
+            <translation>Этот метод ищет только наименьшее время.</translation>
+        </message>
+        <message>
+            <source>The refinement between the levels looks for the minimum time alone.</source>
+            <translation>Уточнение между уровнями ищет только наименьшее время.</translation>
+        </message>
+        <message>
+            <source>The minimum cost needs the cost of a part: page Search of the inputs.</source>
+            <translation>Для наименьшей стоимости нужна стоимость детали: страница «Поиск» исходных данных.</translation>
+        </message>
+        <message>
+            <source>The maximum margin within a time is searched with the objective “minimum time” alone.</source>
+            <translation>Наибольший запас за время ищется только с целью «наименьшее время».</translation>
+        </message>
+        <message>
+            <source>Cost and wheel life are searched for the part as it stands, without the phases of the stock and the batch.</source>
+            <translation>Стоимость и стойкость круга ищутся для детали, как она задана: без фаз припуска и партии.</translation>
         </message>
         <message>
             <source>What is to be searched is not given.</source>
@@ -7378,8 +7462,32 @@ With another name both versions stay as they are.</source>
             <translation>У припуска было бы более %1 шагов: увеличьте шаг.</translation>
         </message>
         <message>
-            <source>The batch that the cycle is to hold for cannot be run:</source>
-            <translation>Партию, для которой цикл должен быть годен, рассчитать нельзя:</translation>
+            <source>Work speed, dwells and spark-outs make more than %1 combinations: take fewer levels.</source>
+            <translation>Частота вращения, задержки и выхаживания дают более %1 сочетаний: возьмите меньше уровней.</translation>
+        </message>
+        <message>
+            <source>The stock cannot be divided into these numbers of stages: take a smaller step, or other limits of the stages&apos; feeds and stocks.</source>
+            <translation>Припуск нельзя разделить на столько ступеней: возьмите меньший шаг или другие пределы подач и припусков ступеней.</translation>
+        </message>
+        <message>
+            <source>Stopped before a cycle was found that holds every requirement.</source>
+            <translation>Остановлено раньше, чем нашёлся цикл, который выдерживает все требования.</translation>
+        </message>
+        <message>
+            <source>No cycle was found that holds in every scenario, and none is quicker than %1 min; each one tried failed in a further scenario.</source>
+            <translation>Не найдено цикла, годного во всех сценариях, и ни один не короче %1 мин; каждый испытанный не выдержал ещё одного сценария.</translation>
+        </message>
+        <message>
+            <source>The heuristic found no cycle that holds every requirement; there may be one, which the exact search finds (--method search).</source>
+            <translation>Эвристика не нашла цикла, который выполняет все требования; он может быть, его найдёт точный поиск (--method search).</translation>
+        </message>
+        <message>
+            <source>No cycle of the grid that takes at most %1 min holds every requirement.</source>
+            <translation>Ни один цикл сетки, который не длиннее %1 мин, не выдерживает всех требований.</translation>
+        </message>
+        <message>
+            <source>No cycle of the grid holds every requirement.</source>
+            <translation>Ни один цикл сетки не выдерживает всех требований.</translation>
         </message>
         <message>
             <source>%1 (%2 times)</source>
@@ -7390,12 +7498,16 @@ With another name both versions stay as they are.</source>
             <translation>Чаще всего мешают: %1.</translation>
         </message>
         <message>
-            <source>Stopped before a cycle was found that holds every requirement.</source>
-            <translation>Остановлено раньше, чем нашёлся цикл, который выдерживает все требования.</translation>
+            <source>A margin of %1 % is the largest so far, in %2 min; a cycle within %3 min may have a larger one.</source>
+            <translation>Наибольший найденный запас %1 %, цикл за %2 мин; за %3 мин возможен и больший запас.</translation>
         </message>
         <message>
-            <source>No cycle of the grid holds every requirement.</source>
-            <translation>Ни один цикл сетки не выдерживает всех требований.</translation>
+            <source>A margin of %1 % over all that it must hold for, in %2 min: of %3 the largest within %4 min, proved.</source>
+            <translation>Запас %1 % по всему, для чего цикл должен быть годен, за %2 мин: наибольший за %4 мин, доказано (%3).</translation>
+        </message>
+        <message>
+            <source>A margin of %1 %, in %2 min: of %3 the largest within %4 min, proved.</source>
+            <translation>Запас %1 %, цикл за %2 мин: наибольший запас за %4 мин, доказано (%3).</translation>
         </message>
         <message>
             <source>%1 min: of %2 the quickest that holds for the part and the scenarios added; proved for these.</source>
@@ -7406,8 +7518,60 @@ With another name both versions stay as they are.</source>
             <translation>%1 мин: самый быстрый, доказано (%2).</translation>
         </message>
         <message>
+            <source>%1 min, found by dynamic programming as published, a heuristic: it holds, but a quicker cycle may hold too.</source>
+            <translation>%1 мин, найдено динамическим программированием в опубликованном виде — эвристикой: цикл выполняет все требования, но и более быстрый может их выполнять.</translation>
+        </message>
+        <message>
+            <source>%1 min, found by labels of time and deflection, a heuristic: it holds, but a quicker cycle may hold too.</source>
+            <translation>%1 мин, найдено метками времени и отжатия — эвристикой: цикл выполняет все требования, но и более быстрый может их выполнять.</translation>
+        </message>
+        <message>
             <source>%1 min is the best so far; no cycle of the grid is quicker than %2 min.</source>
             <translation>%1 мин — лучший найденный; быстрее %2 мин в сетке нет ни одного.</translation>
+        </message>
+        <message>
+            <source>%1 min: the quickest of %2. How the wheel wears is not given, so it is the cheapest too, and the wheel&apos;s life is not searched.</source>
+            <translation>%1 мин: самый быстрый из %2. Износ круга не задан, поэтому он и самый дешёвый, а стойкость круга не ищется.</translation>
+        </message>
+        <message>
+            <source>%1 a part, in %2 min: of %3 the minimum cost, proved.</source>
+            <translation>%1 за деталь, за %2 мин: наименьшая стоимость из %3, доказано.</translation>
+        </message>
+        <message>
+            <source>%1 a part, in %2 min, is the minimum cost so far.</source>
+            <translation>%1 за деталь, за %2 мин — пока наименьшая стоимость.</translation>
+        </message>
+        <message>
+            <source>%1 min: of %2 none holds for more parts between dressings, proved.</source>
+            <translation>%1 мин: из %2 ни один не годен для большего числа деталей между правками, доказано.</translation>
+        </message>
+        <message>
+            <source>%1 min: the most parts between dressings so far.</source>
+            <translation>%1 мин: пока наибольшее число деталей между правками.</translation>
+        </message>
+        <message>
+            <source>No part of the grid costs less than %1.</source>
+            <translation>Дешевле %1 на сетке нет ни одной детали.</translation>
+        </message>
+        <message>
+            <source>None of the grid holds for more parts than %1.</source>
+            <translation>Ни один цикл сетки не годен для большего числа деталей, чем %1.</translation>
+        </message>
+        <message>
+            <source>Parts per dressing: %1; %2 min each on average.</source>
+            <translation>Деталей на правку: %1, в среднем по %2 мин.</translation>
+        </message>
+        <message>
+            <source>The next part breaks: %1.</source>
+            <translation>Следующая деталь нарушит: %1.</translation>
+        </message>
+        <message>
+            <source>The next part does not reach its size.</source>
+            <translation>Следующая деталь не достигает размера.</translation>
+        </message>
+        <message>
+            <source>A part costs %1.</source>
+            <translation>Деталь стоит %1.</translation>
         </message>
         <message>
             <source>That is %1 % less than your cycle takes.</source>
@@ -7418,12 +7582,16 @@ With another name both versions stay as they are.</source>
             <translation>Исходный цикл занимает %1 мин.</translation>
         </message>
         <message>
-            <source>The stepless limit is %1 min, %2 % below it.</source>
-            <translation>Бесступенчатый предел %1 мин, на %2 % меньше.</translation>
+            <source>Between the levels a cycle of %1 min holds; that none is quicker is not proved.</source>
+            <translation>Между уровнями сетки требования выдерживает и цикл за %1 мин (не доказано, что быстрее нет).</translation>
         </message>
         <message>
-            <source>The search for margins by time continues.</source>
-            <translation>Запасы по времени ещё ищутся.</translation>
+            <source>Between the levels nothing quicker was found.</source>
+            <translation>Между уровнями сетки ничего быстрее не найдено.</translation>
+        </message>
+        <message>
+            <source>The stepless limit is %1 min, %2 % below it.</source>
+            <translation>Бесступенчатый предел %1 мин, на %2 % меньше.</translation>
         </message>
         <message>
             <source>The limit holds for cycles with a continuous infeed of up to %1 mm/min.</source>
@@ -7442,84 +7610,24 @@ With another name both versions stay as they are.</source>
             <translation>Это предел циклов без отвода шлифовальной бабки.</translation>
         </message>
         <message>
-            <source>What keeps it from being quicker: %1.</source>
-            <translation>Быстрее не даёт: %1.</translation>
+            <source>What has the minimum margin is not known: the search was stopped before.</source>
+            <translation>У чего запас наименьший, не известно: поиск был остановлен раньше.</translation>
         </message>
         <message>
             <source>What keeps it from being quicker is not known: the search was stopped before.</source>
             <translation>Что не даёт быстрее, не известно: поиск был остановлен раньше.</translation>
         </message>
         <message>
+            <source>The minimum margin is that of: %1.</source>
+            <translation>Наименьший запас у требования: %1.</translation>
+        </message>
+        <message>
+            <source>What keeps it from being quicker: %1.</source>
+            <translation>Быстрее не даёт: %1.</translation>
+        </message>
+        <message>
             <source>No cycle of the grid that differs in one setting is quicker.</source>
             <translation>Ни один цикл сетки, отличающийся одной настройкой, не быстрее.</translation>
-        </message>
-        <message>
-            <source>The nominal part alone, of the same levels, would take %1 min: robustness costs %2 % of time.</source>
-            <translation>Для одной номинальной детали из тех же уровней хватило бы %1 мин: надёжность стоит %2 % времени.</translation>
-        </message>
-        <message numerus="yes">
-            <source>It holds in the last sample of scenarios; %n of them had to be added.</source>
-            <translation>
-                <numerusform>Годен в последней выборке условий; добавить пришлось %n.</numerusform>
-                <numerusform>Годен в последней выборке условий; добавить пришлось %n.</numerusform>
-                <numerusform>Годен в последней выборке условий; добавить пришлось %n.</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>It held in all of %1 phases of the stock drawn afresh, as cycle no. %2 that was tried so: with 95 % confidence at most %3 % of the phases fail.</source>
-            <translation>Цикл годен при всех %1 заново выбранных фазах припуска, это %2-й из циклов, проверенных так: с доверительной вероятностью 95 % он не годен не более чем при %3 % фаз.</translation>
-        </message>
-        <message>
-            <source>No cycle was found that holds in every scenario, and none is quicker than %1 min; each one tried failed in a further scenario.</source>
-            <translation>Не найдено цикла, годного во всех сценариях, и ни один не короче %1 мин; каждый испытанный не выдержал ещё одного сценария.</translation>
-        </message>
-        <message>
-            <source>spark-out %1</source>
-            <translation>выхаживание %1</translation>
-        </message>
-        <message>
-            <source>%1 rev/min</source>
-            <translation>%1 об/мин</translation>
-        </message>
-        <message>
-            <source>dwells %1 and %2 s</source>
-            <translation>задержки %1 и %2 с</translation>
-        </message>
-        <message>
-            <source>Work speed, dwells and spark-outs make more than %1 combinations: take fewer levels.</source>
-            <translation>Частота вращения, задержки и выхаживания дают более %1 сочетаний: возьмите меньше уровней.</translation>
-        </message>
-        <message>
-            <source>The stock cannot be divided into these numbers of stages: take a smaller step, or other limits of the stages&apos; feeds and stocks.</source>
-            <translation>Припуск нельзя разделить на столько ступеней: возьмите меньший шаг или другие пределы подач и припусков ступеней.</translation>
-        </message>
-        <message>
-            <source>Farther from the limits</source>
-            <translation>Дальше от пределов</translation>
-        </message>
-        <message>
-            <source>Between the levels</source>
-            <translation>Между уровнями</translation>
-        </message>
-        <message>
-            <source>Between the levels a cycle of %1 min holds; that none is quicker is not proved.</source>
-            <translation>Между уровнями сетки требования выдерживает и цикл за %1 мин (не доказано, что быстрее нет).</translation>
-        </message>
-        <message>
-            <source>Between the levels nothing quicker was found.</source>
-            <translation>Между уровнями сетки ничего быстрее не найдено.</translation>
-        </message>
-        <message>
-            <source>It holds for every stock of %1…%2 mm per side, with the other inputs as they are: decided, not sampled.</source>
-            <translation>Цикл выдерживает требования при любом припуске на сторону от %1 до %2 мм, если прочие данные не меняются: это решено точно, а не по выборке.</translation>
-        </message>
-        <message>
-            <source>It holds for every stock of %1…%2 mm per side, with the other inputs as they are and at each of the %3 corners of the batch&apos;s other factors: decided, not sampled.</source>
-            <translation>Годен при любом припуске %1…%2 мм на сторону, как при заданных остальных исходных данных, так и в каждом из %3 сочетаний крайних значений остальных факторов партии: решено точно, а не по выборке.</translation>
-        </message>
-        <message>
-            <source>rounds of levels: %1</source>
-            <translation>кругов с новыми уровнями: %1</translation>
         </message>
         <message>
             <source>Levels were added around the answer; rounds: %1.</source>
@@ -7550,68 +7658,87 @@ With another name both versions stay as they are.</source>
             <translation>допускаются и меньшие.</translation>
         </message>
         <message>
-            <source>No cycle of the grid that takes at most %1 min holds every requirement.</source>
-            <translation>Ни один цикл сетки, который не длиннее %1 мин, не выдерживает всех требований.</translation>
+            <source>It holds in the last sample of scenarios; scenarios that had to be added: %1.</source>
+            <translation>Он выполняет требования в последней выборке сценариев; добавлено сценариев: %1.</translation>
         </message>
         <message>
-            <source>A margin of %1 % is the largest so far, in %2 min; a cycle within %3 min may have a larger one.</source>
-            <translation>Наибольший найденный запас %1 %, цикл за %2 мин; за %3 мин возможен и больший запас.</translation>
+            <source>It holds for every stock of %1…%2 mm per side, with the other inputs as they are and at each of the %3 corners of the batch&apos;s other factors: decided, not sampled.</source>
+            <translation>Годен при любом припуске %1…%2 мм на сторону, как при заданных остальных исходных данных, так и в каждом из %3 сочетаний крайних значений остальных факторов партии: решено точно, а не по выборке.</translation>
         </message>
         <message>
-            <source>A margin of %1 % over all that it must hold for, in %2 min: of %3 the largest within %4 min, proved.</source>
-            <translation>Запас %1 % по всему, для чего цикл должен быть годен, за %2 мин: наибольший за %4 мин, доказано (%3).</translation>
+            <source>It holds for every stock of %1…%2 mm per side, with the other inputs as they are: decided, not sampled.</source>
+            <translation>Цикл выдерживает требования при любом припуске на сторону от %1 до %2 мм, если прочие данные не меняются: это решено точно, а не по выборке.</translation>
         </message>
         <message>
-            <source>A margin of %1 %, in %2 min: of %3 the largest within %4 min, proved.</source>
-            <translation>Запас %1 %, цикл за %2 мин: наибольший запас за %4 мин, доказано (%3).</translation>
+            <source>It held in all of %1 phases of the stock drawn afresh, as cycle no. %2 that was tried so: with 95 % confidence at most %3 % of the phases fail.</source>
+            <translation>Цикл годен при всех %1 заново выбранных фазах припуска, это %2-й из циклов, проверенных так: с доверительной вероятностью 95 % он не годен не более чем при %3 % фаз.</translation>
         </message>
         <message>
-            <source>No margins by time: the search was stopped before, or no cycle holds.</source>
-            <translation>Запаса по времени нет: поиск остановлен раньше или ни один цикл не годен.</translation>
+            <source>The nominal part alone, of the same levels, would take %1 min: robustness costs %2 % of time.</source>
+            <translation>Для одной номинальной детали из тех же уровней хватило бы %1 мин: надёжность стоит %2 % времени.</translation>
         </message>
         <message>
-            <source>Up to %1 min; cycles that take longer may have larger margins.</source>
-            <translation>Найдено до %1 мин; у более длинных циклов запас может быть больше.</translation>
+            <source>Margins by time are searched for the minimum time, or for the maximum margin; this search is of parts between dressings.</source>
+            <translation>Запас по времени ищется с целью «наименьшее время» или для наибольшего запаса; этот поиск — по деталям между правками.</translation>
         </message>
         <message>
-            <source>What has the minimum margin is not known: the search was stopped before.</source>
-            <translation>У чего запас наименьший, не известно: поиск был остановлен раньше.</translation>
-        </message>
-        <message>
-            <source>The minimum margin is that of: %1.</source>
-            <translation>Наименьший запас у требования: %1.</translation>
-        </message>
-        <message numerus="yes">
-            <source>All %n cycle(s) of the grid of which none is both quicker and farther from its limits.</source>
-            <translation>
-                <numerusform>Всего %n цикл сетки, для которого нет и более быстрого, и более далёкого от пределов.</numerusform>
-                <numerusform>Все %n цикла сетки, для которых нет и более быстрого, и более далёкого от пределов.</numerusform>
-                <numerusform>Все %n циклов сетки, для которых нет и более быстрого, и более далёкого от пределов.</numerusform>
-            </translation>
+            <source>The search for margins by time continues.</source>
+            <translation>Запасы по времени ещё ищутся.</translation>
         </message>
         <message>
             <source>Margins by time over all phases of the stock are searched under gauge control alone.</source>
             <translation>Запас по времени по всем фазам припуска ищется только при управлении от прибора.</translation>
         </message>
         <message>
-            <source>The minimum cost needs the cost of a part: page Search of the inputs.</source>
-            <translation>Для наименьшей стоимости нужна стоимость детали: страница «Поиск» исходных данных.</translation>
+            <source>No margins by time: the search was stopped before, or no cycle holds.</source>
+            <translation>Запаса по времени нет: поиск остановлен раньше или ни один цикл не годен.</translation>
         </message>
         <message>
-            <source>The maximum margin within a time is searched with the objective “minimum time” alone.</source>
-            <translation>Наибольший запас за время ищется только с целью «наименьшее время».</translation>
+            <source>All cycles of the grid of which none is both quicker and farther from its limits: %1.</source>
+            <translation>Все циклы сетки, быстрее и дальше от пределов которых одновременно нет ни одного: %1.</translation>
         </message>
         <message>
-            <source>Cost and wheel life are searched for the part as it stands, without the phases of the stock and the batch.</source>
-            <translation>Стоимость и стойкость круга ищутся для детали, как она задана: без фаз припуска и партии.</translation>
+            <source>Up to %1 min; cycles that take longer may have larger margins.</source>
+            <translation>Найдено до %1 мин; у более длинных циклов запас может быть больше.</translation>
         </message>
         <message>
-            <source>any number</source>
-            <translation>любое число</translation>
+            <source>The margin is the least over all that the search must hold for.</source>
+            <translation>Запас — наименьший по всему, что должен выдержать поиск.</translation>
         </message>
         <message>
-            <source>at least %1</source>
-            <translation>не менее %1</translation>
+            <source>The limit holds for cycles that end at size or by a count of steps without feed.</source>
+            <translation>Предел действителен для циклов, которые кончаются по размеру или по числу ходов без подачи.</translation>
+        </message>
+        <message>
+            <source>The limit holds for cycles that end at size.</source>
+            <translation>Предел действителен для циклов, которые кончаются по размеру.</translation>
+        </message>
+    </context>
+    <context>
+        <name>OptimiseText</name>
+        <message>
+            <source>Of every stage: radial feed, mm per double stroke; axial feed, mm/min; stock per side, mm</source>
+            <translation>Для каждой ступени: радиальная подача, мм/дв.ход; осевая подача, мм/мин; припуск на сторону, мм</translation>
+        </message>
+        <message>
+            <source>Of every stage: radial feed, mm/min; stock per side, mm</source>
+            <translation>Для каждой ступени: радиальная подача, мм/мин; припуск на сторону, мм</translation>
+        </message>
+        <message>
+            <source>The batch that the cycle is to hold for cannot be run:</source>
+            <translation>Партию, для которой цикл должен быть годен, рассчитать нельзя:</translation>
+        </message>
+        <message>
+            <source>spark-out %1</source>
+            <translation>выхаживание %1</translation>
+        </message>
+        <message>
+            <source>%1 rev/min</source>
+            <translation>%1 об/мин</translation>
+        </message>
+        <message>
+            <source>dwells %1 and %2 s</source>
+            <translation>задержки %1 и %2 с</translation>
         </message>
         <message>
             <source>“Search” finds the cycle of the grid with the minimum cost of a part, together with the parts between dressings: it holds for all of them.</source>
@@ -7620,46 +7747,6 @@ With another name both versions stay as they are.</source>
         <message>
             <source>“Search” finds the cycle of the grid that holds for the most parts from one dressing to the next, the quickest of these.</source>
             <translation>«Найти» ищет цикл сетки, который годен для наибольшего числа деталей от правки до правки, из таких самый быстрый.</translation>
-        </message>
-        <message>
-            <source>%1 min: the quickest of %2. How the wheel wears is not given, so it is the cheapest too, and the wheel&apos;s life is not searched.</source>
-            <translation>%1 мин: самый быстрый из %2. Износ круга не задан, поэтому он и самый дешёвый, а стойкость круга не ищется.</translation>
-        </message>
-        <message>
-            <source>%1 a part, in %2 min: of %3 the minimum cost, proved.</source>
-            <translation>%1 за деталь, за %2 мин: наименьшая стоимость из %3, доказано.</translation>
-        </message>
-        <message>
-            <source>%1 a part, in %2 min, is the minimum cost so far.</source>
-            <translation>%1 за деталь, за %2 мин — пока наименьшая стоимость.</translation>
-        </message>
-        <message>
-            <source>%1 min: of %2 none holds for more parts between dressings, proved.</source>
-            <translation>%1 мин: из %2 ни один не годен для большего числа деталей между правками, доказано.</translation>
-        </message>
-        <message>
-            <source>%1 min: the most parts between dressings so far.</source>
-            <translation>%1 мин: пока наибольшее число деталей между правками.</translation>
-        </message>
-        <message>
-            <source>Parts per dressing: %1; %2 min each on average.</source>
-            <translation>Деталей на правку: %1, в среднем по %2 мин.</translation>
-        </message>
-        <message>
-            <source>The next part breaks: %1.</source>
-            <translation>Следующая деталь нарушит: %1.</translation>
-        </message>
-        <message>
-            <source>A part costs %1.</source>
-            <translation>Деталь стоит %1.</translation>
-        </message>
-        <message>
-            <source>Margins by time are searched for the minimum time, or for the maximum margin; this search is of parts between dressings.</source>
-            <translation>Запас по времени ищется с целью «наименьшее время» или для наибольшего запаса; этот поиск — по деталям между правками.</translation>
-        </message>
-        <message>
-            <source>The margin is the least over all that the search must hold for.</source>
-            <translation>Запас — наименьший по всему, что должен выдержать поиск.</translation>
         </message>
     </context>
     <context>
@@ -9820,40 +9907,8 @@ With another name both versions stay as they are.</source>
             <translation>Точки</translation>
         </message>
         <message>
-            <source>Time of the cycle found</source>
-            <translation>Время найденного цикла</translation>
-        </message>
-        <message>
-            <source>Minimum margin of all requirements, of its limit</source>
-            <translation>Наименьший запас по всем требованиям, от предела</translation>
-        </message>
-        <message>
-            <source>Gap to the stepless limit</source>
-            <translation>Разрыв до предела бесступенчатого цикла</translation>
-        </message>
-        <message>
             <source>Time of your cycle</source>
             <translation>Время исходного цикла</translation>
-        </message>
-        <message>
-            <source>No cycle of the grid is quicker than</source>
-            <translation>Ни один цикл сетки не быстрее</translation>
-        </message>
-        <message>
-            <source>Stepless limit</source>
-            <translation>Предел бесступенчатого цикла</translation>
-        </message>
-        <message>
-            <source>Size of the grid</source>
-            <translation>Размер сетки</translation>
-        </message>
-        <message>
-            <source>Scenarios added to hold in</source>
-            <translation>Добавлено сценариев</translation>
-        </message>
-        <message>
-            <source>Time of the quickest for the part alone</source>
-            <translation>Время самого быстрого цикла для одной номинальной детали</translation>
         </message>
         <message>
             <source>Requirement</source>

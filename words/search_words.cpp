@@ -1,80 +1,575 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "words/search_words.h"
 
+#include "core/digits.h"
 #include "core/optimisation/grid.h"
 #include "core/optimisation/search_names.h"
 #include "core/project/optimisation.h"
+#include "core/project/validate.h"
+#include "core/text.h"
+#include "core/units.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <string>
-#include <vector>
+#include <limits>
 
 namespace sparkout {
 
-namespace {
+// --- how things are written ---------------------------------------------------------------------
 
-/// "a, b and c"
-std::string listed(const std::vector<std::string>& keys) {
+std::string SearchWording::translated(const char* text) const {
+    return text;
+}
+
+std::string SearchWording::number(double value) const {
+    return numberText(value);
+}
+
+std::string SearchWording::whole(std::int64_t count) const {
+    return std::to_string(count);
+}
+
+std::string SearchWording::fixed(double value, int decimals) const {
+    char buffer[400]; // the largest double has 309 digits before the point
+    const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value + 0.0,
+                                            std::chars_format::fixed, decimals);
+    return {buffer, end};
+}
+
+std::string SearchWording::significant(double value, int digits) const {
+    return fixed(value, decimalsOf(value, digits));
+}
+
+std::string SearchWording::unit(const char* unit) const {
+    return unit;
+}
+
+std::string SearchWording::feed(const StageFeed& feed) const {
+    return feed.key;
+}
+
+std::string SearchWording::requirement(ConstraintKind kind) const {
+    return requirementOf(kind).key;
+}
+
+std::string SearchWording::filled(const char* text,
+                                  std::initializer_list<std::string> values) const {
+    const std::string sentence = translated(text);
+    std::string out;
+    for (std::size_t i = 0; i < sentence.size(); ++i) {
+        const std::size_t place = sentence[i] == '%' && i + 1 < sentence.size()
+                                      ? std::size_t(sentence[i + 1] - '1')
+                                      : values.size();
+        if (place < values.size()) {
+            out += values.begin()[place];
+            ++i;
+        } else {
+            out += sentence[i];
+        }
+    }
+    return out;
+}
+
+std::string SearchWording::minutes(double time_s) const {
+    return significant(time_s / units::secondsPerMinute, 4);
+}
+
+std::string SearchWording::percent(double share) const {
+    return fixed(100 * share, 1);
+}
+
+std::string SearchWording::cost(double cost) const {
+    return significant(cost, 5);
+}
+
+std::string SearchWording::gridSize(std::int64_t size) const {
+    return size == std::numeric_limits<std::int64_t>::max()
+               ? translated(SPARKOUT_NOOP("Search", "more than 9·10¹⁸ cycles"))
+               : filled(SPARKOUT_NOOP("Search", "%1 cycles"), {whole(size)});
+}
+
+std::string SearchWording::parts(const PartsHeld& held) const {
+    return held.isEndless ? translated(SPARKOUT_NOOP("Search", "any number"))
+           : held.isAll   ? filled(SPARKOUT_NOOP("Search", "at least %1"), {whole(held.parts)})
+                          : whole(held.parts);
+}
+
+std::string SearchWording::names(const std::vector<ConstraintKind>& kinds) const {
     std::string list;
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-        list += (i == 0 ? "" : i + 1 == keys.size() ? " and " : ", ") + keys[i];
+    for (const ConstraintKind kind : kinds) {
+        list += (list.empty() ? "" : ", ") + requirement(kind);
     }
     return list;
 }
 
-std::vector<std::string> feedKeys(const Operation& operation) {
-    std::vector<std::string> keys;
-    for (const StageFeed& feed : operation->feeds) {
-        keys.emplace_back(feed.key);
-    }
-    return keys;
+std::string SearchWording::within(const SearchOutcome& outcome) const {
+    return number(outcome.project.optimisation->margin_within_min.value_or(0));
 }
 
-} // namespace
+std::string SearchWording::state(const SearchState& state) const {
+    std::vector<std::string> said;
+    if (state.looksFor != FoundBy::search) {
+        said.push_back(translated(state.looksFor == FoundBy::margin
+                                      ? SPARKOUT_NOOP("Search", "Farther from the limits")
+                                      : SPARKOUT_NOOP("Search", "Between the levels")));
+    } else if (state.stages > 0) {
+        said.push_back(filled(SPARKOUT_NOOP("Search", "Stages: %1"), {whole(state.stages)}));
+    }
+    if (state.round > 1 && state.looksFor == FoundBy::search) {
+        said.push_back(
+            filled(SPARKOUT_NOOP("Search", "rounds of levels: %1"), {whole(state.round)}));
+    }
+    if (state.best_s) {
+        said.push_back(filled(SPARKOUT_NOOP("Search", "best %1 min"), {minutes(*state.best_s)}));
+    }
+    if (state.bound_s > 0) {
+        said.push_back(
+            filled(SPARKOUT_NOOP("Search", "none below %1 min"), {minutes(state.bound_s)}));
+    }
+    if (state.share > 0) {
+        said.push_back(
+            filled(SPARKOUT_NOOP("Search", "%1 % gone through"), {percent(state.share)}));
+    }
+    if (state.evaluations > 0) {
+        said.push_back(filled(SPARKOUT_NOOP("Search", "%1 judged"), {whole(state.evaluations)}));
+    }
+    if (said.empty()) {
+        said.push_back(translated(SPARKOUT_NOOP("Search", "Begins")));
+    }
+    if (state.took_s > 0) {
+        said.push_back(filled(SPARKOUT_NOOP("Search", "%1 s"), {fixed(state.took_s, 0)}));
+    }
+    std::string line;
+    for (const std::string& each : said) {
+        line += (line.empty() ? "" : ", ") + each;
+    }
+    return line;
+}
 
-std::string searchRefusal(const GridSearchReport& report) {
-    if (report.isOtherOperation) {
-        return std::string("/operation: --method ") + searchMethodName(report.method)
-               + " is for plunge grinding; --method search takes traverse cycles";
+// --- why nothing is searched --------------------------------------------------------------------
+
+const char* faultPath(const SearchOutcome& outcome) {
+    if (outcome.isOtherOperation) {
+        return "/operation";
     }
-    if (report.isOtherAim) {
-        return std::string(report.marginWithin_us ? "/optimisation/margin_within_min: "
-                                                  : "/optimisation/objective: ")
-               + (isHeuristic(report.method)
-                      ? std::string("--method ") + searchMethodName(report.method)
-                      : "--refine")
-               + " looks for the least time alone";
+    if (outcome.isOtherAim) {
+        return outcome.marginWithin_us ? "/optimisation/margin_within_min"
+                                       : "/optimisation/objective";
     }
-    switch (report.objectiveFault) {
+    switch (outcome.objectiveFault) {
+    case ObjectiveFault::none: break;
+    case ObjectiveFault::noRates: return "/optimisation/cost";
+    case ObjectiveFault::otherAim: return "/optimisation/margin_within_min";
+    case ObjectiveFault::otherParts: return "/optimisation/objective";
+    }
+    return outcome.fault == GridFault::tooManySteps ? "/optimisation/stock_step_mm"
+                                                    : "/optimisation";
+}
+
+std::string searchRefusal(const SearchOutcome& outcome) {
+    const std::string sentence = SearchWording().fault(outcome);
+    const std::string method =
+        outcome.isOtherOperation || (outcome.isOtherAim && isHeuristic(outcome.method))
+            ? std::string("--method ") + searchMethodName(outcome.method) + ": "
+            : std::string();
+    return sentence.empty() ? sentence : faultPath(outcome) + (": " + method) + sentence;
+}
+
+std::string SearchWording::fault(const SearchOutcome& outcome) const {
+    if (outcome.isOtherOperation) {
+        return translated(SPARKOUT_NOOP(
+            "Search", "This method is for plunge grinding; the exact search takes traverse cycles "
+                      "(--method search)."));
+    }
+    if (outcome.isOtherAim) {
+        return translated(
+            isHeuristic(outcome.method)
+                ? SPARKOUT_NOOP("Search", "This method looks for the minimum time alone.")
+                : SPARKOUT_NOOP("Search", "The refinement between the levels looks "
+                                          "for the minimum time alone."));
+    }
+    switch (outcome.objectiveFault) {
     case ObjectiveFault::none: break;
     case ObjectiveFault::noRates:
-        return "/optimisation/cost: not given; the objective cost needs what an hour costs";
+        return translated(SPARKOUT_NOOP(
+            "Search", "The minimum cost needs the cost of a part: page Search of the inputs."));
     case ObjectiveFault::otherAim:
-        return "/optimisation/margin_within_min: the largest margin is searched with the objective "
-               "time alone";
+        return translated(SPARKOUT_NOOP("Search", "The maximum margin within a time is searched "
+                                                  "with the objective “minimum time” alone."));
     case ObjectiveFault::otherParts:
-        return "/optimisation/objective: cost and wheel_life are searched for the part as it "
-               "stands, without phases of the stock and batch";
+        return translated(SPARKOUT_NOOP("Search",
+                                        "Cost and wheel life are searched for the part as it "
+                                        "stands, without the phases of the stock and the batch."));
     }
-    switch (report.fault) {
+    switch (outcome.fault) {
     case GridFault::none: break;
-    case GridFault::notGiven: return "/optimisation: what to search is not given";
+    case GridFault::notGiven:
+        return translated(SPARKOUT_NOOP("Search", "What is to be searched is not given."));
     case GridFault::noLevels:
-        return "/optimisation: " + listed(feedKeys(report.project.operation)) + " must be given";
+        return translated(
+            outcome.project.operation->axial()
+                ? SPARKOUT_NOOP("Search", "Both feeds need levels: page Search of the inputs.")
+                : SPARKOUT_NOOP("Search",
+                                "The plunge feed needs levels: page Search of the inputs."));
     case GridFault::tooManyLevels:
-        return "/optimisation: more than " + std::to_string(std::lround(mostSettings))
-               + " settings of a stage's feeds";
+        return filled(SPARKOUT_NOOP("Search", "A stage would have more than %1 settings of its "
+                                              "feeds: take fewer levels."),
+                      {whole(std::llround(mostSettings))});
     case GridFault::tooManySteps:
-        return "/optimisation/stock_step_mm: more than "
-               + std::to_string(std::lround(mostStockSteps)) + " steps of stock";
+        return filled(SPARKOUT_NOOP("Search", "The stock would have more than %1 steps: take a "
+                                              "larger step."),
+                      {whole(std::llround(mostStockSteps))});
     case GridFault::tooManyVariants:
-        return "/optimisation: more than " + std::to_string(std::lround(mostVariants))
-               + " combinations of " + listed(wholeCycleKeys());
+        return filled(SPARKOUT_NOOP("Search", "Work speed, dwells and spark-outs make more than "
+                                              "%1 combinations: take fewer levels."),
+                      {whole(std::llround(mostVariants))});
     case GridFault::noDivision:
-        return "/optimisation: the stock and the feeds cannot be divided into these numbers of "
-               "stages within their bounds";
+        return translated(SPARKOUT_NOOP("Search",
+                                        "The stock cannot be divided into these numbers of stages: "
+                                        "take a smaller step, or other limits of the stages' feeds "
+                                        "and stocks."));
     }
     return {};
+}
+
+// --- what came out ------------------------------------------------------------------------------
+
+std::string SearchWording::noAnswer(const SearchOutcome& outcome) const {
+    const auto why = [&] {
+        if (outcome.stopped()) {
+            return translated(SPARKOUT_NOOP(
+                "Search", "Stopped before a cycle was found that holds every requirement."));
+        }
+        if (outcome.unresolved()) {
+            return filled(SPARKOUT_NOOP("Search",
+                                        "No cycle was found that holds in every scenario, and none "
+                                        "is quicker than %1 min; each one tried failed in a "
+                                        "further scenario."),
+                          {minutes(outcome.search.bound_s)});
+        }
+        if (outcome.search.status == SearchStatus::notFound) {
+            return translated(SPARKOUT_NOOP("Search",
+                                            "The heuristic found no cycle that holds every "
+                                            "requirement; there may be one, which the exact search "
+                                            "finds (--method search)."));
+        }
+        return outcome.marginWithin_us
+                   ? filled(SPARKOUT_NOOP("Search", "No cycle of the grid that takes at most %1 "
+                                                    "min holds every requirement."),
+                            {within(outcome)})
+                   : translated(
+                       SPARKOUT_NOOP("Search", "No cycle of the grid holds every requirement."));
+    };
+    constexpr std::size_t most = 4;
+    std::string cut;
+    const auto cuts = outcome.cuts();
+    for (std::size_t i = 0; i < std::min(most, cuts.size()); ++i) {
+        cut += (i > 0 ? ", " : "")
+               + filled(SPARKOUT_NOOP("Search", "%1 (%2 times)"),
+                        {requirement(cuts[i].first), whole(cuts[i].second)});
+    }
+    return cut.empty() ? why()
+                       : why() + ' ' + filled(SPARKOUT_NOOP("Search", "What cut most: %1."), {cut});
+}
+
+std::string SearchWording::marginAnswer(const SearchOutcome& outcome) const {
+    const FoundCycle& best = *outcome.best();
+    const std::string margin = percent(best.leastRelativeMargin), taken = minutes(best.time_s);
+    if (!outcome.proved()) {
+        return filled(SPARKOUT_NOOP("Search",
+                                    "A margin of %1 % is the largest so far, in %2 min; a cycle "
+                                    "within %3 min may have a larger one."),
+                      {margin, taken, within(outcome)});
+    }
+    return filled(
+        outcome.robust
+            ? SPARKOUT_NOOP("Search",
+                            "A margin of %1 % over all that it must hold for, in %2 min: of %3 the "
+                            "largest within %4 min, proved.")
+            : SPARKOUT_NOOP(
+                "Search", "A margin of %1 %, in %2 min: of %3 the largest within %4 min, proved."),
+        {margin, taken, gridSize(outcome.search.gridSize), within(outcome)});
+}
+
+std::string SearchWording::timeAnswer(const SearchOutcome& outcome) const {
+    const std::string taken = minutes(outcome.best()->time_s);
+    if (outcome.proved()) {
+        return filled(outcome.robust
+                          ? SPARKOUT_NOOP("Search",
+                                          "%1 min: of %2 the quickest that holds for the part and "
+                                          "the scenarios added; proved for these.")
+                          : SPARKOUT_NOOP("Search", "%1 min: the quickest of %2, proved."),
+                      {taken, gridSize(outcome.search.gridSize)});
+    }
+    if (isHeuristic(outcome.method)) {
+        return filled(
+            outcome.method == SearchMethod::published
+                ? SPARKOUT_NOOP("Search", "%1 min, found by dynamic programming as published, a "
+                                          "heuristic: it holds, but a quicker cycle may hold too.")
+                : SPARKOUT_NOOP("Search", "%1 min, found by labels of time and deflection, a "
+                                          "heuristic: it holds, but a quicker cycle may hold too."),
+            {taken});
+    }
+    return filled(SPARKOUT_NOOP("Search", "%1 min is the best so far; no cycle of the grid is "
+                                          "quicker than %2 min."),
+                  {taken, minutes(outcome.search.bound_s)});
+}
+
+void SearchWording::addIntervalAnswer(const SearchOutcome& outcome,
+                                      std::vector<std::string>& lines) const {
+    const FoundCycle& best = *outcome.best();
+    const bool isCost = outcome.objective() == SearchObjective::cost;
+    const std::string size = gridSize(outcome.search.gridSize), taken = minutes(best.time_s);
+    const std::string price = cost(best.cost.value_or(0));
+    if (!best.held) {
+        lines.push_back(
+            filled(SPARKOUT_NOOP("Search", "%1 min: the quickest of %2. How the wheel wears is "
+                                           "not given, so it is the cheapest too, and the "
+                                           "wheel's life is not searched."),
+                   {taken, size}));
+        return;
+    }
+    if (isCost) {
+        lines.push_back(filled(outcome.proved()
+                                   ? SPARKOUT_NOOP("Search", "%1 a part, in %2 min: of %3 the "
+                                                             "minimum cost, proved.")
+                                   : SPARKOUT_NOOP("Search", "%1 a part, in %2 min, is the "
+                                                             "minimum cost so far."),
+                               {price, taken, size}));
+    } else {
+        lines.push_back(filled(
+            outcome.proved()
+                ? SPARKOUT_NOOP("Search", "%1 min: of %2 none holds for more parts between "
+                                          "dressings, proved.")
+                : SPARKOUT_NOOP("Search", "%1 min: the most parts between dressings so far."),
+            {taken, size}));
+    }
+    if (!outcome.proved() && outcome.interval->bound) {
+        lines.push_back(
+            isCost
+                ? filled(SPARKOUT_NOOP("Search", "No part of the grid costs less than %1."),
+                         {cost(*outcome.interval->bound)})
+                : filled(SPARKOUT_NOOP("Search", "None of the grid holds for more parts than %1."),
+                         {fixed(*outcome.interval->bound, 0)}));
+    }
+    lines.push_back(
+        filled(SPARKOUT_NOOP("Search", "Parts per dressing: %1; %2 min each on average."),
+               {parts(*best.held), minutes(best.held->meanTime_s)}));
+    if (best.held->end) {
+        lines.push_back(filled(SPARKOUT_NOOP("Search", "The next part breaks: %1."),
+                               {requirement(*best.held->end)}));
+    } else if (!best.held->isEndless && !best.held->isAll) {
+        lines.push_back(
+            translated(SPARKOUT_NOOP("Search", "The next part does not reach its size.")));
+    }
+    if (!isCost && best.cost) {
+        lines.push_back(filled(SPARKOUT_NOOP("Search", "A part costs %1."), {price}));
+    }
+}
+
+std::vector<std::string> SearchWording::answer(const SearchOutcome& outcome,
+                                               std::optional<double> before_s) const {
+    if (!outcome.best()) {
+        return {noAnswer(outcome)};
+    }
+    std::vector<std::string> lines;
+    if (outcome.wear) {
+        addIntervalAnswer(outcome, lines);
+    } else {
+        lines.push_back(outcome.marginWithin_us ? marginAnswer(outcome) : timeAnswer(outcome));
+    }
+    addRefinement(outcome, lines);
+    if (before_s && *before_s > 0) {
+        constexpr double noticed = 5e-4;
+        const double change = outcome.answer()->time_s / *before_s - 1;
+        lines.push_back(
+            change < -noticed
+                ? filled(SPARKOUT_NOOP("Search", "That is %1 % less than your cycle takes."),
+                         {percent(-change)})
+                : filled(SPARKOUT_NOOP("Search", "Your cycle takes %1 min."),
+                         {minutes(*before_s)}));
+    }
+    addLimit(outcome, lines);
+    if (std::string what = binding(outcome); !what.empty()) {
+        lines.push_back(std::move(what));
+    }
+    addLevels(outcome, lines);
+    if (outcome.robust) {
+        addRobustness(outcome, lines);
+    }
+    return lines;
+}
+
+void SearchWording::addRefinement(const SearchOutcome& outcome,
+                                  std::vector<std::string>& lines) const {
+    if (const FoundCycle* refined = outcome.refined()) {
+        lines.push_back(
+            filled(SPARKOUT_NOOP("Search", "Between the levels a cycle of %1 min holds; that none "
+                                           "is quicker is not proved."),
+                   {minutes(refined->time_s)}));
+    } else if (outcome.refinement) {
+        lines.push_back(
+            translated(SPARKOUT_NOOP("Search", "Between the levels nothing quicker was found.")));
+    }
+}
+
+/// The stepless limit, and of which cycles it is.
+void SearchWording::addLimit(const SearchOutcome& outcome, std::vector<std::string>& lines) const {
+    const auto gap = gapToLimit(outcome.answer()->time_s, outcome.limit.time_s);
+    if (!gap) {
+        return;
+    }
+    lines.push_back(filled(SPARKOUT_NOOP("Search", "The stepless limit is %1 min, %2 % below it."),
+                           {minutes(outcome.limit.time_s), percent(*gap)}));
+    const LimitedCycles& cycles = outcome.limit.cycles;
+    if (outcome.searched.operation->travels) {
+        lines.push_back(
+            cycles.continuousFeed_mm_min > 0
+                ? filled(SPARKOUT_NOOP("Search", "The limit holds for cycles with a continuous "
+                                                 "infeed of up to %1 mm/min."),
+                         {number(cycles.continuousFeed_mm_min)})
+                : translated(SPARKOUT_NOOP(
+                    "Search", "The limit holds for cycles without a continuous infeed.")));
+    }
+    if (outcome.searched.operation->mayRetract) {
+        lines.push_back(translated(
+            cycles.drawBack
+                ? SPARKOUT_NOOP("Search",
+                                "The limit also holds for cycles that draw the wheel head back.")
+                : SPARKOUT_NOOP("Search", "The limit holds for cycles that never draw the wheel "
+                                          "head back.")));
+    }
+    lines.push_back(translated(
+        cycles.sparkOut
+            ? SPARKOUT_NOOP("Search", "The limit holds for cycles that end at size or by a count "
+                                      "of steps without feed.")
+            : SPARKOUT_NOOP("Search", "The limit holds for cycles that end at size.")));
+}
+
+std::string SearchWording::binding(const SearchOutcome& outcome) const {
+    if (!outcome.binding) {
+        return translated(
+            outcome.marginWithin_us
+                ? SPARKOUT_NOOP("Search", "What has the minimum margin is not known: the search "
+                                          "was stopped before.")
+                : SPARKOUT_NOOP("Search", "What keeps it from being quicker is not known: the "
+                                          "search was stopped before."));
+    }
+    if (outcome.marginWithin_us) {
+        return filled(SPARKOUT_NOOP("Search", "The minimum margin is that of: %1."),
+                      {names(*outcome.binding)});
+    }
+    if (!outcome.binding->empty()) {
+        return filled(SPARKOUT_NOOP("Search", "What keeps it from being quicker: %1."),
+                      {names(*outcome.binding)});
+    }
+    return outcome.proved() && !outcome.refined() ? translated(SPARKOUT_NOOP(
+               "Search", "No cycle of the grid that differs in one setting is quicker."))
+                                                  : std::string();
+}
+
+void SearchWording::addLevels(const SearchOutcome& outcome, std::vector<std::string>& lines) const {
+    if (outcome.rounds > 1) {
+        lines.push_back(
+            filled(SPARKOUT_NOOP("Search", "Levels were added around the answer; rounds: %1."),
+                   {whole(outcome.rounds)}));
+    }
+    if (outcome.areLevelsCutShort) {
+        lines.push_back(
+            translated(SPARKOUT_NOOP("Search", "Stopped while further levels were searched: the "
+                                               "answer is that of the grid before.")));
+    }
+    for (const LevelEdge& edge : outcome.edges) {
+        const char* const of = tableOf<Stage>().find(edge.feed->key)->unit;
+        const auto value = [&](double level) { return number(level) + "\u00a0" + unit(of); };
+        const std::string where = filled(
+            edge.isMost ? SPARKOUT_NOOP("Search", "Stage %1: “%2” has the maximum level, %3;")
+                        : SPARKOUT_NOOP("Search", "Stage %1: “%2” has the minimum level, %3;"),
+            {whole(std::int64_t(edge.stage) + 1), feed(*edge.feed), value(edge.level)});
+        const std::string allowed =
+            edge.isLimit ? translated(
+                SPARKOUT_NOOP("Search", "the machine or the stage's limits allow no other."))
+            : edge.limit ? filled(SPARKOUT_NOOP("Search", "allowed is %1."), {value(*edge.limit)})
+                         : translated(SPARKOUT_NOOP("Search", "smaller ones are allowed."));
+        lines.push_back(where + ' ' + allowed);
+    }
+}
+
+void SearchWording::addRobustness(const SearchOutcome& outcome,
+                                  std::vector<std::string>& lines) const {
+    const RobustSummary& robust = *outcome.robust;
+    if (!outcome.marginWithin_us) {
+        lines.push_back(filled(SPARKOUT_NOOP("Search", "It holds in the last sample of scenarios; "
+                                                       "scenarios that had to be added: %1."),
+                               {whole(std::int64_t(robust.added.size()))}));
+    }
+    const FoundCycle& answer = *outcome.answer();
+    if (answer.decided) {
+        constexpr int digits = 6; // nm
+        const auto stock = [&](double stock_mm) { return fixed(stock_mm, digits); };
+        lines.push_back(filled(
+            answer.decided->corners > 0
+                ? SPARKOUT_NOOP("Search",
+                                "It holds for every stock of %1…%2 mm per side, with the other "
+                                "inputs as they are and at each of the %3 corners of the batch's "
+                                "other factors: decided, not sampled.")
+                : SPARKOUT_NOOP("Search", "It holds for every stock of %1…%2 mm per side, with the "
+                                          "other inputs as they are: decided, not sampled."),
+            {stock(answer.decided->stocks.from_mm), stock(answer.decided->stocks.to_mm),
+             whole(answer.decided->corners)}));
+    } else {
+        const int tried = std::max(answer.candidate, 1);
+        const double most = mostFailing(freshPhaseCount, tried);
+        lines.push_back(
+            filled(SPARKOUT_NOOP("Search",
+                                 "It held in all of %1 phases of the stock drawn afresh, as cycle "
+                                 "no. %2 that was tried so: with 95 % confidence at most %3 % of "
+                                 "the phases fail."),
+                   {whole(freshPhaseCount), whole(tried), fixed(std::ceil(most * 1e4) / 1e2, 2)}));
+    }
+    if (robust.nominalTime_s > 0) {
+        lines.push_back(
+            filled(SPARKOUT_NOOP("Search",
+                                 "The nominal part alone, of the same levels, would take %1 min: "
+                                 "robustness costs %2 % of time."),
+                   {minutes(robust.nominalTime_s),
+                    percent(outcome.best()->time_s / robust.nominalTime_s - 1)}));
+    }
+}
+
+std::string SearchWording::front(const SearchOutcome& outcome) const {
+    if (outcome.wear) {
+        return translated(SPARKOUT_NOOP(
+            "Search", "Margins by time are searched for the minimum time, or for the maximum "
+                      "margin; this search is of parts between dressings."));
+    }
+    if (outcome.isFrontComing) {
+        return translated(SPARKOUT_NOOP("Search", "The search for margins by time continues."));
+    }
+    const std::vector<const FoundCycle*> points = outcome.front();
+    if (points.empty() && outcome.robust && outcome.best() && !outcome.best()->decided) {
+        return translated(SPARKOUT_NOOP("Search", "Margins by time over all phases of the stock "
+                                                  "are searched under gauge control alone."));
+    }
+    if (points.empty()) {
+        return translated(SPARKOUT_NOOP(
+            "Search", "No margins by time: the search was stopped before, or no cycle holds."));
+    }
+    const std::string all =
+        outcome.isFrontWhole
+            ? filled(SPARKOUT_NOOP("Search", "All cycles of the grid of which none is both quicker "
+                                             "and farther from its limits: %1."),
+                     {whole(std::int64_t(points.size()))})
+            : filled(SPARKOUT_NOOP("Search",
+                                   "Up to %1 min; cycles that take longer may have larger "
+                                   "margins."),
+                     {minutes(points.back()->time_s)});
+    return outcome.robust
+               ? all + ' '
+                     + translated(SPARKOUT_NOOP("Search", "The margin is the least over all that "
+                                                          "the search must hold for."))
+               : all;
 }
 
 } // namespace sparkout

@@ -1,15 +1,76 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/study/grid_search.h"
+#include "core/study/search.h"
 
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
 #include <string>
+#include <vector>
 
+/// What a search says of its grid, its progress and its answer. The English sentences stand here
+/// alone, marked for translation in the context "Search": the command line and Python print them,
+/// the window looks up what they are in its language.
 namespace sparkout {
 
-/// Why a method takes no such project, or its grid cannot be searched, as a sentence of the command
-/// line and of the Python module: "/optimisation: …". Empty for a report that ran, and for one
-/// whose project or batch has faults of its own, its `issues`.
-[[nodiscard]] std::string searchRefusal(const GridSearchReport& report);
+/// Writes about searches: by itself in English, with the names that a file has.
+class SearchWording {
+public:
+    SearchWording() = default;
+    virtual ~SearchWording() = default;
+    SearchWording(const SearchWording&) = delete;
+    SearchWording& operator=(const SearchWording&) = delete;
+
+    [[nodiscard]] std::string minutes(double time_s) const; ///< "5.71", without unit
+    [[nodiscard]] std::string percent(double share) const;  ///< "−70.2", without unit
+    [[nodiscard]] std::string cost(double cost) const;
+    [[nodiscard]] std::string gridSize(std::int64_t size) const; ///< "290304 cycles"
+    /// "636", "at least 10000", "any number".
+    [[nodiscard]] std::string parts(const PartsHeld& held) const;
+
+    /// How far it is: "stages: 3, best 1.902 min, none below 1.71 min, 2103 judged".
+    [[nodiscard]] std::string state(const SearchState& state) const;
+    /// Why the grid cannot be searched in this way; empty for an outcome that ran, and for one
+    /// whose project or batch has faults of its own.
+    [[nodiscard]] std::string fault(const SearchOutcome& outcome) const;
+    /// What came out, a sentence each, against the time of the cycle before if that ends by itself.
+    [[nodiscard]] std::vector<std::string> answer(const SearchOutcome& outcome,
+                                                  std::optional<double> before_s) const;
+    /// Why there is no cycle to give, with what cut most.
+    [[nodiscard]] std::string noAnswer(const SearchOutcome& outcome) const;
+    /// What the margins by time are of, or why there are none.
+    [[nodiscard]] std::string front(const SearchOutcome& outcome) const;
+
+protected:
+    [[nodiscard]] virtual std::string translated(const char* text) const; ///< context "Search"
+    [[nodiscard]] virtual std::string number(double value) const;
+    [[nodiscard]] virtual std::string whole(std::int64_t count) const;
+    [[nodiscard]] virtual std::string fixed(double value, int decimals) const;
+    [[nodiscard]] virtual std::string significant(double value, int digits) const;
+    [[nodiscard]] virtual std::string unit(const char* unit) const;
+    [[nodiscard]] virtual std::string feed(const StageFeed& feed) const;
+    [[nodiscard]] virtual std::string requirement(ConstraintKind kind) const;
+
+private:
+    /// The sentence with what stands in the places %1, %2…
+    [[nodiscard]] std::string filled(const char* text,
+                                     std::initializer_list<std::string> values) const;
+    [[nodiscard]] std::string names(const std::vector<ConstraintKind>& kinds) const;
+    [[nodiscard]] std::string within(const SearchOutcome& outcome) const;
+    [[nodiscard]] std::string timeAnswer(const SearchOutcome& outcome) const;
+    [[nodiscard]] std::string marginAnswer(const SearchOutcome& outcome) const;
+    void addIntervalAnswer(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
+    void addRefinement(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
+    void addLimit(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
+    void addLevels(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
+    void addRobustness(const SearchOutcome& outcome, std::vector<std::string>& lines) const;
+    [[nodiscard]] std::string binding(const SearchOutcome& outcome) const;
+};
+
+/// The path of the input that fault() is about.
+[[nodiscard]] const char* faultPath(const SearchOutcome& outcome);
+/// Both: "/optimisation: What is to be searched is not given."; empty likewise.
+[[nodiscard]] std::string searchRefusal(const SearchOutcome& outcome);
 
 } // namespace sparkout

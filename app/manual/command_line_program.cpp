@@ -96,6 +96,14 @@ Command optimizeCommand() {
            "holds, if one is met; it is not proved",
            "ищет дальше от лучшего цикла сетки, между её уровнями, шагами станка: более быстрый "
            "годный цикл, если встретится; он не доказан"}},
+         {"--front",
+          "",
+          Kind::none,
+          "",
+          {"beyond the answer the best cycle of each number of stages, and slower cycles farther "
+           "from their limits: time against margin",
+           "кроме ответа лучший цикл для каждого числа ступеней и более медленные циклы, которые "
+           "дальше от пределов: запас против времени"}},
          {"--method",
           "search|full|dp|labels",
           Kind::choice,

@@ -64,6 +64,9 @@ public:
             }
             if (m_worn.isWornOut(*dressed.project.wheel, part)) {
                 m_wornOut = part;
+                if (isTimed) {
+                    m_alike.emplace_back(part, m_last_s);
+                }
                 return true;
             }
         }
@@ -71,6 +74,17 @@ public:
     }
     /// The part from which on all find the same wheel; nothing: none was come to.
     [[nodiscard]] std::optional<std::int64_t> wornOut() const { return m_wornOut; }
+
+    /// The times of all parts that hold: also of those of a surface that were not run, as its wheel
+    /// comes to them as to the part before.
+    void completeTimes() {
+        m_found.time_s.resize(static_cast<std::size_t>(m_found.parts));
+        for (const auto& [part, time_s] : m_alike) {
+            for (std::int64_t each = part; each < m_found.parts; ++each) {
+                m_found.time_s[static_cast<std::size_t>(each)] += time_s;
+            }
+        }
+    }
 
 private:
     std::optional<WornFailure> failureOf(const Case& tried, std::int64_t part, bool isTimed) {
@@ -89,7 +103,7 @@ private:
         if (isTimed) {
             const auto at = static_cast<std::size_t>(part - 1);
             m_found.time_s.resize(std::max(m_found.time_s.size(), at + 1));
-            m_found.time_s[at] += result.time_s;
+            m_found.time_s[at] += m_last_s = result.time_s;
         }
         for (ConstraintResult& each : evaluateConstraints(result)) {
             if (!each.holds
@@ -104,6 +118,8 @@ private:
     const DressingOptions& m_options;
     DressingInterval& m_found;
     std::optional<std::int64_t> m_wornOut;
+    std::vector<std::pair<std::int64_t, double>> m_alike; ///< from which part on, of that time
+    double m_last_s = 0;
 };
 
 /// Why the batches that the surfaces must hold for cannot be run.
@@ -184,7 +200,7 @@ DressingInterval dressingInterval(const Setup& given, const DressingOptions& opt
         return found;
     }
     found.isEndless = !found.end && walk.wornOut();
-    found.time_s.resize(std::min(found.time_s.size(), static_cast<std::size_t>(found.parts)));
+    walk.completeTimes();
     return found;
 }
 

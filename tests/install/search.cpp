@@ -17,13 +17,12 @@ int main(int argc, char** argv) {
     sparkout::Project unfit;
     unfit.optimisation.emplace().stock_step_mm = 0;
     for (const sparkout::Project& project : {sparkout::Project{}, unfit}) {
-        if (sparkout::searchGrid(project, {}).ran()
-            || sparkout::runWholeSearch(project, {}, {}, {})->ran()) {
+        if (sparkout::search(project, {})->ran()) {
             std::puts("a project that is none was searched");
             return 1;
         }
     }
-    const sparkout::GridSearchReport report = sparkout::searchGrid(*read.project, {});
-    std::printf("%.17g\n", sparkout::hasAnswer(report) ? report.search.best->time_s / 60 : 0.0);
+    const sparkout::SearchOutcomePtr found = sparkout::search(*read.project, {});
+    std::printf("%.17g\n", found->answer() ? found->answer()->time_s / 60 : 0.0);
     return 0;
 }

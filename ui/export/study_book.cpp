@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/study_book.h"
 
-#include "core/optimisation/limit.h"
 #include "core/project/batch.h"
 #include "core/project/sweep.h"
+#include "core/study/search_outputs.h"
 #include "core/units.h"
 #include "core/version.h"
 #include "ui/charts/run_table.h"
@@ -11,6 +11,7 @@
 #include "ui/report/documents/passport_inputs.h"
 #include "ui/text/example_texts.h"
 #include "ui/text/names.h"
+#include "ui/text/output_text.h"
 #include "ui/text/shown_scale.h"
 #include "ui/text/texts.h"
 #include "ui/views/batch/batch_figures.h"
@@ -246,41 +247,21 @@ std::vector<NamedSheet> sweepSheets(const SweepResult& sweep) {
 
 // --- search -------------------------------------------------------------------------------------
 
-double minutesOf(double time_s) {
-    return time_s / units::secondsPerMinute;
-}
-
 CsvTable searchFacts(const SearchOutcome& outcome, const std::optional<double>& before_s) {
     CsvTable table = facts();
     addOrigin(table, outcome.project);
     addFact(table, StudyBook::tr("What came out"),
             outcome.ran() ? OptimiseText::answer(outcome, before_s) : OptimiseText::fault(outcome));
-    const QString minutes = unitText("min"), percent = unitText("%");
-    const auto addTime = [&](const QString& name, double time_s) {
-        if (time_s > 0 && std::isfinite(time_s)) {
-            addFact(table, name, minutesOf(time_s), minutes);
+    for (const Output<SearchOutcome>& row : searchOutputs()) {
+        const OutputValue value = row.of(outcome);
+        const auto number = outputNumber(row, value);
+        if (outcome.ran() && *row.label && !row.detail && number && std::isfinite(*number)) {
+            addFact(table, outputLabel(row), *number, unitText(row.unitShown()));
         }
-    };
-    const FoundCycle* found = outcome.refined() ? outcome.refined() : outcome.best();
-    if (found) {
-        addTime(StudyBook::tr("Time of the cycle found"), found->time_s);
-        addFact(table, StudyBook::tr("Minimum margin of all requirements, of its limit"),
-                shareCell(found->leastRelativeMargin), percent);
-        addFact(table, StudyBook::tr("Gap to the stepless limit"),
-                shareCell(gapToLimit(found->time_s, outcome.limit_s)), percent);
     }
-    addTime(StudyBook::tr("Time of your cycle"), before_s.value_or(0));
-    addTime(StudyBook::tr("No cycle of the grid is quicker than"), outcome.bound_s);
-    addTime(StudyBook::tr("Stepless limit"), outcome.limit_s);
-    addFact(table, StudyBook::tr("Size of the grid"),
-            OptimiseText::gridSize(gridSize(outcome.searched)));
-    if (outcome.robust) {
-        double added = 0;
-        for (const SearchedNumber& number : outcome.numbers) {
-            added += number.scenariosAdded;
-        }
-        addFact(table, StudyBook::tr("Scenarios added to hold in"), added);
-        addTime(StudyBook::tr("Time of the quickest for the part alone"), outcome.nominal_s());
+    if (before_s) {
+        addFact(table, StudyBook::tr("Time of your cycle"), *before_s / units::secondsPerMinute,
+                unitText("min"));
     }
     return table;
 }
@@ -294,7 +275,8 @@ CsvTable bindingTable(const SearchOutcome& outcome) {
         const bool binds =
             outcome.binding
             && std::ranges::find(*outcome.binding, row.kind) != outcome.binding->end();
-        const auto count = static_cast<double>(cuts[static_cast<std::size_t>(row.kind)]);
+        const auto cut = std::ranges::find(cuts, row.kind, [](const auto& c) { return c.first; });
+        const double count = cut == cuts.end() ? 0 : static_cast<double>(cut->second);
         if (binds || count > 0) {
             const QString word = !outcome.binding ? StudyBook::tr("not known, it was stopped")
                                  : binds          ? StudyBook::tr("yes")
@@ -317,7 +299,7 @@ std::vector<NamedSheet> searchSheets(const Study& study) {
         {StudyBook::tr("Search"), searchFacts(outcome, study.before_s)},
         {StudyBook::tr("Settings"),
          inputsOf(outcome.searched, {QStringLiteral("/optimisation/")})}};
-    if (const FoundCycle* found = outcome.refined() ? outcome.refined() : outcome.best()) {
+    if (const FoundCycle* found = outcome.answer()) {
         const Project project = withFound(outcome.project, *found);
         sheets.push_back({StudyBook::tr("Cycle found"),
                           inputsOf(project, {QStringLiteral("/cycle/"),

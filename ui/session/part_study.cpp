@@ -97,11 +97,9 @@ void PartStudy::startSearches(const Setup& setup) {
                SearchCount progress(*means.done);
                study.isSetUp = project.optimisation.has_value();
                if (study.isSetUp) {
-                   const SearchWish wish{.setup = std::make_shared<const Setup>(present),
-                                         .surface = study.surface};
                    study.search =
-                       runWholeSearch(project, wish, means.stop,
-                                      [&progress](const SearchState& s) { progress.note(s); });
+                       search(project, {.wear = searchWear(present, study.surface)}, means.stop,
+                              {.note = [&progress](const SearchState& s) { progress.note(s); }});
                    if (const FoundCycle* best = study.search->best()) {
                        Project& own = present.surfaces[study.surface].project;
                        own = withFound(std::move(own), *best);

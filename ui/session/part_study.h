@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/setup/setup.h"
+#include "core/study/search.h"
 #include "core/study/whole_batch.h"
-#include "core/study/whole_search.h"
 #include "ui/session/counted_job.h"
 
 #include <cstdint>

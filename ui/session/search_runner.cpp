@@ -21,15 +21,16 @@ void SearchRunner::start(const Project& project, SearchWish wish) {
                  wanted = m_stop](const std::stop_token& newer, const NewestJob::Post& post) {
         std::stop_source either = wanted; // the two share one state
         const std::stop_callback dropped(newer, [&either] { either.request_stop(); });
-        SearchOutcomePtr outcome = runWholeSearch(
-            project, wish, either.get_token(),
-            [&shared](const SearchState& state) {
-                const std::lock_guard lock(shared->mutex);
-                shared->state = state;
-            },
-            [this, &post](const SearchOutcomePtr& answer) {
-                post([this, answer] { emit answered(answer); });
-            });
+        SearchOutcomePtr outcome = search(project, wish, either.get_token(),
+                                          {.note =
+                                               [&shared](const SearchState& state) {
+                                                   const std::lock_guard lock(shared->mutex);
+                                                   shared->state = state;
+                                               },
+                                           .answer =
+                                               [this, &post](const SearchOutcomePtr& answer) {
+                                                   post([this, answer] { emit answered(answer); });
+                                               }});
         post([this, outcome = std::move(outcome)] {
             m_progress.stop();
             emit finished(outcome);

@@ -7,8 +7,7 @@
 #include "core/process/force.h"
 #include "core/project/wheel.h"
 #include "core/quality/shop_numbers.h"
-#include "core/study/grid_search.h"
-#include "core/study/whole_search.h"
+#include "core/study/search.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 #include "words/search_words.h"
@@ -422,54 +421,51 @@ private slots:
     void whatCannotBeSearchedTogetherIsRefused() {
         Project project = driven(0.6);
         project.optimisation->objective = SearchObjective::cost;
-        const auto refusalOf = [&](const GridSearchOptions& options) {
-            const GridSearchReport report = searchGrid(project, options);
+        const auto refusalOf = [&](const SearchWish& options) {
+            const SearchOutcome report = *sparkout::search(project, options);
             return report.ran() ? std::string() : searchRefusal(report);
         };
         QVERIFY(refusalOf({}).find("/optimisation/cost") != std::string::npos);
         project = withRates(project, 1);
         QVERIFY(refusalOf({}).empty());
-        GridSearchOptions options;
+        SearchWish options;
         options.refine = true;
-        QVERIFY(refusalOf(options).find("/optimisation/objective: --refine") == 0);
+        QVERIFY(refusalOf(options).find("/optimisation/objective: The refinement") == 0);
         options = {};
         options.method = SearchMethod::labels;
-        QVERIFY(refusalOf(options).find("/optimisation/objective: --method labels") == 0);
+        QVERIFY(refusalOf(options).find("/optimisation/objective: This method") == 0);
         options = {};
-        options.robust = true;
+        options.phases = true;
         QVERIFY(refusalOf(options).find("/optimisation/objective") == 0);
-        QVERIFY(
-            runWholeSearch(project, {.phases = true}, {}, [](const SearchState&) {})->objectiveFault
-            == ObjectiveFault::otherParts);
+        QVERIFY(sparkout::search(project, options)->objectiveFault == ObjectiveFault::otherParts);
         project.optimisation->margin_within_min = 5;
         QVERIFY(refusalOf({}).find("/optimisation/margin_within_min") == 0);
     }
 
-    /// All numbers of stages at once, and one by one, as the window searches.
-    void bothWaysToSearchHaveOneAnswer() {
+    /// The answer is that of the interval search, and the best of each number of stages that of its
+    /// own one.
+    void theBestOfEachNumberOfStagesIsThatOfItsOwnSearch() {
         int found = 0;
         for (unsigned seed = 0; seed < searches(16); ++seed) {
             Project project = withRates(smallCase(seed), seed);
             project.optimisation->adaptive = false;
             const SurfaceWear wear = wearOf(project, seed);
-            auto setup = std::make_shared<Setup>(plainSetup(project));
-            setup->wear = wear.wear();
             for (const SearchObjective objective :
                  {SearchObjective::cost, SearchObjective::wheel_life}) {
                 project.optimisation->objective = objective;
                 project.optimisation->cost->parts_between_dressings = 12;
-                setup->surfaces[0].project = project;
-                const SearchOutcomePtr window =
-                    runWholeSearch(project, {.setup = setup}, {}, [](const SearchState&) {});
-                GridSearchOptions options;
-                options.wear = wear;
-                const GridSearchReport line = searchGrid(project, options);
-                QVERIFY(window->ran() && line.ran() && line.interval);
-                QCOMPARE(hasAnswer(line), window->best() != nullptr);
-                if (const FoundCycle* best = window->best()) {
-                    QVERIFY(sameCycle(best->cycle, line.search.cycle));
-                    QVERIFY(best->held && best->held->parts == line.interval->held->parts);
-                    QVERIFY(best->cost == line.interval->cost && window->proved());
+                const SearchOutcomePtr outcome =
+                    sparkout::search(project, {.front = true, .wear = wear});
+                QVERIFY(outcome->ran() && outcome->interval && outcome->front().empty());
+                for (const FoundCycle& each : outcome->found) {
+                    Project own = project;
+                    if (!each.isBest) {
+                        own.optimisation->stages = {double(each.cycle.stages.size())};
+                    }
+                    const IntervalSummary engine = searchInterval(own, wear, {});
+                    QVERIFY(each.isBestOfItsNumber && sameCycle(each.cycle, engine.search.cycle));
+                    QVERIFY(each.held && each.held->parts == engine.held->parts);
+                    QVERIFY(each.cost == engine.cost && outcome->proved());
                     ++found;
                 }
             }

@@ -10,8 +10,7 @@
 #include "core/project/batch.h"
 #include "core/project/gauge.h"
 #include "core/project/wheel.h"
-#include "core/study/grid_search.h"
-#include "core/study/whole_search.h"
+#include "core/study/search.h"
 #include "core/units.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
@@ -219,7 +218,7 @@ private slots:
             QVERIFY(isThat(answer, best));
             QCOMPARE(answer.status, SearchStatus::proved);
         }
-        const SearchOutcomePtr whole = runWholeSearch(project, {}, {}, {});
+        const SearchOutcomePtr whole = sparkout::search(project, {.front = true});
         QVERIFY(whole->proved());
         QCOMPARE(comparedTime_us(whole->best()->time_s), best->time_us);
         QVERIFY(whole->found.front().isBest);
@@ -380,11 +379,11 @@ private slots:
             project.optimisation->margin_within_min =
                 1.5 * quickest.best->time_s / units::secondsPerMinute;
             project.optimisation->adaptive = seed % 2 == 0;
-            const GridSearchReport report = searchGrid(project, {});
-            QVERIFY(report.ran() && hasAnswer(report));
+            const SearchOutcome report = *sparkout::search(project, {});
+            QVERIFY(report.ran() && (report.best() != nullptr));
             QVERIFY(same(report.search, searchWithin(report.searched, *report.marginWithin_us,
                                                      SearchMethod::full)));
-            const Project best = withAnswer(report);
+            const Project best = withFound(report.project, *report.answer());
             std::vector<ConstraintKind> least;
             const double margin = report.search.best->leastRelativeMargin;
             for (const ConstraintResult& each :
@@ -402,15 +401,17 @@ private slots:
     void whatLooksForTheLeastTimeAloneIsRefused() {
         Project project = driven(0.6);
         project.optimisation->margin_within_min = 5;
-        GridSearchOptions options;
+        SearchWish options;
         options.refine = true;
-        QVERIFY(!searchGrid(project, options).ran());
-        QVERIFY(searchRefusal(searchGrid(project, options)).find("--refine") != std::string::npos);
+        QVERIFY(!sparkout::search(project, options)->ran());
+        QVERIFY(searchRefusal(*sparkout::search(project, options)).find("refinement")
+                != std::string::npos);
         options = {};
         options.method = SearchMethod::labels;
-        QVERIFY(searchRefusal(searchGrid(project, options)).find("labels") != std::string::npos);
+        QVERIFY(searchRefusal(*sparkout::search(project, options)).find("This method")
+                != std::string::npos);
         options.method = SearchMethod::pruned;
-        QVERIFY(searchGrid(project, options).ran());
+        QVERIFY(sparkout::search(project, options)->ran());
     }
 
 private:

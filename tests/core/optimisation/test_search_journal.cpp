@@ -6,7 +6,7 @@
 #include "core/batch/state_seal.h"
 #include "core/project/optimisation.h"
 #include "core/resume/search_state.h"
-#include "core/study/grid_search.h"
+#include "core/study/search.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 
@@ -31,8 +31,8 @@ SearchRecord written(const SearchRecord& record) {
     return read.record;
 }
 
-GridSearchOptions full(SearchJournal& journal, unsigned threads) {
-    GridSearchOptions options;
+SearchWish full(SearchJournal& journal, unsigned threads) {
+    SearchWish options;
     options.method = SearchMethod::full;
     options.threads = threads;
     options.journal = &journal;
@@ -40,7 +40,7 @@ GridSearchOptions full(SearchJournal& journal, unsigned threads) {
 }
 
 /// Stopped after so many further steps of the record, again and again until it comes to its end.
-GridSearchReport inPieces(const Project& p, unsigned threads, int steps, bool robust, int& pieces) {
+SearchOutcome inPieces(const Project& p, unsigned threads, int steps, bool robust, int& pieces) {
     SearchRecord record;
     for (pieces = 1;; ++pieces) {
         SearchJournal journal(written(record));
@@ -52,10 +52,9 @@ GridSearchReport inPieces(const Project& p, unsigned threads, int steps, bool ro
                 stop.request_stop();
             }
         };
-        GridSearchOptions options = full(journal, threads);
-        options.robust = robust;
-        options.stop = stop.get_token();
-        GridSearchReport report = searchGrid(p, options);
+        SearchWish options = full(journal, threads);
+        options.phases = robust;
+        SearchOutcome report = *sparkout::search(p, options, stop.get_token());
         record = journal.record();
         if (!stop.stop_requested()) {
             return report;
@@ -63,7 +62,7 @@ GridSearchReport inPieces(const Project& p, unsigned threads, int steps, bool ro
     }
 }
 
-bool isSame(const GridSearchReport& a, const GridSearchReport& b) {
+bool isSame(const SearchOutcome& a, const SearchOutcome& b) {
     const auto &one = a.search, &other = b.search;
     return one.status == other.status && one.evaluations == other.evaluations
            && one.gridSize == other.gridSize && one.bound_s == other.bound_s
@@ -91,9 +90,9 @@ private slots:
             // which it takes minutes to run every cycle.
             p.optimisation->adaptive = seed % 3 == 0 && seed < 21;
             SearchJournal none;
-            const GridSearchReport whole = searchGrid(p, full(none, 1));
+            const SearchOutcome whole = *sparkout::search(p, full(none, 1));
             int pieces = 0;
-            const GridSearchReport again = inPieces(p, 1 + seed % 3, 1, false, pieces);
+            const SearchOutcome again = inPieces(p, 1 + seed % 3, 1, false, pieces);
             QVERIFY2(isSame(whole, again), std::to_string(seed).c_str());
             cut += pieces > 1 ? 1 : 0;
             found += whole.search.best ? 1 : 0;
@@ -107,11 +106,11 @@ private slots:
         for (unsigned seed = 0; seed < static_cast<unsigned>(samples::sized(16, 6, 24)); ++seed) {
             const Project p = smallCase(seed);
             SearchJournal none;
-            GridSearchOptions options = full(none, 1);
-            options.robust = true;
-            const GridSearchReport whole = searchGrid(p, options);
+            SearchWish options = full(none, 1);
+            options.phases = true;
+            const SearchOutcome whole = *sparkout::search(p, options);
             int pieces = 0;
-            const GridSearchReport again = inPieces(p, 2, 1, true, pieces);
+            const SearchOutcome again = inPieces(p, 2, 1, true, pieces);
             QVERIFY2(isSame(whole, again), std::to_string(seed).c_str());
             cut += pieces > 1 ? 1 : 0;
             rounds += whole.robust && whole.robust->rounds > 1 ? 1 : 0;
@@ -124,12 +123,12 @@ private slots:
     void whatIsFinishedIsKnown() {
         Project p = smallCase(3);
         SearchJournal first;
-        const GridSearchReport whole = searchGrid(p, full(first, 1));
+        const SearchOutcome whole = *sparkout::search(p, full(first, 1));
         QVERIFY(!first.record().begun && !first.record().finished.empty());
         SearchJournal second(written(first.record()));
         int steps = 0;
         second.onStep = [&steps](const SearchRecord&) { ++steps; };
-        QVERIFY(isSame(whole, searchGrid(p, full(second, 1))));
+        QVERIFY(isSame(whole, *sparkout::search(p, full(second, 1))));
         QCOMPARE(steps, 0);
     }
 
@@ -137,7 +136,7 @@ private slots:
     void whatIsOfNoCycleIsSearchedAnew() {
         const Project p = smallCase(3);
         SearchJournal none;
-        const GridSearchReport whole = searchGrid(p, full(none, 1));
+        const SearchOutcome whole = *sparkout::search(p, full(none, 1));
         SearchCheckpoint foreign;
         foreign.last = {{4'999, 3}};
         foreign.variant = 77;
@@ -150,7 +149,7 @@ private slots:
         for (const SearchRecord& record : {SearchRecord{{}, foreign}, SearchRecord{{wrong}, {}},
                                            SearchRecord{{foreign}, wrong}}) {
             SearchJournal journal(written(record));
-            QVERIFY(isSame(whole, searchGrid(p, full(journal, 1))));
+            QVERIFY(isSame(whole, *sparkout::search(p, full(journal, 1))));
         }
     }
 
@@ -162,7 +161,7 @@ private slots:
             p = smallCase(seed);
         }
         SearchJournal none;
-        const GridSearchReport whole = searchGrid(p, full(none, 1));
+        const SearchOutcome whole = *sparkout::search(p, full(none, 1));
         QVERIFY(whole.search.best && !none.record().finished.empty());
         const SearchCheckpoint true_ = none.record().finished.front();
         for (const int what : {0, 1, 2, 3}) {
@@ -184,12 +183,12 @@ private slots:
             for (const SearchRecord& record :
                  {SearchRecord{{}, forged}, SearchRecord{{forged}, {}}}) {
                 SearchJournal journal(written(record));
-                QVERIFY(isSame(whole, searchGrid(p, full(journal, 1))));
+                QVERIFY(isSame(whole, *sparkout::search(p, full(journal, 1))));
                 QVERIFY(journal.hasRefused());
             }
         }
         SearchJournal honest(written({{true_}, {}}));
-        QVERIFY(isSame(whole, searchGrid(p, full(honest, 1))));
+        QVERIFY(isSame(whole, *sparkout::search(p, full(honest, 1))));
         QVERIFY(!honest.hasRefused());
     }
 

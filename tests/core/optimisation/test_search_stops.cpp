@@ -14,7 +14,7 @@
 #include "core/project/optimisation.h"
 #include "core/project/part.h"
 #include "core/simulation/simulate.h"
-#include "core/study/whole_search.h"
+#include "core/study/search.h"
 #include "tests/core/optimisation/search_cases.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/processor_time.h"
@@ -154,10 +154,10 @@ private slots:
             took.start();
             double answer_s = 0;
             const SearchOutcomePtr whole =
-                runWholeSearch(p, {}, {}, {}, [&](const SearchOutcomePtr& answer) {
-                    answer_s = static_cast<double>(took.elapsed()) / 1e3;
-                    QVERIFY(answer->proved() && answer->isFrontComing);
-                });
+                search(p, {.front = true}, {}, {.answer = [&](const SearchOutcomePtr& answer) {
+                           answer_s = static_cast<double>(took.elapsed()) / 1e3;
+                           QVERIFY(answer->proved() && answer->isFrontComing);
+                       }});
             const double all_s = static_cast<double>(took.elapsed()) / 1e3;
             qInfo("answer after %.1f s, end after %.1f s", answer_s, all_s);
             QVERIFY(whole->proved() && answer_s > 0);
@@ -168,11 +168,11 @@ private slots:
         double worst_ms = 0;
         for (int i = 0; i < stops; ++i) {
             const std::chrono::milliseconds delay(random() % (isLong ? 6'000 : 300));
-            const auto search = [&](const std::stop_token& stop) {
-                (void)runWholeSearch(p, {}, stop, {});
+            const auto whole = [&](const std::stop_token& stop) {
+                (void)search(p, {.front = true}, stop);
             };
             worst_ms =
-                std::max(worst_ms, stoppedAfter_ms("whole search", delay, search, isLong ? 1 : 3));
+                std::max(worst_ms, stoppedAfter_ms("whole search", delay, whole, isLong ? 1 : 3));
         }
         QVERIFY2(worst_ms < busy * most_ms, QByteArray::number(worst_ms));
     }

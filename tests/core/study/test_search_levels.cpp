@@ -5,8 +5,8 @@
 #include "core/format/project_file.h"
 #include "core/optimisation/levels.h"
 #include "core/project/optimisation.h"
-#include "core/study/grid_search.h"
 #include "core/study/new_project.h"
+#include "core/study/search.h"
 #include "core/study/search_edits.h"
 #include "tests/core/optimisation/search_cases.h"
 #include "tests/core/support/project_samples.h"
@@ -69,15 +69,15 @@ private slots:
             }
             Project fixed = p;
             fixed.optimisation->adaptive = false;
-            const GridSearchReport once = searchGrid(fixed, {}), all = searchGrid(p, {});
+            const SearchOutcome once = *sparkout::search(fixed, {}), all = *sparkout::search(p, {});
             QCOMPARE(once.rounds, 1);
-            QCOMPARE(hasAnswer(all), hasAnswer(once));
-            if (!hasAnswer(all)) {
+            QCOMPARE((all.best() != nullptr), (once.best() != nullptr));
+            if (!(all.best() != nullptr)) {
                 continue;
             }
             const QByteArray which = QByteArray::number(seed);
             QVERIFY2(all.search.best->time_s <= once.search.best->time_s, which);
-            QVERIFY2(holds(simulateUnchecked(withAnswer(all))), which);
+            QVERIFY2(holds(simulateUnchecked(withFound(all.project, *all.answer()))), which);
             for (const StageFeed& feed : p.operation->feeds) {
                 const std::vector<double> before = levelsOf(p, feed),
                                           after = levelsOf(all.searched, feed);
@@ -92,10 +92,11 @@ private slots:
                      which);
             Project last = all.searched;
             last.optimisation->adaptive = false;
-            GridSearchOptions full;
+            SearchWish full;
             full.method = SearchMethod::full;
             if (!p.operation->axial()) { // of two feeds it has a hundred thousand cycles
-                QVERIFY2(searchGrid(last, full).search.best->time_us == all.search.best->time_us,
+                QVERIFY2(sparkout::search(last, full)->search.best->time_us
+                             == all.search.best->time_us,
                          which);
             }
             extended +=
@@ -145,18 +146,17 @@ private slots:
             p = wideMachine(seed);
         }
         p.optimisation->axial_feed_mm_min = std::vector<double>{1500};
-        const GridSearchReport report = searchGrid(p, {});
+        const SearchOutcome report = *sparkout::search(p, {});
         QCOMPARE(levelsOf(report.searched, *p.operation->axial()), std::vector<double>{1500});
     }
 
     /// A further round that is stopped leaves the answer of the round before.
     void aStopLeavesTheRoundBefore() {
         Project p;
-        GridSearchReport once;
+        SearchOutcome once;
         int calls = 0;
-        GridSearchOptions counted;
-        counted.onProgress = [&calls](const SearchProgress&) { ++calls; };
-        for (unsigned seed = 0; calls == 0 || searchGrid(p, {}).rounds < 2; ++seed) {
+        const SearchEvents counted{.note = [&calls](const SearchState&) { ++calls; }};
+        for (unsigned seed = 0; calls == 0 || sparkout::search(p, {})->rounds < 2; ++seed) {
             p = wideMachine(seed);
             if (p.sections_coupled) {
                 continue; // slow
@@ -164,17 +164,15 @@ private slots:
             Project fixed = p;
             fixed.optimisation->adaptive = false;
             calls = 0;
-            once = searchGrid(fixed, counted);
+            once = *sparkout::search(fixed, {}, {}, counted);
         }
         std::stop_source stop;
-        GridSearchOptions options;
-        options.stop = stop.get_token();
-        options.onProgress = [&](const SearchProgress&) {
-            if (--calls < 0) {
-                stop.request_stop();
-            }
-        };
-        const GridSearchReport stopped = searchGrid(p, options);
+        const SearchOutcome stopped =
+            *sparkout::search(p, {}, stop.get_token(), {.note = [&](const SearchState&) {
+                                  if (--calls < 0) {
+                                      stop.request_stop();
+                                  }
+                              }});
         QVERIFY(stopped.areLevelsCutShort);
         QCOMPARE(stopped.rounds, 1);
         QCOMPARE(stopped.search.status, SearchStatus::proved); // of its grid
@@ -228,18 +226,19 @@ private slots:
         std::set<ConstraintKind> named;
         for (unsigned seed = 0; seed < 60; ++seed) {
             Project p = smallCase(seed);
-            const GridSearchReport free = searchGrid(p, {});
+            const SearchOutcome free = *sparkout::search(p, {});
             p.least_steps = 4;
             if (p.operation->axial()) {
                 p.least_overlap_last = // only the slower of its feeds has
                     p.wheel->width_mm * p.machine->work_speed_rpm / 1000;
             }
-            const GridSearchReport report = searchGrid(p, {});
-            if (!hasAnswer(free) || !hasAnswer(report)
+            const SearchOutcome report = *sparkout::search(p, {});
+            if (!(free.best() != nullptr) || !(report.best() != nullptr)
                 || report.search.best->time_us == free.search.best->time_us) {
                 continue;
             }
-            const SimulationResult result = simulateUnchecked(withAnswer(report));
+            const SimulationResult result =
+                simulateUnchecked(withFound(report.project, *report.answer()));
             for (const ConstraintResult& each : evaluateConstraints(result)) {
                 QVERIFY(each.holds);
             }

@@ -220,8 +220,7 @@ private slots:
     }
 
     void aSearchAsAWorkbook() {
-        Study study{.search =
-                        runWholeSearch(fixtures::searchedShaft(), {}, {}, [](const auto&) {})};
+        Study study{.search = search(fixtures::searchedShaft(), {.front = true})};
         study.before_s = 600;
         const SearchOutcome& outcome = *study.search;
         QVERIFY(outcome.best() && outcome.proved());

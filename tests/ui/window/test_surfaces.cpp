@@ -5,7 +5,7 @@
 #include "core/setup/setup_run.h"
 #include "core/setup/worn_project.h"
 #include "core/study/batch_edits.h"
-#include "core/study/whole_search.h"
+#include "core/study/search.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/search_fixtures.h"
@@ -551,8 +551,7 @@ private slots:
         QTest::mouseClick(take, Qt::LeftButton);
         desk.calm();
         for (std::size_t i = 0; i < setup.surfaces.size(); ++i) {
-            const auto outcome =
-                runWholeSearch(wornProject(setup, i).project, {}, {}, [](const SearchState&) {});
+            const auto outcome = search(wornProject(setup, i).project, {});
             Project& project = setup.surfaces[i].project;
             project = withFound(std::move(project), *outcome->best());
         }

@@ -42,7 +42,7 @@ QString FoundModel::text(const FoundCycle& found, int column) const {
 }
 
 std::optional<double> FoundModel::gapOf(const FoundCycle& found) const {
-    return gapToLimit(found.time_s, m_outcome->limit_s);
+    return gapToLimit(found.time_s, m_outcome->limit.time_s);
 }
 
 QString FoundModel::kindOf(const FoundCycle& found) const {

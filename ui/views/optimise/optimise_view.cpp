@@ -208,10 +208,10 @@ void OptimiseView::runSearch() {
     m_searching = good()->result.project;
     m_bar->showProgress(0, OptimiseText::state({}));
     SearchWish wish{.phases = m_phases->isChecked() && m_phases->isEnabled(),
-                    .refine = m_refine->isChecked()};
+                    .refine = m_refine->isChecked() && m_refine->isEnabled(),
+                    .front = true};
     if (m_document) {
-        wish.setup = std::make_shared<const Setup>(m_document->setup());
-        wish.surface = m_document->surface();
+        wish.wear = searchWear(m_document->setup(), m_document->surface());
     }
     endAnswer();
     m_runner->start(*m_searching, wish);

@@ -45,11 +45,9 @@ BarChart StageCountPlot::makeChart() const {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     for (const SearchedNumber& number : m_outcome->numbers) {
         chart.categories << tr("%n stage(s)", nullptr, number.stages);
-        const bool found = number.search.best && number.holds;
-        const bool bounded =
-            number.search.status == SearchStatus::stopped && number.search.bound_s > 0;
-        quickest.values.push_back(found ? inMinutes(number.search.best->time_s) : none);
-        proven.values.push_back(bounded ? inMinutes(number.search.bound_s) : none);
+        const bool bounded = number.status == SearchStatus::stopped && number.bound_s > 0;
+        quickest.values.push_back(number.best_s ? inMinutes(*number.best_s) : none);
+        proven.values.push_back(bounded ? inMinutes(number.bound_s) : none);
     }
     const bool hasBounds =
         std::ranges::any_of(proven.values, [](double value) { return std::isfinite(value); });
@@ -61,9 +59,9 @@ BarChart StageCountPlot::makeChart() const {
         chart.limits.push_back(
             {inMinutes(*m_before_s), tr("your cycle"), Qt::DashLine, barColour(Drawn::yourCycle)});
     }
-    if (isKnownLimit(m_outcome->limit_s)) {
-        chart.limits.push_back({inMinutes(m_outcome->limit_s), tr("stepless limit"), Qt::DotLine,
-                                barColour(Drawn::steplessLimit)});
+    if (isKnownLimit(m_outcome->limit.time_s)) {
+        chart.limits.push_back({inMinutes(m_outcome->limit.time_s), tr("stepless limit"),
+                                Qt::DotLine, barColour(Drawn::steplessLimit)});
     }
     return chart;
 }
@@ -79,12 +77,11 @@ CsvTable StageCountPlot::tableOf(const SearchOutcome& outcome) {
     table.header << tr("Stages") << tr("Quickest cycle, min") << tr("None is below, min")
                  << tr("Stepless limit, min");
     for (const SearchedNumber& number : outcome.numbers) {
-        const bool found = number.search.best && number.holds;
         table.rows.push_back(
-            {double(number.stages),
-             found ? CsvCell(inMinutes(number.search.best->time_s)) : CsvCell(),
-             inMinutes(number.search.bound_s),
-             isKnownLimit(outcome.limit_s) ? CsvCell(inMinutes(outcome.limit_s)) : CsvCell()});
+            {double(number.stages), number.best_s ? CsvCell(inMinutes(*number.best_s)) : CsvCell(),
+             inMinutes(number.bound_s),
+             isKnownLimit(outcome.limit.time_s) ? CsvCell(inMinutes(outcome.limit.time_s))
+                                                : CsvCell()});
     }
     return table;
 }
@@ -96,7 +93,7 @@ QString StageCountPlot::valuesAt(const QPointF& at) const {
         return {};
     }
     const SearchedNumber& number = m_outcome->numbers.at(static_cast<std::size_t>(category));
-    if (number.search.best && number.holds) {
+    if (number.best_s) {
         return BarPlot::valuesAt(at);
     }
     return tr("%1: no cycle was found that holds every requirement")

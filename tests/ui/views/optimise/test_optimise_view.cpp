@@ -390,23 +390,23 @@ private slots:
     void roundsThatRanOutProveNothing() {
         SearchOutcome outcome;
         outcome.project = outcome.searched = fixtures::searchedShaft();
-        outcome.robust = true;
-        SearchedNumber number;
-        number.stages = 2;
-        number.holds = false;
-        number.search.best.emplace().time_s = 60;
-        number.search.bound_s = outcome.bound_s = 60;
-        outcome.numbers.push_back(number);
-        QVERIFY(outcome.unresolved());
+        RobustSummary& robust = outcome.robust.emplace();
+        outcome.search.best.emplace().time_s = outcome.search.bound_s = 60;
+        outcome.search.status = SearchStatus::proved; // for the scenarios of the last round
+        QVERIFY(outcome.unresolved() && !outcome.proved());
         const QString none = OptimiseText::answer(outcome, {});
         QVERIFY2(none.contains(QStringLiteral("every scenario")), qPrintable(none));
-        outcome.found.emplace_back().time_s = 90;
-        QVERIFY(!outcome.proved());
+        robust.holdsInSample = true;
+        FoundCycle& found = outcome.found.emplace_back();
+        found.time_s = 50;
+        found.isBest = true;
+        outcome.search.status = SearchStatus::stopped;
+        QVERIFY(!outcome.unresolved() && !outcome.proved());
         const QString some = OptimiseText::answer(outcome, {});
         QVERIFY2(some.contains(QStringLiteral("best so far")), qPrintable(some));
-        outcome.found.front().time_s = 50; // quicker than any that is left
+        outcome.search.status = SearchStatus::proved;
         QVERIFY(outcome.proved());
-        outcome.numbers.front().nominalTime_s = 40;
+        robust.nominalTime_s = 40;
         const QString cost = OptimiseText::answer(outcome, {});
         QVERIFY2(cost.contains(QStringLiteral("0.6667 min: robustness costs 25.0 % of time")),
                  qPrintable(cost));
@@ -419,9 +419,10 @@ private slots:
     void theShareThatMayFailGrowsWithTheCyclesTried() {
         SearchOutcome outcome;
         outcome.project = outcome.searched = fixtures::searchedShaft();
-        outcome.robust = true;
+        outcome.robust.emplace().holdsInSample = true;
         FoundCycle& found = outcome.found.emplace_back();
         found.time_s = 50;
+        found.isBest = true;
         found.candidate = 3;
         const QString third = OptimiseText::answer(outcome, {});
         QVERIFY2(third.contains(QStringLiteral("as cycle no. 3 that was tried so"))
@@ -433,14 +434,18 @@ private slots:
     void whatBindsIsNotKnownWhereItWasStopped() {
         SearchOutcome outcome;
         outcome.project = outcome.searched = fixtures::searchedShaft();
-        outcome.found.emplace_back().time_s = 50;
+        FoundCycle& found = outcome.found.emplace_back();
+        found.time_s = 50;
+        found.isBest = true;
+        outcome.search.status = SearchStatus::proved;
         const auto says = [&](const char* words) {
             return OptimiseText::answer(outcome, {}).contains(QString::fromLatin1(words));
         };
         QVERIFY(says("from being quicker is not known: the search was stopped"));
         outcome.binding.emplace();
         QVERIFY(!says("not known") && says("No cycle of the grid that differs in one setting"));
-        outcome.stopped = true; // of the best so far nothing of the kind is proved
+        outcome.search.status =
+            SearchStatus::stopped; // of the best so far nothing of the kind is proved
         QVERIFY(!says("not known") && !says("No cycle of the grid that differs"));
         outcome.binding->push_back(ConstraintKind::wheelPower);
         QVERIFY(!says("not known") && says("What keeps it from being quicker: "));
@@ -451,7 +456,10 @@ private slots:
         SearchOutcome outcome;
         outcome.project = outcome.searched = fixtures::searchedShaft();
         outcome.searched.machine->limits.axial_feed_mm_min = std::vector<double>{50, 5000, 50};
-        outcome.found.emplace_back().time_s = 50;
+        FoundCycle& found = outcome.found.emplace_back();
+        found.time_s = 50;
+        found.isBest = true;
+        outcome.search.status = SearchStatus::proved;
         Cycle cycle = *outcome.project.cycle;
         cycle.stages.resize(2);
         cycle.stages[0].radial_feed_mm = 0.003;
@@ -480,7 +488,7 @@ private slots:
         QTest::qWait(300);
         desk.click("optimiseStop");
         QTRY_VERIFY_WITH_TIMEOUT(!desk.view->busy(), patience_ms);
-        QVERIFY(desk.view->search() && desk.view->search()->stopped);
+        QVERIFY(desk.view->search() && desk.view->search()->stopped());
         desk.click("optimiseRun");
         QVERIFY(desk.view->busy());
         Project edited = desk.project();

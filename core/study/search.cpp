@@ -1,0 +1,519 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/search.h"
+
+#include "core/batch/batch_check.h"
+#include "core/deadline_stop.h"
+#include "core/grace_stop.h"
+#include "core/optimisation/binding.h"
+#include "core/optimisation/judge.h"
+#include "core/optimisation/trade_off.h"
+#include "core/project/optimisation.h"
+#include "core/project/validate.h"
+#include "core/simulation/simulate.h"
+#include "core/study/refine_answer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <limits>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+/// The search of one grid, in the way that a project asks for.
+struct SearchedGrid {
+    SearchSummary search;
+    std::optional<RobustSummary> robust{};
+    std::optional<IntervalSummary> interval{};
+
+    [[nodiscard]] bool hasBest() const { return search.best && (!robust || robust->holdsInSample); }
+};
+
+/// What keeps a project from being searched, before anything is.
+std::shared_ptr<SearchOutcome> checked(const Project& project, const SearchWish& wish,
+                                       const std::stop_token& stop) {
+    auto outcome = std::make_shared<SearchOutcome>();
+    outcome->project = project;
+    outcome->method = wish.method;
+    outcome->wishesFront = wish.front;
+    outcome->issues = validate(project);
+    if (hasErrors(outcome->issues)) {
+        std::erase_if(outcome->issues,
+                      [](const Issue& issue) { return issue.severity != Severity::error; });
+        return outcome;
+    }
+    outcome->issues.clear();
+    outcome->marginWithin_us = marginWithinOf(project);
+    outcome->isOtherOperation = isHeuristic(wish.method) && project.operation->axial();
+    outcome->isOtherAim =
+        (outcome->marginWithin_us || outcome->objective() != SearchObjective::time)
+        && (isHeuristic(wish.method) || wish.refine);
+    outcome->objectiveFault = objectiveFault(project, wish.phases);
+    outcome->fault = Variants(project, stop).fault();
+    if (outcome->ran() && project.optimisation->scenarios != OptimisationScenarios::nominal) {
+        outcome->batchIssues = checkBatch(project);
+    }
+    return outcome;
+}
+
+GivenCycle givenCycle(const Project& project, const std::stop_token& stop) {
+    GivenCycle given;
+    const SimulationResult result = simulateUnchecked(project, nullptr, stop);
+    given.isStopped = result.status == RunStatus::stopped;
+    if (result.status == RunStatus::completed) {
+        given.time_s = result.time_s;
+        for (const ConstraintResult& each : worstByKind(evaluateConstraints(result))) {
+            if (!each.holds) {
+                given.fails.push_back(each.kind);
+            }
+        }
+    }
+    return given;
+}
+
+/// The whole grid with each round of its levels, then what is asked beyond its answer.
+class Search {
+public:
+    using Clock = std::chrono::steady_clock;
+
+    Search(std::shared_ptr<SearchOutcome> outcome, const SearchWish& wish, std::stop_token stop,
+           SearchEvents events)
+        : m_outcome(std::move(outcome))
+        , m_wish(wish)
+        , m_levels(m_outcome->project)
+        , m_now(m_outcome->project, stop)
+        , m_robust(wish.phases
+                   || m_outcome->project.optimisation->scenarios != OptimisationScenarios::nominal)
+        , m_stop(std::move(stop))
+        , m_events(std::move(events)) {
+        if (m_outcome->objective() != SearchObjective::time) {
+            m_outcome->wear = wish.wear.value_or(SurfaceWear(m_outcome->project));
+        }
+    }
+
+    void run() {
+        const auto began = Clock::now();
+        searchLevels();
+        const auto took = Clock::now() - began;
+        listFound();
+        weigh();
+        if (m_wish.refine && m_outcome->best()) {
+            refineBest();
+        }
+        if (m_wish.front && m_outcome->best() && !m_outcome->stopped()
+            && !isHeuristic(m_wish.method)) {
+            showAnswer();
+            const auto numbersBegan = Clock::now();
+            searchOtherNumbers();
+            if (m_outcome->objective() == SearchObjective::time && !m_stop.stop_requested()) {
+                lookForMargins(took + (Clock::now() - numbersBegan));
+            }
+            listFound();
+        }
+    }
+
+private:
+    /// What a cycle of the grid is to the list of those found.
+    struct Noted {
+        FeasibleCycle cycle;
+        FoundBy by = FoundBy::search;
+        int candidate = 0; ///< on fresh phases
+        std::shared_ptr<const IntervalSummary> interval{};
+        bool isAnswer = false, isBestOfItsNumber = false;
+        bool isOtherSample = false; ///< it holds in other scenarios than the answer
+    };
+
+    /// What is known of the grid with the levels of a round.
+    struct Round {
+        Round(const Project& project, const std::stop_token& stop)
+            : searched(project), variants(std::make_shared<Variants>(project, stop)) {}
+        Project searched;
+        std::shared_ptr<const Variants> variants;
+        SearchedGrid grid{};
+        std::vector<Noted> found{};
+    };
+
+    // --- the answer -----------------------------------------------------------------------------
+
+    [[nodiscard]] SearchOptions optionsFor(int stages) {
+        SearchOptions options;
+        options.method = m_wish.method;
+        options.threads = m_wish.threads;
+        options.stop = m_stop;
+        options.marginWithin_us = m_outcome->marginWithin_us;
+        options.onProgress = [this, stages](const SearchProgress& progress) {
+            if (progress.best && !m_robust && !m_outcome->wear) {
+                note(*progress.best);
+            }
+            report({.stages = stages,
+                    .share = progress.share,
+                    .bound_s = progress.bound_s,
+                    .evaluations = progress.evaluations});
+        };
+        return options;
+    }
+
+    [[nodiscard]] SearchedGrid searchGrid(const Project& project,
+                                          const SearchOptions& options) const {
+        SearchedGrid grid;
+        if (m_outcome->wear) {
+            grid.interval = searchInterval(project, *m_outcome->wear, {.search = options});
+            grid.search = grid.interval->search;
+        } else if (m_robust) {
+            grid.robust =
+                optimiseRobustly(project, undecidedScenarios(project, m_stop), {.search = options});
+            grid.search = grid.robust->search;
+        } else {
+            grid.search = optimise(project, options);
+        }
+        return grid;
+    }
+
+    void searchRound() {
+        SearchOptions options = optionsFor(0);
+        options.journal = m_wish.journal;
+        m_now.grid = searchGrid(m_now.searched, options);
+        if (m_now.grid.hasBest()) {
+            Noted& answer = noteBest(m_now.grid, 0);
+            answer.isAnswer = true;
+        }
+    }
+
+    /// As long as further levels may better the answer.
+    void searchLevels() {
+        searchRound();
+        const auto isStopped = [this] { return m_now.grid.search.status == SearchStatus::stopped; };
+        while (m_now.grid.hasBest() && !isStopped()
+               && m_levels.goOn(m_now.grid.search.cycle, *m_now.grid.search.best)) {
+            m_best_s = best_s();
+            Round before = std::exchange(m_now, Round(m_levels.searched(), m_stop));
+            searchRound();
+            if (isStopped()) {
+                m_now = std::move(before); // its answer stands
+                m_outcome->areLevelsCutShort = true;
+                break;
+            }
+            m_outcome->rounds = m_levels.round();
+        }
+        m_outcome->searched = m_now.searched;
+        m_outcome->search = m_now.grid.search;
+        m_outcome->robust = m_now.grid.robust;
+        m_outcome->interval = m_now.grid.interval;
+        if (m_now.grid.hasBest()) {
+            m_outcome->edges = edgesReached(m_now.searched, m_outcome->search.cycle);
+            addNumber(static_cast<int>(m_outcome->search.cycle.stages.size()), m_now.grid);
+        }
+    }
+
+    /// A cycle is noted once.
+    Noted& note(const FeasibleCycle& cycle) {
+        const auto known = std::ranges::find_if(m_now.found, [&cycle](const Noted& each) {
+            return each.cycle.variant == cycle.variant && each.cycle.cycle == cycle.cycle;
+        });
+        return known == m_now.found.end() ? m_now.found.emplace_back(Noted{.cycle = cycle})
+                                          : *known;
+    }
+
+    Noted& noteBest(const SearchedGrid& grid, int candidatesBefore) {
+        Noted& best = note(*grid.search.best);
+        best.cycle = *grid.search.best;
+        best.isBestOfItsNumber = true;
+        if (grid.robust && grid.robust->candidate > 0) {
+            best.candidate = candidatesBefore + grid.robust->candidate;
+        }
+        if (grid.interval) {
+            best.interval = std::make_shared<const IntervalSummary>(*grid.interval);
+        }
+        return best;
+    }
+
+    [[nodiscard]] const std::vector<Project>& scenariosAdded() const {
+        static const std::vector<Project> none;
+        return m_outcome->robust     ? m_outcome->robust->added
+               : m_outcome->interval ? m_outcome->interval->parts
+                                     : none;
+    }
+
+    /// What is to be known of the answer, and of the cycle that is given.
+    void weigh() {
+        {
+            const GraceStop grace(m_stop);
+            m_outcome->limit = steplessLimitBounds(m_now.searched, grace.token());
+            SearchSummary& found = m_outcome->search;
+            if (m_outcome->stopped() || isHeuristic(m_wish.method) || m_outcome->marginWithin_us) {
+                found.bound_s = std::max(found.bound_s, m_outcome->limit.time_s);
+            }
+            if (found.best && m_outcome->marginWithin_us) {
+                m_outcome->binding = leastMarginRequirements(withBest(m_now.searched, found),
+                                                             m_robust, grace.token());
+            } else if (found.best) {
+                m_outcome->binding = bindingRequirements(m_now.searched, *found.best,
+                                                         scenariosAdded(), grace.token());
+            }
+        }
+        const GraceStop grace(m_stop);
+        m_outcome->given = givenCycle(m_outcome->project, grace.token());
+    }
+
+    void refineBest() {
+        report({.looksFor = FoundBy::refinement});
+        const Project best = withBest(m_now.searched, m_outcome->search);
+        std::optional<RobustTrail> trail;
+        if (m_outcome->robust) {
+            trail = {m_outcome->robust->added, m_outcome->robust->candidates};
+        }
+        m_outcome->refinement = refineAnswer({.asked = m_now.searched,
+                                              .best = best,
+                                              .cycle = m_outcome->search.cycle,
+                                              .robust = std::move(trail)},
+                                             m_stop);
+        if (m_outcome->refinement->isQuicker) {
+            listFound();
+            const GraceStop grace(m_stop);
+            m_outcome->binding = bindingRequirements(best, m_outcome->refinement->cycle,
+                                                     m_outcome->refinement->time_us,
+                                                     scenariosAdded(), grace.token());
+        }
+    }
+
+    // --- beyond the answer ----------------------------------------------------------------------
+
+    /// What stands before the front is looked for.
+    void showAnswer() {
+        if (m_events.answer) {
+            auto answer = std::make_shared<SearchOutcome>(*m_outcome);
+            answer->isFrontComing = true;
+            m_events.answer(answer);
+        }
+    }
+
+    void addNumber(int stages, const SearchedGrid& grid) {
+        SearchedNumber number{
+            .stages = stages, .status = grid.search.status, .bound_s = grid.search.bound_s};
+        if (grid.hasBest()) {
+            number.best_s = grid.search.best->time_s;
+        }
+        m_outcome->numbers.push_back(number);
+    }
+
+    /// Those beside the answer's.
+    void searchOtherNumbers() {
+        std::vector<SearchedNumber> answered = std::exchange(m_outcome->numbers, {});
+        int candidates = m_outcome->robust ? m_outcome->robust->candidates : 0;
+        for (const double each : m_now.searched.optimisation->stages) {
+            const int stages = static_cast<int>(each);
+            if (stages == answered.front().stages) {
+                m_outcome->numbers.push_back(answered.front());
+                continue;
+            }
+            Project project = m_now.searched;
+            project.optimisation->stages = {each};
+            if (m_stop.stop_requested() || Variants(project, m_stop).fault() != GridFault::none) {
+                continue; // else the stock cannot be divided so often
+            }
+            const SearchedGrid grid = searchGrid(project, optionsFor(stages));
+            if (grid.hasBest()) {
+                noteBest(grid, candidates).isOtherSample =
+                    grid.robust && !canDecidePhases(m_outcome->project);
+            }
+            candidates += grid.robust ? grid.robust->candidates : 0;
+            addNumber(stages, grid);
+        }
+    }
+
+    /// Time against margin, about as long as the search took.
+    void lookForMargins(Clock::duration took) {
+        constexpr std::size_t most = 40;
+        constexpr std::chrono::seconds grace(2);
+        const DeadlineStop deadline(m_stop, took + grace);
+        SearchOptions options;
+        options.stop = deadline.token();
+        report({.looksFor = FoundBy::margin});
+        options.onProgress = [this](const SearchProgress& progress) {
+            report({.looksFor = FoundBy::margin, .evaluations = progress.evaluations});
+        };
+        const TradeOff front = frontOf(options, most);
+        for (const SearchSummary& each : front.cycles) {
+            const std::size_t before = m_now.found.size();
+            Noted& noted = note(*each.best);
+            noted.by = FoundBy::margin;
+            noted.cycle.leastRelativeMargin = each.best->leastRelativeMargin;
+            noted.isOtherSample = noted.isOtherSample || (m_robust && m_now.found.size() > before);
+        }
+        m_outcome->isFrontWhole = front.isWhole;
+    }
+
+    [[nodiscard]] TradeOff frontOf(const SearchOptions& options, std::size_t most) const {
+        if (m_robust) {
+            return tradeOffRobustly(
+                m_now.searched, undecidedScenarios(m_now.searched, options.stop), options, most);
+        }
+        const SearchSummary from =
+            m_outcome->marginWithin_us ? optimise(m_now.searched, options) : m_outcome->search;
+        return from.best && from.status == SearchStatus::proved
+                   ? tradeOff(m_now.searched, from, options, most)
+                   : TradeOff{};
+    }
+
+    // --- telling --------------------------------------------------------------------------------
+
+    [[nodiscard]] std::optional<double> best_s() const {
+        std::optional<double> least_s = m_best_s;
+        for (const Noted& each : m_now.found) {
+            least_s = std::min(least_s.value_or(each.cycle.time_s), each.cycle.time_s);
+        }
+        return least_s;
+    }
+
+    void report(SearchState state) const {
+        if (m_events.note) {
+            state.round = m_levels.round();
+            state.best_s = best_s();
+            m_events.note(state);
+        }
+    }
+
+    /// Whether it takes no longer than the answer may; others are of the front alone.
+    [[nodiscard]] bool mayAnswer(const Noted& each) const {
+        return !each.isOtherSample
+               && (!m_outcome->marginWithin_us
+                   || each.cycle.time_us <= *m_outcome->marginWithin_us);
+    }
+
+    [[nodiscard]] bool isBefore(const Noted& a, const Noted& b) const {
+        if (a.isAnswer != b.isAnswer || mayAnswer(a) != mayAnswer(b)) {
+            return a.isAnswer || (!b.isAnswer && mayAnswer(a));
+        }
+        const auto value = [this](const Noted& each) {
+            return each.interval ? each.interval->value(m_outcome->objective()) : 0.0;
+        };
+        return value(a) != value(b)
+                   ? value(a) < value(b)
+                   : isBetter(a.cycle, b.cycle, m_now.variants->grid(a.cycle.variant),
+                              mayAnswer(a) ? m_outcome->aim() : SearchAim::leastTime);
+    }
+
+    /// The cycles found, the best first.
+    void listFound() {
+        m_outcome->found.clear();
+        std::ranges::sort(m_now.found,
+                          [this](const Noted& a, const Noted& b) { return isBefore(a, b); });
+        for (const Noted& noted : m_now.found) {
+            const FeasibleCycle& each = noted.cycle;
+            const IntervalSummary* const interval = noted.interval.get();
+            m_outcome->found.push_back(
+                {.by = noted.by,
+                 .cycle = m_now.variants->grid(each.variant).cycle(each.cycle),
+                 .machine = machineSettings(m_now.variants->project(each.variant)),
+                 .time_s = each.time_s,
+                 .leastRelativeMargin = each.leastRelativeMargin,
+                 .isBest = noted.isAnswer,
+                 .isBestOfItsNumber = noted.isBestOfItsNumber,
+                 .candidate = noted.candidate,
+                 .held = interval ? interval->held : std::nullopt,
+                 .cost = interval ? interval->cost : std::nullopt});
+        }
+        if (m_outcome->refinement && m_outcome->refinement->isQuicker) {
+            const RefineSummary& refined = *m_outcome->refinement;
+            m_outcome->found.insert(m_outcome->found.begin(),
+                                    {.by = FoundBy::refinement,
+                                     .cycle = refined.cycle,
+                                     .machine = m_outcome->search.machine,
+                                     .time_s = refined.time_s,
+                                     .leastRelativeMargin = refined.leastRelativeMargin,
+                                     .candidate = refined.candidate});
+        }
+        for (FoundCycle& found : m_outcome->found) {
+            const bool isDecided = found.isBest || found.by == FoundBy::refinement
+                                       ? m_outcome->robust && m_outcome->robust->decided
+                                       : m_robust
+                                             && (found.candidate > 0 || found.by == FoundBy::margin)
+                                             && canDecidePhases(m_outcome->project);
+            if (isDecided) {
+                found.decided = phaseCases(withFound(m_outcome->project, found));
+            }
+        }
+    }
+
+    std::shared_ptr<SearchOutcome> m_outcome;
+    const SearchWish& m_wish;
+    SearchLevels m_levels;
+    Round m_now;
+    bool m_robust;
+    std::optional<double> m_best_s; ///< of the rounds before
+    std::stop_token m_stop;
+    SearchEvents m_events;
+};
+
+} // namespace
+
+std::optional<SurfaceWear> searchWear(const Setup& setup, std::size_t surface) {
+    return setup.wear.isGiven() ? std::optional(SurfaceWear(setup, surface)) : std::nullopt;
+}
+
+Project withFound(Project project, const FoundCycle& found) {
+    setMachine(project, found.machine);
+    *project.cycle = found.cycle;
+    return project;
+}
+
+std::vector<const FoundCycle*> SearchOutcome::front() const {
+    std::vector<const FoundCycle*> points;
+    for (const FoundCycle& each : found) {
+        if (each.by == FoundBy::margin) {
+            points.push_back(&each);
+        }
+    }
+    std::ranges::sort(points, {}, &FoundCycle::time_s);
+    return points;
+}
+
+const FoundCycle* SearchOutcome::best() const {
+    const auto at = std::ranges::find(found, true, &FoundCycle::isBest);
+    return at == found.end() ? nullptr : &*at;
+}
+
+const FoundCycle* SearchOutcome::refined() const {
+    const bool quicker = !found.empty() && found.front().by == FoundBy::refinement;
+    return quicker ? &found.front() : nullptr;
+}
+
+const FoundCycle* SearchOutcome::answer() const {
+    return refined() ? refined() : best();
+}
+
+bool SearchOutcome::unresolved() const {
+    return search.best && robust && !robust->holdsInSample;
+}
+
+std::vector<std::pair<ConstraintKind, long long>> SearchOutcome::cuts() const {
+    std::vector<std::pair<ConstraintKind, long long>> cuts;
+    for (const Requirement& row : requirementRows) {
+        if (const long long count = search.cuts[static_cast<std::size_t>(row.kind)]) {
+            cuts.emplace_back(row.kind, count);
+        }
+    }
+    std::ranges::stable_sort(cuts, std::greater(), [](const auto& cut) { return cut.second; });
+    return cuts;
+}
+
+long long SearchOutcome::evaluations() const {
+    return robust ? robust->evaluations : search.evaluations;
+}
+
+long long SearchOutcome::visits() const {
+    return robust ? robust->visits : search.visits;
+}
+
+SearchOutcomePtr search(const Project& project, const SearchWish& wish, std::stop_token stop,
+                        SearchEvents events) {
+    std::shared_ptr<SearchOutcome> outcome = checked(project, wish, stop);
+    if (outcome->ran()) {
+        Search(outcome, wish, std::move(stop), std::move(events)).run();
+    }
+    return outcome;
+}
+
+} // namespace sparkout

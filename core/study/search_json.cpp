@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/search_json.h"
+
+#include "core/dressing/part_cost.h"
+#include "core/format/output_json.h"
+#include "core/format/project_file.h"
+#include "core/optimisation/levels.h"
+#include "core/optimisation/search_names.h"
+#include "core/project/optimisation.h"
+#include "core/study/search_outputs.h"
+#include "core/units.h"
+
+namespace sparkout {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+double minutes(double time_s) {
+    return time_s / units::secondsPerMinute;
+}
+
+ordered_json orNull(const std::optional<double>& value) {
+    return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+
+ordered_json cycleJson(const SearchOutcome& outcome, const FoundCycle& found) {
+    Project best = outcome.project;
+    best.runs.clear();
+    *best.cycle = found.cycle;
+    return ordered_json::parse(writeProject(best))["cycle"];
+}
+
+ordered_json machineJson(const SearchOutcome& outcome, const FoundCycle& found) {
+    ordered_json settings = ordered_json::object();
+    for (const FreeSetting& each : freeSettings(outcome.project, found.machine)) {
+        settings[each.key] = each.value;
+    }
+    return settings;
+}
+
+ordered_json keysJson(const std::vector<ConstraintKind>& kinds) {
+    ordered_json keys = ordered_json::array();
+    for (const ConstraintKind kind : kinds) {
+        keys.push_back(requirementOf(kind).key);
+    }
+    return keys;
+}
+
+/// Null: not searched, or the wheel does not wear.
+ordered_json dressingJson(const SearchOutcome& outcome) {
+    if (!outcome.interval || !outcome.interval->held) {
+        return nullptr;
+    }
+    const PartsHeld& held = *outcome.interval->held;
+    return {{"parts", held.parts},
+            {"endless", held.isEndless},
+            {"at_least", held.isAll && !held.isEndless},
+            {"mean_time_min", minutes(held.meanTime_s)},
+            {"ends_by", held.end ? ordered_json(requirementOf(*held.end).key) : nullptr}};
+}
+
+ordered_json levelsJson(const SearchOutcome& outcome) {
+    ordered_json levels = ordered_json::object();
+    for (const StageFeed& feed : outcome.searched.operation->feeds) {
+        levels[feed.key] = levelValues((*outcome.searched.optimisation).*feed.levels);
+    }
+    return levels;
+}
+
+ordered_json edgesJson(const SearchOutcome& outcome) {
+    ordered_json edges = ordered_json::array();
+    for (const LevelEdge& edge : outcome.edges) {
+        edges.push_back({{"feed", edge.feed->key},
+                         {"stage", edge.stage + 1},
+                         {"side", edge.isMost ? "greatest" : "least"},
+                         {"level", edge.level},
+                         {"allowed", edge.limit ? ordered_json(*edge.limit) : ordered_json(0)},
+                         {"is_allowed_end", edge.isLimit}});
+    }
+    return edges;
+}
+
+ordered_json limitBoundsJson(const SteplessLimit& limit) {
+    ordered_json bounds = ordered_json::array();
+    for (const LimitPiece& piece : limit.pieces) {
+        bounds.push_back({{"from_mm", piece.from_mm},
+                          {"to_mm", piece.to_mm},
+                          {"bound", limitBoundKey(piece.bound, piece.kind)},
+                          {"cut_mm", piece.cut_mm},
+                          {"time_min", minutes(piece.time_s)}});
+    }
+    return bounds;
+}
+
+/// Null: no limit is known.
+ordered_json limitCyclesJson(const SteplessLimit& limit) {
+    if (!isKnownLimit(limit.time_s)) {
+        return nullptr;
+    }
+    return {{"continuous_feed_mm_min", limit.cycles.continuousFeed_mm_min},
+            {"draw_back", limit.cycles.drawBack},
+            {"spark_out_by_count", limit.cycles.sparkOut}};
+}
+
+ordered_json givenJson(const SearchOutcome& outcome) {
+    const GivenCycle& given = outcome.given;
+    return {{"cycle_time_min",
+             given.time_s ? ordered_json(minutes(*given.time_s)) : ordered_json(nullptr)},
+            {"cost_per_part", given.time_s ? orNull(costPerPart(outcome.project, *given.time_s))
+                                           : ordered_json(nullptr)},
+            {"fails", given.isStopped ? ordered_json(nullptr) : keysJson(given.fails)}};
+}
+
+ordered_json freshPhasesJson(const SearchOutcome& outcome) {
+    const RobustSummary& robust = *outcome.robust;
+    const int phases = robust.freshPhases; // 0: there is no answer that was tried
+    const int candidate = outcome.refined() ? outcome.refined()->candidate : robust.candidate;
+    return {{"tried", phases},
+            {"failed", 0},
+            {"candidate", phases > 0 ? ordered_json(candidate) : ordered_json(nullptr)},
+            {"failing_share_at_most",
+             phases > 0 ? ordered_json(mostFailing(phases, candidate)) : ordered_json(nullptr)},
+            {"confidence", 0.95},
+            {"cycles_that_failed", robust.freshFailures}};
+}
+
+/// Those of none of which another is both quicker and farther from its limits.
+ordered_json frontJson(const SearchOutcome& outcome) {
+    ordered_json front = ordered_json::array();
+    for (const FoundCycle* each : outcome.front()) {
+        front.push_back({{"cycle_time_min", minutes(each->time_s)},
+                         {"least_relative_margin", each->leastRelativeMargin},
+                         {"cycle", cycleJson(outcome, *each)},
+                         {"machine", machineJson(outcome, *each)}});
+    }
+    return front;
+}
+
+ordered_json numbersJson(const SearchOutcome& outcome) {
+    ordered_json numbers = ordered_json::array();
+    for (const SearchedNumber& each : outcome.numbers) {
+        numbers.push_back({{"stages", each.stages},
+                           {"status", searchStatusName(each.status)},
+                           {"cycle_time_min", each.best_s ? ordered_json(minutes(*each.best_s))
+                                                          : ordered_json(nullptr)},
+                           {"bound_time_min", minutes(each.bound_s)}});
+    }
+    return numbers;
+}
+
+} // namespace
+
+std::string searchJson(const SearchOutcome& outcome) {
+    ordered_json root = outputsJson(searchOutputs(), outcome);
+    root["cycle"] = nullptr;
+    if (const FoundCycle* answer = outcome.answer()) {
+        root["cycle"] = cycleJson(outcome, *answer);
+        if (ordered_json machine = machineJson(outcome, *answer); !machine.empty()) {
+            root["machine"] = std::move(machine);
+        }
+    }
+    root["dressing"] = dressingJson(outcome);
+    root["limit_cycles"] = limitCyclesJson(outcome.limit);
+    root["limit_bounds"] = limitBoundsJson(outcome.limit);
+    root["binding"] = outcome.binding ? keysJson(*outcome.binding) : ordered_json(nullptr);
+    if (outcome.refinement) {
+        root["refined"] = {{"is_quicker", outcome.refinement->isQuicker},
+                           {"grid_status", searchStatusName(outcome.search.status)},
+                           {"grid_time_min", minutes(outcome.search.best->time_s)},
+                           {"grid_bound_time_min", minutes(outcome.search.bound_s)},
+                           {"cycles_run", outcome.refinement->runs}};
+    }
+    root["levels"] = levelsJson(outcome);
+    root["edges"] = edgesJson(outcome);
+    ordered_json& cuts = root["cut_by"] = ordered_json::object();
+    for (const auto& [kind, count] : outcome.cuts()) {
+        cuts[requirementOf(kind).key] = count;
+    }
+    root["given"] = givenJson(outcome);
+    if (outcome.robust) {
+        root["fresh_phases"] = freshPhasesJson(outcome);
+        const FoundCycle* const answer = outcome.answer();
+        root["decided_corners"] =
+            answer && answer->decided ? ordered_json(answer->decided->corners) : nullptr;
+    }
+    if (outcome.wishesFront) {
+        root["by_stages"] = numbersJson(outcome);
+        root["front"] = frontJson(outcome);
+        root["front_is_whole"] = outcome.isFrontWhole;
+    }
+    return root.dump(2) + '\n';
+}
+
+} // namespace sparkout
