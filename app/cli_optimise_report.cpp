@@ -9,8 +9,6 @@
 #include "core/study/search_outputs.h"
 #include "words/search_words.h"
 
-#include <cmath>
-
 namespace sparkout::cli {
 
 namespace {

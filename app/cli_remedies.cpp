@@ -5,9 +5,11 @@
 #include "app/io/cli_io.h"
 #include "app/io/cli_surfaces.h"
 #include "app/io/stop_signals.h"
+#include "core/format/output_json.h"
 #include "core/format/project_file.h"
 #include "core/phases/sampled_phases.h"
 #include "core/quality/light.h"
+#include "core/quality/requirement_outputs.h"
 #include "core/quality/result_names.h"
 #include "core/remedies/remedies.h"
 #include "core/simulation/simulate.h"
@@ -27,17 +29,6 @@ namespace sparkout::cli {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json requirementJson(const ConstraintResult& constraint) {
-    return {{"name", requirementOf(constraint.kind).key},
-            {"unit", requirementOf(constraint.kind).unit},
-            {"limit", constraint.limit},
-            {"value", constraint.value},
-            {"margin", constraint.margin},
-            {"relative_margin", constraint.relativeMargin},
-            {"where", whereText(constraint)},
-            {"ok", constraint.holds}};
-}
 
 /// The change of the project file, as RFC 6902 has it.
 ordered_json patchOf(const Project& before, const Project& after) {
@@ -78,7 +69,7 @@ ordered_json remedyJson(const Project& project, const Remedy& remedy) {
         {"patch", patchOf(project, remedy.applied(project))},
         {"requirements", ordered_json::array()}};
     for (const ConstraintResult& each : remedy.requirements) {
-        json["requirements"].push_back(requirementJson(each));
+        json["requirements"].push_back(outputsJson(requirementOutputs(), each));
     }
     return json;
 }

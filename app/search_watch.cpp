@@ -15,7 +15,8 @@ using namespace std::chrono_literals;
 
 } // namespace
 
-SearchWatch::SearchWatch(std::optional<double> timeLimit_s) : m_timeLimit_s(timeLimit_s) {
+SearchWatch::SearchWatch(std::optional<double> timeLimit_s, Text text)
+    : m_timeLimit_s(timeLimit_s), m_text(std::move(text)) {
     catchStopSignals();
     m_thread = std::jthread([this](const std::stop_token& ended) { watch(ended); });
 }
@@ -46,7 +47,8 @@ void SearchWatch::watch(const std::stop_token& ended) {
 
 void SearchWatch::printProgress() {
     if (m_state) {
-        printText(stderr, SearchWording().state(*std::exchange(m_state, std::nullopt)) + '\n');
+        const SearchState state = *std::exchange(m_state, std::nullopt);
+        printText(stderr, (m_text ? m_text(state) : SearchWording().state(state)) + '\n');
     }
 }
 

@@ -5,9 +5,11 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <thread>
 
 namespace sparkout::cli {
@@ -16,7 +18,10 @@ namespace sparkout::cli {
 /// and stops it on Ctrl+C, SIGTERM or when its time is up. A second Ctrl+C ends the program.
 class SearchWatch {
 public:
-    explicit SearchWatch(std::optional<double> timeLimit_s);
+    using Text = std::function<std::string(const SearchState&)>;
+
+    /// `text` says how far it is [in English].
+    explicit SearchWatch(std::optional<double> timeLimit_s, Text text = {});
     SearchWatch(const SearchWatch&) = delete;
     SearchWatch& operator=(const SearchWatch&) = delete;
 
@@ -30,6 +35,7 @@ private:
 
     std::chrono::steady_clock::time_point m_begin = std::chrono::steady_clock::now();
     std::optional<double> m_timeLimit_s;
+    Text m_text;
     std::stop_source m_search;
     std::mutex m_mutex; ///< of the state
     std::optional<SearchState> m_state;

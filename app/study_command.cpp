@@ -48,15 +48,9 @@ int ranSweep(const Project& project, Study& study) {
     if (!project.sweep) {
         return refuseFor(QStringLiteral("the project has no sweep (/sweep)"));
     }
-    auto outcome = std::make_shared<SweepOutcome>();
-    outcome->issues = checkSweep(project);
-    if (!outcome->ran()) {
-        return refuse(outcome->issues);
-    }
     cli::BatchWatch watch(pointsOf(project), true, "points");
-    outcome->result = runSweep(project, {0, watch.stop(), watch.done()});
-    study.sweep = std::move(outcome);
-    return 0;
+    study.sweep = std::make_shared<SweepResult>(runSweep(project, {0, watch.stop(), watch.done()}));
+    return study.sweep->ran() ? 0 : refuse(study.sweep->issues);
 }
 
 /// Of the file's set-up, whose wheel may wear.
@@ -73,7 +67,8 @@ int ranSearch(const Project& project, const ExportRequest& request, Study& study
         return refuseFor(QStringLiteral("the project has no search (/optimisation)"));
     }
     const SearchWish wish{.front = true, .wear = wearIn(request)};
-    cli::SearchWatch watch({});
+    cli::SearchWatch watch(
+        {}, [](const SearchState& state) { return OptimiseText::state(state).toStdString(); });
     study.search = search(project, wish, watch.token(),
                           {.note = [&watch](const SearchState& state) { watch.note(state); }});
     study.before_s = study.search->given.time_s;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "python/study_objects.h"
 
+#include "core/course/work_file.h"
 #include "core/deadline_stop.h"
+#include "core/lesson/lesson_file.h"
 #include "core/optimisation/search_names.h"
 #include "core/project/part.h"
 #include "core/quality/result_names.h"
@@ -10,11 +12,16 @@
 #include "python/interruptible.h"
 #include "python/project_object.h"
 #include "python/requirement_list.h"
+#include "words/course_json.h"
+#include "words/issue_words.h"
+#include "words/measured_json.h"
 #include "words/search_words.h"
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <stop_token>
@@ -447,6 +454,97 @@ void bindSearch(py::module_& module) {
         "wheel life has the quickest cycle as its answer.");
 }
 
+// --- measured and course ------------------------------------------------------------------------
+
+py::object measuredOf(const ValidProject& given, const std::optional<std::string>& table,
+                      const std::optional<std::string>& fit, int threads) {
+    expectThreads(threads);
+    Project project = given.project;
+    if (table) {
+        ReadMeasured read =
+            readMeasured(*table, proposeTable(*table), {"table", project.part->diameter_mm, 0});
+        if (!read.faults.empty()) {
+            const CellFault& first = read.faults.front();
+            throw py::value_error("table: line " + std::to_string(first.line) + ", column "
+                                  + std::to_string(first.column) + ": "
+                                  + Wording().sentence(first.issue));
+        }
+        Measured& measured = project.measured ? *project.measured : project.measured.emplace();
+        std::ranges::move(read.data.parts, std::back_inserter(measured.parts));
+        std::ranges::move(read.data.traces, std::back_inserter(measured.traces));
+    }
+    MeasuredAnswer answer;
+    if (fit) {
+        const auto parameters = fittedParametersOf(*fit);
+        if (!parameters) {
+            throw py::value_error("fit: " + *fit + "; allowed: " + knownParameters()
+                                  + "; compliance:N is of one zone or section");
+        }
+        answer.parameters = *parameters;
+    }
+    if (!project.measured
+        || (project.measured->parts.empty() && project.measured->traces.empty()
+            && project.measured->summaries.empty())) {
+        raiseRefusal("/measured: nothing is measured");
+    }
+    const Project predicting = predictingProject(project);
+    const bool isJudged = !statisticsOfMeasured(project).empty();
+    if (const Issues issues = isJudged ? checkBatch(predicting) : Issues(); !issues.empty()) {
+        raiseFaults(issues);
+    }
+    const std::string json = interruptible([&](const std::stop_token& stop) {
+        if (isJudged) {
+            BatchOptions options;
+            options.threads = threads;
+            options.stop = stop;
+            answer.rows = judgeAdequacy(project, runBatch(predicting, options));
+        }
+        if (fit) {
+            answer.fit = identify(
+                project, {answer.parameters, {}, !answer.rows.empty(), RobustLoss::none}, stop);
+        }
+        return measuredJson(project, answer);
+    });
+    if (answer.fit && !answer.fit->issues.empty()) {
+        raiseFaults(answer.fit->issues);
+    }
+    return fromJson(json);
+}
+
+py::object checkLessonText(const std::string& text) {
+    const ReadLesson read = readLesson(text);
+    if (!read.lesson) {
+        raiseFaults(read.issues);
+    }
+    return fromJson(interruptible([&](const std::stop_token& stop) {
+        return lessonCheckJson(checkedAsGiven(*read.lesson, stop));
+    }));
+}
+
+py::object checkWorkText(const std::string& text) {
+    const ReadWork read = readWork(text);
+    if (!read.work) {
+        raiseFaults(read.issues);
+    }
+    return fromJson(interruptible([&](const std::stop_token&) {
+        return workCheckJson(*read.work, checkedAnswers(*read.work));
+    }));
+}
+
+void bindMeasured(py::module_& module) {
+    module.def("measured", &measuredOf, py::arg("project"), py::kw_only(),
+               py::arg("table") = py::none(), py::arg("fit") = py::none(), py::arg("threads") = 0,
+               "What was measured against the batch that the project predicts, and, of the "
+               "parameters of `fit` (\"compliance,alpha\"), their values: all that `sparkout-cli "
+               "measured --json` states. `table`: the text of a table of parts or traces, beside "
+               "what the project has.");
+    module.def("check_lesson", &checkLessonText, py::arg("text"),
+               "What each step of a lesson finds as it is given, as `sparkout-cli course check "
+               "--json` states it.");
+    module.def("check_work", &checkWorkText, py::arg("text"),
+               "The same of the answers of a student's work.");
+}
+
 // --- phases and dressing ------------------------------------------------------------------------
 
 py::object phasesOf(const ValidProject& project, std::optional<double> from_mm,
@@ -505,6 +603,7 @@ void bindStudies(py::module_& module) {
     bindBatch(module);
     bindSweep(module);
     bindSearch(module);
+    bindMeasured(module);
     bindDecisions(module);
 }
 

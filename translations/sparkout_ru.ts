@@ -1942,14 +1942,6 @@
             <translation>%1 из %2</translation>
         </message>
         <message>
-            <source>Of the inputs before the last edit; the grid of now is being filled.</source>
-            <translation>По исходным данным до последней правки; новая сетка заполняется.</translation>
-        </message>
-        <message>
-            <source>Of the inputs before the last edit. Press “Run” for those of now.</source>
-            <translation>По исходным данным до последней правки. Нажмите «Рассчитать» для нынешних.</translation>
-        </message>
-        <message>
             <source>Stopped before the grid was filled. Press “Run”.</source>
             <translation>Остановлено до заполнения сетки. Нажмите «Рассчитать».</translation>
         </message>
@@ -7430,8 +7422,8 @@ With another name both versions stay as they are.</source>
             <translation>Уточнение между уровнями ищет только наименьшее время.</translation>
         </message>
         <message>
-            <source>The minimum cost needs the cost of a part: page Search of the inputs.</source>
-            <translation>Для наименьшей стоимости нужна стоимость детали: страница «Поиск» исходных данных.</translation>
+            <source>The minimum cost needs the cost of a part.</source>
+            <translation>Для наименьшей стоимости нужна стоимость детали.</translation>
         </message>
         <message>
             <source>The maximum margin within a time is searched with the objective “minimum time” alone.</source>
@@ -7446,12 +7438,12 @@ With another name both versions stay as they are.</source>
             <translation>Не задано, что искать.</translation>
         </message>
         <message>
-            <source>Both feeds need levels: page Search of the inputs.</source>
-            <translation>Обеим подачам нужны уровни: страница «Поиск» исходных данных.</translation>
+            <source>Both feeds need levels.</source>
+            <translation>Обеим подачам нужны уровни.</translation>
         </message>
         <message>
-            <source>The plunge feed needs levels: page Search of the inputs.</source>
-            <translation>Врезной подаче нужны уровни: страница «Поиск» исходных данных.</translation>
+            <source>The plunge feed needs levels.</source>
+            <translation>Врезной подаче нужны уровни.</translation>
         </message>
         <message>
             <source>A stage would have more than %1 settings of its feeds: take fewer levels.</source>
@@ -7682,6 +7674,10 @@ With another name both versions stay as they are.</source>
             <translation>Запас по времени ищется с целью «наименьшее время» или для наибольшего запаса; этот поиск — по деталям между правками.</translation>
         </message>
         <message>
+            <source>Margins by time are searched by the exact search alone (--method search).</source>
+            <translation>Запасы по времени ищет только точный поиск (--method search).</translation>
+        </message>
+        <message>
             <source>The search for margins by time continues.</source>
             <translation>Запасы по времени ещё ищутся.</translation>
         </message>
@@ -7716,6 +7712,10 @@ With another name both versions stay as they are.</source>
     </context>
     <context>
         <name>OptimiseText</name>
+        <message>
+            <source>See the page Search of the inputs.</source>
+            <translation>См. страницу «Поиск» исходных данных.</translation>
+        </message>
         <message>
             <source>Of every stage: radial feed, mm per double stroke; axial feed, mm/min; stock per side, mm</source>
             <translation>Для каждой ступени: радиальная подача, мм/дв.ход; осевая подача, мм/мин; припуск на сторону, мм</translation>
@@ -9755,12 +9755,23 @@ With another name both versions stay as they are.</source>
     <context>
         <name>StudiesShown</name>
         <message>
-            <source>It is of the inputs before the last edit. Run it for those of now in the view “%1”.</source>
-            <translation>Это расчёт для данных до последней правки. Выполните его для нынешних в виде «%1».</translation>
+            <source>These results are for the inputs before the last edit. Compute them for the present inputs in the view “%1”.</source>
+            <translation>Это результаты для исходных данных до последней правки. Рассчитайте для нынешних в виде «%1».</translation>
         </message>
         <message>
             <source>It is being run: wait for it, or stop it.</source>
             <translation>Расчёт ещё идёт: дождитесь его или остановите.</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::StudyView</name>
+        <message>
+            <source>These results are for the inputs before the last edit; those for the present inputs are being computed.</source>
+            <translation>Это результаты для исходных данных до последней правки; для нынешних расчёт идёт.</translation>
+        </message>
+        <message>
+            <source>These results are for the inputs before the last edit. Press “%1” to compute them for the present inputs.</source>
+            <translation>Это результаты для исходных данных до последней правки. Нажмите «%1», чтобы рассчитать для нынешних.</translation>
         </message>
     </context>
     <context>
@@ -11332,14 +11343,6 @@ With another name both versions stay as they are.</source>
         <message>
             <source>The batch cannot be run:</source>
             <translation>Партию нельзя рассчитать:</translation>
-        </message>
-        <message>
-            <source>Of the inputs before the last edit; the new batch is being run.</source>
-            <translation>Для исходных данных до последней правки; новая партия рассчитывается.</translation>
-        </message>
-        <message>
-            <source>Of the inputs before the last edit. Press “Run” for those of now.</source>
-            <translation>Для исходных данных до последней правки. Для нынешних нажмите «Рассчитать».</translation>
         </message>
         <message>
             <source>This batch takes a while: press “Run”. It can be stopped at any time and keeps what was done.</source>
@@ -14139,14 +14142,6 @@ target, µm</source>
             <translation>«Найти» ищет самый быстрый цикл сетки, который выдерживает все требования. Поиск можно остановить в любой момент, лучший найденный цикл сохранится.</translation>
         </message>
         <message>
-            <source>Of the inputs before the last edit; those of now are being searched.</source>
-            <translation>По данным до последней правки; идёт поиск по текущим.</translation>
-        </message>
-        <message>
-            <source>Of the inputs before the last edit. Press “Search” for those of now.</source>
-            <translation>По данным до последней правки. Для текущих нажмите «Найти».</translation>
-        </message>
-        <message>
             <source>Feeds and radii of your cycle and of the one found</source>
             <translation>Подачи и радиусы исходного и найденного циклов</translation>
         </message>
@@ -15705,14 +15700,6 @@ target, µm</source>
             <translation>Диапазон должен возрастать: он начинается с %1 мм и кончается на %2 мм.</translation>
         </message>
         <message>
-            <source>Of the inputs before the last edit; those of now are being decided.</source>
-            <translation>По данным до последней правки; текущие рассчитываются.</translation>
-        </message>
-        <message>
-            <source>Of the inputs before the last edit. Press “Run” for those of now.</source>
-            <translation>По данным до последней правки. Для текущих нажмите «Рассчитать».</translation>
-        </message>
-        <message>
             <source>Stopped before anything was decided. Press “Run”.</source>
             <translation>Остановлено, прежде чем что-либо решено. Нажмите «Рассчитать».</translation>
         </message>
@@ -15986,14 +15973,6 @@ target, µm</source>
         <message>
             <source>The sweep cannot be run:</source>
             <translation>Варьирование нельзя рассчитать:</translation>
-        </message>
-        <message>
-            <source>Of the inputs before the last edit; the new sweep is being run.</source>
-            <translation>По данным до последней правки; новое варьирование рассчитывается.</translation>
-        </message>
-        <message>
-            <source>Of the inputs before the last edit. Press “Run” for those of now.</source>
-            <translation>Для исходных данных до последней правки. Для нынешних нажмите «Рассчитать».</translation>
         </message>
         <message>
             <source>This sweep takes a while: press “Run”. It can be stopped at any time and keeps what was done.</source>
@@ -19161,14 +19140,6 @@ The size alone gives α and β, that is the compliance with the force together; 
         <message>
             <source>The batch that predicts cannot be run:</source>
             <translation>Партию для прогноза рассчитать нельзя:</translation>
-        </message>
-        <message>
-            <source>Of the inputs before the last edit; the new batch is being run.</source>
-            <translation>По данным до последней правки; новая партия рассчитывается.</translation>
-        </message>
-        <message>
-            <source>Of the inputs before the last edit. Press “Run” for those of now.</source>
-            <translation>По данным до последней правки. Для нынешних нажмите «Рассчитать».</translation>
         </message>
         <message>
             <source>The batch that predicts takes a while: press “Run”. It can be stopped at any time.</source>

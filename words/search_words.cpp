@@ -149,7 +149,10 @@ std::string SearchWording::state(const SearchState& state) const {
 
 // --- why nothing is searched --------------------------------------------------------------------
 
-const char* faultPath(const SearchOutcome& outcome) {
+namespace {
+
+/// Of the input that fault() is about.
+std::string faultPath(const SearchOutcome& outcome) {
     if (outcome.isOtherOperation) {
         return "/operation";
     }
@@ -163,9 +166,19 @@ const char* faultPath(const SearchOutcome& outcome) {
     case ObjectiveFault::otherAim: return "/optimisation/margin_within_min";
     case ObjectiveFault::otherParts: return "/optimisation/objective";
     }
-    return outcome.fault == GridFault::tooManySteps ? "/optimisation/stock_step_mm"
-                                                    : "/optimisation";
+    std::string feeds;
+    if (outcome.fault == GridFault::noLevels) {
+        for (const StageFeed& feed : outcome.project.operation->feeds) {
+            feeds +=
+                (feeds.empty() ? "/optimisation/" : ", /optimisation/") + std::string(feed.key);
+        }
+    }
+    return !feeds.empty()                             ? feeds
+           : outcome.fault == GridFault::tooManySteps ? "/optimisation/stock_step_mm"
+                                                      : "/optimisation";
 }
+
+} // namespace
 
 std::string searchRefusal(const SearchOutcome& outcome) {
     const std::string sentence = SearchWording().fault(outcome);
@@ -173,7 +186,7 @@ std::string searchRefusal(const SearchOutcome& outcome) {
         outcome.isOtherOperation || (outcome.isOtherAim && isHeuristic(outcome.method))
             ? std::string("--method ") + searchMethodName(outcome.method) + ": "
             : std::string();
-    return sentence.empty() ? sentence : faultPath(outcome) + (": " + method) + sentence;
+    return sentence.empty() ? sentence : faultPath(outcome) + ": " + method + sentence;
 }
 
 std::string SearchWording::fault(const SearchOutcome& outcome) const {
@@ -192,8 +205,7 @@ std::string SearchWording::fault(const SearchOutcome& outcome) const {
     switch (outcome.objectiveFault) {
     case ObjectiveFault::none: break;
     case ObjectiveFault::noRates:
-        return translated(SPARKOUT_NOOP(
-            "Search", "The minimum cost needs the cost of a part: page Search of the inputs."));
+        return translated(SPARKOUT_NOOP("Search", "The minimum cost needs the cost of a part."));
     case ObjectiveFault::otherAim:
         return translated(SPARKOUT_NOOP("Search", "The maximum margin within a time is searched "
                                                   "with the objective “minimum time” alone."));
@@ -207,11 +219,9 @@ std::string SearchWording::fault(const SearchOutcome& outcome) const {
     case GridFault::notGiven:
         return translated(SPARKOUT_NOOP("Search", "What is to be searched is not given."));
     case GridFault::noLevels:
-        return translated(
-            outcome.project.operation->axial()
-                ? SPARKOUT_NOOP("Search", "Both feeds need levels: page Search of the inputs.")
-                : SPARKOUT_NOOP("Search",
-                                "The plunge feed needs levels: page Search of the inputs."));
+        return translated(outcome.project.operation->axial()
+                              ? SPARKOUT_NOOP("Search", "Both feeds need levels.")
+                              : SPARKOUT_NOOP("Search", "The plunge feed needs levels."));
     case GridFault::tooManyLevels:
         return filled(SPARKOUT_NOOP("Search", "A stage would have more than %1 settings of its "
                                               "feeds: take fewer levels."),
@@ -322,6 +332,10 @@ void SearchWording::addIntervalAnswer(const SearchOutcome& outcome,
     const bool isCost = outcome.objective() == SearchObjective::cost;
     const std::string size = gridSize(outcome.search.gridSize), taken = minutes(best.time_s);
     const std::string price = cost(best.cost.value_or(0));
+    if (!best.held && !outcome.proved()) {
+        lines.push_back(timeAnswer(outcome));
+        return;
+    }
     if (!best.held) {
         lines.push_back(
             filled(SPARKOUT_NOOP("Search", "%1 min: the quickest of %2. How the wheel wears is "
@@ -546,6 +560,10 @@ std::string SearchWording::front(const SearchOutcome& outcome) const {
     }
     if (outcome.isFrontComing) {
         return translated(SPARKOUT_NOOP("Search", "The search for margins by time continues."));
+    }
+    if (isHeuristic(outcome.method)) {
+        return translated(SPARKOUT_NOOP(
+            "Search", "Margins by time are searched by the exact search alone (--method search)."));
     }
     const std::vector<const FoundCycle*> points = outcome.front();
     if (points.empty() && outcome.robust && outcome.best() && !outcome.best()->decided) {

@@ -68,9 +68,8 @@ private:
     [[nodiscard]] std::string binding(const SearchOutcome& outcome) const;
 };
 
-/// The path of the input that fault() is about.
-[[nodiscard]] const char* faultPath(const SearchOutcome& outcome);
-/// Both: "/optimisation: What is to be searched is not given."; empty likewise.
+/// fault() behind the path of its input: "/optimisation: What is to be searched is not given.";
+/// empty likewise.
 [[nodiscard]] std::string searchRefusal(const SearchOutcome& outcome);
 
 } // namespace sparkout

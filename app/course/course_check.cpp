@@ -3,19 +3,18 @@
 
 #include "app/io/cli_io.h"
 #include "app/io/cli_kept_runs.h"
-#include "core/course/variant.h"
+#include "core/course/course_check.h"
 #include "core/course/work_file.h"
 #include "core/course/work_seal.h"
 #include "core/format/project_file.h"
-#include "core/lesson/goal_check.h"
 #include "core/lesson/lesson_file.h"
 #include "core/printable.h"
-#include "core/setup/setup_file.h"
+#include "words/course_json.h"
 #include "words/lesson_words.h"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -25,57 +24,25 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json stepJson(const Lesson& lesson, std::size_t step, const GoalResult& result) {
-    const auto orNull = [](const std::optional<double>& value) {
-        return value ? ordered_json(*value) : ordered_json(nullptr);
-    };
-    ordered_json failing = ordered_json::array();
-    for (const ConstraintKind kind : result.failing) {
-        failing.push_back(requirementOf(kind).key);
-    }
-    return {{"step", step + 1},
-            {"goal", goalKey(lesson.steps[step].goal.kind())},
-            {"points", lesson.steps[step].points},
-            {"finding", findingKey(result.finding)},
-            {"value", orNull(result.value)},
-            {"asked", orNull(result.asked)},
-            {"failing", std::move(failing)}};
-}
-
-/// What each step of a lesson finds in an answer of it.
-template <class AnswerOf>
-int printSteps(const Lesson& lesson, bool json, ordered_json root, const AnswerOf& answerOf) {
-    ordered_json list = ordered_json::array();
+void printSteps(const CheckedSteps& checked, const std::optional<std::string>& json) {
     std::string text;
-    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-        const GoalResult result = checkStep(lesson, i, answerOf(i));
-        list.push_back(stepJson(lesson, i, result));
-        text += "step " + std::to_string(i + 1) + "  " + goalKey(lesson.steps[i].goal.kind()) + "  "
-                + goalSentence(lesson.steps[i].goal, result) + '\n';
+    for (std::size_t i = 0; i < checked.steps.size(); ++i) {
+        const Goal& goal = checked.lesson.steps[i].goal;
+        text += "step " + std::to_string(i + 1) + "  " + goalKey(goal.kind()) + "  "
+                + goalSentence(goal, checked.steps[i]) + '\n';
     }
-    root["steps"] = std::move(list);
-    print(stdout, json ? root.dump(2) + '\n' : text);
-    return done;
+    print(stdout, json.value_or(text));
 }
 
-/// A lesson, each step as it is given: what a student finds before he does anything.
 int checkLessonFile(const std::string& file, const std::string& content, bool json) {
     const ReadLesson read = readLesson(content);
     printIssues(file, read.issues);
     if (!read.lesson) {
         return refused;
     }
-    Lesson lesson = *read.lesson;
-    if (asksForBest(lesson)) { // else nobody knows what time is asked for
-        const auto best = bestAnswer(lesson.base.surfaces[variedSurface(lesson)].project);
-        lesson =
-            withVariant(std::move(lesson), {}, best ? std::optional(best->time_min) : std::nullopt);
-    }
-    return printSteps(lesson, json, {{"lesson", lesson.title.in(false)}}, [&](std::size_t step) {
-        Answer answer;
-        answer.setup.text = writeSetup(setupOf(lesson, step));
-        return answer;
-    });
+    const CheckedSteps checked = checkedAsGiven(*read.lesson);
+    printSteps(checked, json ? std::optional(lessonCheckJson(checked)) : std::nullopt);
+    return done;
 }
 
 /// A work by itself: its seals, and its answers by the engine.
@@ -94,14 +61,9 @@ int checkWorkFile(const std::string& file, const std::string& content, bool json
                                                 + " does not hold")
                           + ": it was edited outside the program\n");
     }
-    const int status = printSteps(
-        work.lesson, json,
-        {{"name", work.name},
-         {"group", work.group},
-         {"variant", work.variant},
-         {"sealed", !broken}},
-        [&](std::size_t step) { return recordOf(work, step).answer.value_or(Answer()); });
-    return broken ? static_cast<int>(requirementFails) : status;
+    const CheckedSteps checked = checkedAnswers(work);
+    printSteps(checked, json ? std::optional(workCheckJson(work, checked)) : std::nullopt);
+    return broken ? static_cast<int>(requirementFails) : static_cast<int>(done);
 }
 
 int checkProjectFile(const std::string& file, bool json) {

@@ -130,10 +130,12 @@ Command optimizeCommand() {
           "S",
           Kind::anything,
           "",
-          {"ends search and refinement after so many seconds, as Ctrl+C does: the best so far "
+          {"ends search, refinement and front after so many seconds, as Ctrl+C does: the best so "
+           "far "
            "stays, "
            "with the time that no cycle is quicker than",
-           "прекращает поиск и уточнение через столько секунд, как Ctrl+C: остаётся лучшее из "
+           "прекращает поиск, уточнение и запасы по времени через столько секунд, как Ctrl+C: "
+           "остаётся лучшее из "
            "найденного и время, быстрее которого цикла нет"}},
          {"--threads",
           "N",
@@ -521,7 +523,7 @@ const Program& commandLineProgram() {
          "расчёт циклов круглого шлифования по проходам"},
         {"simulate FILE [--surface NAME|N|all] [--json] [--check] [--trace OUT.csv]",
          "remedies FILE [--surface NAME|N|all] [--json]",
-         "optimize FILE [--surface NAME|N|all] [--robust] [--refine]\n"
+         "optimize FILE [--surface NAME|N|all] [--robust] [--refine] [--front]\n"
          "[--method search|full|dp|labels] [--stages N,…]\n"
          "[--time-limit S] [--threads N] [--json] [-o OUT.sparkout]",
          "validate FILE",

@@ -6,7 +6,6 @@
 #include "app/io/cli_report.h"
 #include "app/io/cli_surfaces.h"
 #include "app/io/stop_signals.h"
-#include "app/measured/cli_parameters.h"
 #include "app/measured/cli_roundness.h"
 #include "app/measured/cli_stiffness.h"
 #include "app/measured/cli_trial.h"
@@ -19,13 +18,10 @@
 #include "core/project/batch.h"
 #include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/quality/result_names.h"
+#include "words/measured_json.h"
 #include "words/measured_words.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <optional>
@@ -36,18 +32,6 @@
 namespace sparkout::cli {
 
 namespace {
-
-using nlohmann::ordered_json;
-
-const char* keyOf(MeasuredQuantity quantity) {
-    return choicesOf<MeasuredQuantity>()[static_cast<std::size_t>(quantity)].key;
-}
-
-std::string placeName(const Project& project, int place) {
-    return sectionOrPart(project.operation->hasZones && place >= 0 ? static_cast<Zone>(place)
-                                                                   : Zone::section,
-                         place);
-}
 
 /// Reads a table of measurements into a project; its faults are said by line and column.
 bool readInto(Project& project, const std::string& file) {
@@ -66,50 +50,6 @@ bool readInto(Project& project, const std::string& file) {
     std::ranges::move(read.data.parts, std::back_inserter(measured.parts));
     std::ranges::move(read.data.traces, std::back_inserter(measured.traces));
     return true;
-}
-
-ordered_json limitsJson(const std::optional<Interval>& interval) {
-    return interval ? ordered_json{interval->low, interval->high} : ordered_json(nullptr);
-}
-
-ordered_json rowJson(const Project& project, const AdequacyRow& row) {
-    const MeasuredStatistics& parts = row.measured;
-    ordered_json json = {{"quantity", keyOf(parts.quantity)},
-                         {"where", placeName(project, parts.place)},
-                         {"summary", parts.isSummary},
-                         {"count", parts.count},
-                         {"mean_um", parts.mean},
-                         {"mean_95_um", limitsJson(row.mean95)},
-                         {"deviation_um", nullptr},
-                         {"predicted", nullptr},
-                         {"bias_95_um", limitsJson(row.bias95)},
-                         {"variance_ratio", nullptr},
-                         {"inside", nullptr},
-                         {"verdict", wordsOf(row.verdict).key}};
-    if (parts.deviation) {
-        json["deviation_um"] = *parts.deviation;
-    }
-    if (row.predicted) {
-        json["predicted"] = {{"count", row.predicted->count},
-                             {"mean_um", row.predicted->mean},
-                             {"low_um", row.predicted->low},
-                             {"high_um", row.predicted->high}};
-        if (row.predicted->deviation) {
-            json["predicted"]["deviation_um"] = *row.predicted->deviation;
-        }
-    }
-    if (row.scatter) {
-        json["variance_ratio"] = {{"value", row.scatter->ratio},
-                                  {"low", row.scatter->low},
-                                  {"high", row.scatter->high},
-                                  {"probability", row.scatter->probability}};
-    }
-    if (row.share) {
-        json["inside"] = {{"count", row.share->inside},
-                          {"of", row.share->count},
-                          {"interval_95", limitsJson(row.share->interval)}};
-    }
-    return json;
 }
 
 std::string rowText(const Project& project, const AdequacyRow& row) {
@@ -136,54 +76,6 @@ std::string rowText(const Project& project, const AdequacyRow& row) {
                 + fixed(perCent * row.share->interval.high, 0) + " %)";
     }
     return text + ": " + wordsOf(row.verdict).text + '\n';
-}
-
-ordered_json fitJson(const Identification& found, const std::vector<FittedParameter>& requested) {
-    ordered_json json = {
-        {"status", wordsOf(found.status).key},  {"values", ordered_json::array()},
-        {"correlation", found.correlation},     {"condition", nullptr},
-        {"residuals", ordered_json::array()},   {"normality_probability", nullptr},
-        {"in_doubt", found.isInDoubt()},        {"out_of_step", ordered_json::array()},
-        {"cannot_tell", ordered_json::array()}, {"measured_values", found.count}};
-    for (const FittedValue& value : found.values) {
-        json["values"].push_back({{"parameter", parameterName(value.parameter)},
-                                  {"value", value.value},
-                                  {"unit", unitOf(value.parameter.kind)},
-                                  {"interval_95", limitsJson(value.interval95)}});
-    }
-    if (std::isfinite(found.condition)) {
-        json["condition"] = found.condition;
-    }
-    for (const FitResiduals& group : found.residuals) {
-        json["residuals"].push_back(
-            {{"source", wordsOf(group.source).key},
-             {"trace", group.trace},
-             {"count", group.values.size()},
-             {"rms", group.rms},
-             {"noise", group.noise ? ordered_json(*group.noise) : ordered_json(nullptr)},
-             {"in_doubt", group.isInDoubt()},
-             {"unit", unitOf(group.source)}});
-    }
-    if (found.normality) {
-        json["normality_probability"] = found.normality->probability;
-    }
-    for (const OutOfStep& one : found.outOfStep) {
-        json["out_of_step"].push_back({{"parameter", wordsOf(one.kind).key},
-                                       {"value", one.delay_s},
-                                       {"error", one.error_s},
-                                       {"unit", unitOf(one.kind)},
-                                       {"moves", parameterName(requested[one.parameter])},
-                                       {"to", one.value}});
-    }
-    for (const Unidentified& one : found.unidentified) {
-        ordered_json names = ordered_json::array();
-        for (const std::size_t i : one.parameters) {
-            names.push_back(parameterName(requested[i]));
-        }
-        json["cannot_tell"].push_back(
-            {{"parameters", std::move(names)}, {"measure", wordsOf(one.advice).key}});
-    }
-    return json;
 }
 
 std::string fitText(const Identification& found, const std::vector<FittedParameter>& requested) {
@@ -232,12 +124,6 @@ std::string fitText(const Identification& found, const std::vector<FittedParamet
     }
     return text;
 }
-
-/// What one project gave.
-struct MeasuredAnswer {
-    std::vector<AdequacyRow> rows;
-    std::optional<Identification> fit;
-};
 
 /// Runs the batch that predicts, and judges; the exit status.
 int judge(const Project& project, const std::string& name, const Options& options,
@@ -288,7 +174,7 @@ int measureOne(Project project, const std::string& name,
         print(stderr, printable(name) + ": /measured: nothing is measured\n");
         return refused;
     }
-    MeasuredAnswer answer;
+    MeasuredAnswer answer{.rows = {}, .fit = {}, .parameters = parameters};
     if (const int failed = judge(project, name, options, answer)) {
         return failed;
     }
@@ -299,14 +185,7 @@ int measureOne(Project project, const std::string& name,
         printIssues(name, answer.fit->issues);
     }
     if (options.json) {
-        ordered_json json = {{"adequacy", ordered_json::array()}, {"identification", nullptr}};
-        for (const AdequacyRow& row : answer.rows) {
-            json["adequacy"].push_back(rowJson(project, row));
-        }
-        if (answer.fit) {
-            json["identification"] = fitJson(*answer.fit, parameters);
-        }
-        print(stdout, json.dump(2) + '\n');
+        print(stdout, measuredJson(project, answer));
     } else {
         for (const AdequacyRow& row : answer.rows) {
             print(stdout, rowText(project, row));
@@ -322,9 +201,11 @@ int runMeasuredCommand(const Options& options) {
     std::vector<FittedParameter> parameters;
     const std::string& wanted = options.trial.empty() ? options.fit : options.trial;
     if (!wanted.empty()) {
-        const auto requested = parametersOf(wanted);
+        const auto requested = fittedParametersOf(wanted);
         if (!requested) {
-            return refuseParameters(options.trial.empty() ? "--fit" : "--trial");
+            return usageError(std::string(options.trial.empty() ? "--fit" : "--trial")
+                              + " needs parameters out of " + knownParameters()
+                              + "; compliance:N is of one zone or section");
         }
         parameters = *requested;
     }

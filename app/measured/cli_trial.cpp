@@ -5,12 +5,12 @@
 #include "app/io/cli_io.h"
 #include "app/io/cli_report.h"
 #include "app/io/stop_signals.h"
-#include "app/measured/cli_parameters.h"
 #include "core/identification/trial_design.h"
 #include "core/printable.h"
 #include "core/project/cycle.h"
 #include "core/project/project.h"
 #include "core/units.h"
+#include "words/measured_json.h"
 #include "words/trial_words.h"
 
 #include <nlohmann/json.hpp>

@@ -7,6 +7,7 @@
 #include "core/reference/lesson_page.h"
 #include "core/reference/lesson_schema.h"
 #include "core/reference/reference_page.h"
+#include "core/reference/result_schema.h"
 
 #include <cstdio>
 #include <string>
@@ -21,7 +22,8 @@ int main(int argc, char** argv) {
     for (const auto& [file, text] : {std::pair{folder + "/en/project-file.md", referencePage()},
                                      std::pair{folder + "/en/lesson-file.md", lessonPage()},
                                      std::pair{folder + "/project.schema.json", projectSchema()},
-                                     std::pair{folder + "/lesson.schema.json", lessonSchema()}}) {
+                                     std::pair{folder + "/lesson.schema.json", lessonSchema()},
+                                     std::pair{folder + "/results.schema.json", resultSchema()}}) {
         if (const auto error = writeFileSafely(file, text)) {
             std::fprintf(stderr, "%s: %s\n", error->path.c_str(), fileStepText(error->step));
             return 1;

@@ -197,6 +197,7 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
     Trials trials;
     CaseOrder cases;
     std::vector<FeasibleCycle> candidates; // in the order of their tests on fresh phases
+    std::vector<FeasibleCycle> held;       // that came through all of their tests
     const auto challenge = [&](const FeasibleCycle& found) {
         Project best = variants.project(found.variant);
         best.optimisation = project.optimisation;
@@ -216,8 +217,22 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
                     ? cases.failingElse(best, stop)
                     : failingPart(failingPhase(best, static_cast<std::uint32_t>(draws), stop));
             summary.freshFailures += failing ? 1 : 0;
+            if (!failing && !stop.stop_requested()) {
+                held.push_back(found);
+            }
         }
         return failing;
+    };
+    const auto takeBest = [&] {
+        summary.candidate = placeOf(*summary.search.best, candidates);
+        summary.holdsInSample = true;
+        if (canDecidePhases(project)) {
+            Project best = variants.project(summary.search.best->variant);
+            *best.cycle = summary.search.cycle;
+            summary.decided = phaseCases(best);
+        } else {
+            summary.freshPhases = freshPhaseCount;
+        }
     };
     while (summary.rounds < options.mostRounds) {
         summary.search = optimise(project, search);
@@ -237,6 +252,12 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
         if (!summary.search.best || summary.search.status == SearchStatus::stopped) {
             if (summary.search.isStale) {
                 summary.search.best.reset(); // it fails in a scenario
+            } else if (summary.search.best
+                       && std::ranges::any_of(held, [&](const FeasibleCycle& each) {
+                              return each.variant == summary.search.best->variant
+                                     && each.cycle == summary.search.best->cycle;
+                          })) {
+                takeBest(); // the best so far, stopped
             }
             return summary;
         }
@@ -246,15 +267,7 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
             return summary;
         }
         if (!failing) { // a challenge was drawn for this cycle
-            summary.candidate = placeOf(*summary.search.best, candidates);
-            summary.holdsInSample = true;
-            if (canDecidePhases(project)) {
-                Project best = variants.project(summary.search.best->variant);
-                *best.cycle = summary.search.cycle;
-                summary.decided = phaseCases(best);
-            } else {
-                summary.freshPhases = freshPhaseCount;
-            }
+            takeBest();
             return summary;
         }
         search.scenarios.push_back(failing->part);

@@ -49,7 +49,7 @@ struct RobustSummary {
 /// not proved: it is tried on phases of the stock drawn at random, fresh for each such cycle; the
 /// answer is one that failed in none of its own, so that with 95 % confidence no more than
 /// mostFailing() of the phases fail. A stop leaves a trial unchecked: it counts neither as one that
-/// failed nor as one that held.
+/// failed nor as one that held. What it keeps is the best so far that came through all of its own.
 ///
 /// Every stage of the answer makes a step on the part itself (SearchOptions::everyStageSteps). A
 /// stage that the stage before overruns there would be in use for other stocks only; a cycle with

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -59,6 +60,9 @@ private:
         StepReading last;
         std::vector<bool> answers;
         double left_mm = 0; ///< that the run leaves more below its cuts
+        /// Its stocks are larger by more than that, as was answered in the running stage. Where a
+        /// stage comes to rest next to its end, each further step would split them again, for ever.
+        double denied_mm = -std::numeric_limits<double>::infinity();
     };
 
     bool follow(Branch& branch) {
@@ -106,6 +110,10 @@ private:
                 m_given.push_back(known[m_given.size()]);
                 return static_cast<bool>(m_given.back());
             }
+            if (larger_mm <= branch.denied_mm + m_overlap_mm) {
+                m_given.push_back(false);
+                return false;
+            }
             const bool some = branch.low_mm <= larger_mm + m_overlap_mm;
             const bool others = branch.high_mm > larger_mm - m_overlap_mm;
             if (some && others) {
@@ -114,10 +122,13 @@ private:
                 m_branches.push_back({branch.steps->copy(), *m_before,
                                       std::max(branch.low_mm, larger_mm - m_overlap_mm),
                                       branch.high_mm, branch.last, std::move(answers),
-                                      branch.left_mm});
+                                      branch.left_mm, larger_mm});
                 branch.high_mm = std::min(branch.high_mm, larger_mm + m_overlap_mm);
             }
             m_given.push_back(some);
+            if (some) { // the next stage asks of another size
+                branch.denied_mm = -std::numeric_limits<double>::infinity();
+            }
             return some;
         });
     }

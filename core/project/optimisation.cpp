@@ -7,21 +7,6 @@
 
 namespace sparkout {
 
-std::vector<std::string> wholeCycleKeys() {
-    constexpr std::array members{&Optimisation::work_speed_rpm, &Optimisation::dwell_entry_s,
-                                 &Optimisation::dwell_exit_s, &Optimisation::unfed_steps};
-    Optimisation any;
-    std::vector<std::string> keys;
-    for (const Field& field : tableOf<Optimisation>().fields) {
-        for (const auto member : members) {
-            if (field.member(&any) == &(any.*member)) {
-                keys.emplace_back(field.key);
-            }
-        }
-    }
-    return keys;
-}
-
 template <>
 std::span<const Choice> choicesOf<OptimisationScenarios>() {
     static const std::array choices{Choice{"nominal", SPARKOUT_NOOP("Choice", "nominal part")},

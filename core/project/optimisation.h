@@ -51,9 +51,6 @@ struct Optimisation {
     std::optional<Cost> cost;            ///< not given: not reported
 };
 
-/// Keys of the levels that are set once for the whole cycle; the others are feeds of the stages.
-[[nodiscard]] std::vector<std::string> wholeCycleKeys();
-
 template <>
 std::span<const Choice> choicesOf<OptimisationScenarios>();
 template <>

@@ -7,6 +7,7 @@
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/finished_surface.h"
 #include "core/quality/form_outputs.h"
+#include "core/quality/requirement_outputs.h"
 #include "core/quality/result_names.h"
 #include "core/quality/roughness.h"
 #include "core/quality/shop_outputs.h"
@@ -55,20 +56,6 @@ ordered_json zoneJson(const SimulationResult& result, const SectionResult& secti
         {"radii_um", std::move(radii)}};
 }
 
-ordered_json constraintJson(const ConstraintResult& constraint) {
-    const auto whole = [&constraint](double value) {
-        return constraint.isWhole ? ordered_json(value) : ordered_json(nullptr);
-    };
-    return {{"name", requirementOf(constraint.kind).key},
-            {"unit", requirementOf(constraint.kind).unit},
-            {"limit", constraint.limit},
-            {"value", whole(constraint.value)},
-            {"margin", whole(constraint.margin)},
-            {"relative_margin", whole(constraint.relativeMargin)},
-            {"where", whereText(constraint)},
-            {"ok", constraint.holds}};
-}
-
 ordered_json partJson(const PartAccuracy& accuracy, const FinishedSurface& surface) {
     const auto stated = [&surface](double value_mm) {
         return statedJson(surface, value_mm * units::umPerMm);
@@ -92,7 +79,7 @@ ordered_json burnJson(const BurnState& burn) {
 ordered_json constraintsJson(const std::vector<ConstraintResult>& constraints) {
     ordered_json list = ordered_json::array();
     for (const ConstraintResult& constraint : worstByKind(constraints)) {
-        list.push_back(constraintJson(constraint));
+        list.push_back(outputsJson(requirementOutputs(), constraint));
     }
     return list;
 }

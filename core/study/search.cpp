@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
-#include <limits>
 #include <utility>
 
 namespace sparkout {
@@ -148,6 +147,7 @@ private:
                 note(*progress.best);
             }
             report({.stages = stages,
+                    .best_s = progress.best ? std::optional(progress.best->time_s) : std::nullopt,
                     .share = progress.share,
                     .bound_s = progress.bound_s,
                     .evaluations = progress.evaluations});
@@ -203,7 +203,10 @@ private:
         m_outcome->interval = m_now.grid.interval;
         if (m_now.grid.hasBest()) {
             m_outcome->edges = edgesReached(m_now.searched, m_outcome->search.cycle);
-            addNumber(static_cast<int>(m_outcome->search.cycle.stages.size()), m_now.grid);
+            // As the search lists them: without its spark-out.
+            addNumber(static_cast<int>(
+                          std::ranges::count_if(m_outcome->search.cycle.stages, &Stage::feeds)),
+                      m_now.grid);
         }
     }
 
@@ -302,6 +305,9 @@ private:
     void searchOtherNumbers() {
         std::vector<SearchedNumber> answered = std::exchange(m_outcome->numbers, {});
         int candidates = m_outcome->robust ? m_outcome->robust->candidates : 0;
+        const bool isSampled =
+            !canDecidePhases(m_outcome->project)
+            || m_outcome->project.optimisation->scenarios == OptimisationScenarios::batch;
         for (const double each : m_now.searched.optimisation->stages) {
             const int stages = static_cast<int>(each);
             if (stages == answered.front().stages) {
@@ -315,8 +321,7 @@ private:
             }
             const SearchedGrid grid = searchGrid(project, optionsFor(stages));
             if (grid.hasBest()) {
-                noteBest(grid, candidates).isOtherSample =
-                    grid.robust && !canDecidePhases(m_outcome->project);
+                noteBest(grid, candidates).isOtherSample = m_robust && isSampled;
             }
             candidates += grid.robust ? grid.robust->candidates : 0;
             addNumber(stages, grid);
@@ -370,7 +375,10 @@ private:
     void report(SearchState state) const {
         if (m_events.note) {
             state.round = m_levels.round();
-            state.best_s = best_s();
+            const std::optional<double> found_s = best_s();
+            if (found_s && (!state.best_s || *found_s < *state.best_s)) {
+                state.best_s = found_s;
+            }
             m_events.note(state);
         }
     }

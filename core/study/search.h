@@ -109,14 +109,14 @@ struct SearchOutcome {
     std::optional<RobustSummary> robust;     ///< of which the search is the last
     std::optional<IntervalSummary> interval; ///< of which it is that for the answer's parts
     std::optional<RefineSummary> refinement;
-    std::vector<SearchedNumber> numbers; ///< of stages, as listed; fewer when it was stopped
+    std::vector<SearchedNumber> numbers; ///< of stages, as listed; without a front the answer's
     /// The answer first, a refined one before the best of the grid; those of the front that take
     /// longer than the greatest margin may, or that are of a robust search and not its answer, come
     /// last.
     std::vector<FoundCycle> found;
     SteplessLimit limit;
-    /// What binds the first of `found`, its time or its margin, whichever is searched; nothing: not
-    /// known, as it was stopped before, or no cycle was found.
+    /// What binds the best of the search, its time or its margin, whichever is searched; nothing:
+    /// not known, as it was stopped before, or there is no best.
     std::optional<std::vector<ConstraintKind>> binding;
     GivenCycle given;
 
@@ -139,7 +139,7 @@ struct SearchOutcome {
     [[nodiscard]] bool proved() const { return best() && search.status == SearchStatus::proved; }
     /// What cut, the most frequent first.
     [[nodiscard]] std::vector<std::pair<ConstraintKind, long long>> cuts() const;
-    [[nodiscard]] long long evaluations() const; ///< cycles judged, in all rounds
+    [[nodiscard]] long long evaluations() const; ///< cycles judged, in all rounds of scenarios
     [[nodiscard]] long long visits() const;      ///< radii under the wheel, likewise
 };
 

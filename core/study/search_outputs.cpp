@@ -122,7 +122,9 @@ constexpr Output<Found> searchRows[] = {
       .unit = "min",
       .sparse = true},
      [](const Found& f) {
-         return f.robust ? std::optional(inMinutes(f.robust->nominalTime_s)) : std::nullopt;
+         return f.robust && f.robust->nominalTime_s > 0
+                    ? std::optional(inMinutes(f.robust->nominalTime_s))
+                    : std::nullopt;
      },
      nullptr,
      isRobust},

@@ -94,9 +94,10 @@ private slots:
             QTest::newRow(name) << patch << path;
         };
         row("no grid", R"({"optimisation": null})", "/optimisation: ");
-        row("no feeds", R"({"optimisation": {"radial_feed_mm": null}})", "/optimisation: ");
+        row("no feeds", R"({"optimisation": {"radial_feed_mm": null}})",
+            "/optimisation/radial_feed_mm, /optimisation/axial_feed_mm_min: ");
         row("no axial feeds", R"({"optimisation": {"axial_feed_mm_min": null}})",
-            "/optimisation: ");
+            "/optimisation/radial_feed_mm, /optimisation/axial_feed_mm_min: ");
         row("too many feeds",
             R"({"optimisation": {"radial_feed_mm": {"from": 1e-9, "to": 0.9, "step": 1e-9}}})",
             "/optimisation: ");

@@ -217,6 +217,44 @@ class Studies(unittest.TestCase):
         self.assertTrue(found.holds)
         self.assertAlmostEqual(found.time_s, search.time_s, delta=1e-6)
 
+    def test_a_search_states_all_that_the_command_line_states(self):
+        file = EXAMPLES / "plunge-shaft-two-stage.sparkout"
+        project = sparkout.Project.read(file)
+        for options, arguments in (
+            ({}, []),
+            ({"robust": True}, ["--robust"]),
+            ({"method": "labels"}, ["--method", "labels"]),
+        ):
+            search = sparkout.search(project, **options)
+            self.assertEqual(search.to_dict(), cli("optimize", file, "--json", *arguments))
+            self.assertTrue(any("your cycle takes" in each for each in search.text))
+        front = sparkout.search(sparkout.Project.read(FACTORY), front=True).to_dict()
+        self.assertTrue(front["front_is_whole"])
+        self.assertEqual(front, cli("optimize", FACTORY, "--front", "--json"))
+        with self.assertRaisesRegex(ValueError, "method: best; allowed: search"):
+            sparkout.search(project, method="best")
+
+    def test_what_was_measured_is_that_of_the_command_line(self):
+        file = EXAMPLES / "shaft-30h6-measured.sparkout"
+        project = sparkout.Project.read(file)
+        self.assertEqual(sparkout.measured(project), cli("measured", file, "--json"))
+        parameters = "compliance,alpha"
+        fitted = sparkout.measured(project, fit=parameters)
+        self.assertEqual(fitted, cli("measured", file, "--fit", parameters, "--json"))
+        self.assertIn("status", fitted["identification"])
+        with self.assertRaisesRegex(ValueError, "fit: beauty; allowed: alpha, beta"):
+            sparkout.measured(project, fit="beauty")
+        with self.assertRaisesRegex(ValueError, "table: line"):
+            sparkout.measured(project, table="Diameter, mm\nthirty\n")
+
+    def test_a_lesson_is_checked_as_on_the_command_line(self):
+        for name in ("01-force-and-balance", "06-burn"):
+            file = EXAMPLES.parent / f"lessons/{name}.sparkout-lesson"
+            checked = sparkout.check_lesson(file.read_text(encoding="utf-8"))
+            self.assertEqual(checked, cli("course", "check", file, "--json"))
+        with self.assertRaises(sparkout.ProjectError):
+            sparkout.check_work("{}")
+
     def test_remedies_are_those_of_the_command_line_and_hold(self):
         file = EXAMPLES / "slender-shaft.sparkout"
         found = sparkout.remedies(sparkout.Project.read(file))

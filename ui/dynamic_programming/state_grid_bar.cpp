@@ -11,6 +11,7 @@
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme_icon.h"
 #include "ui/plot/run_bar.h"
+#include "ui/plot/study_view.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -37,7 +38,7 @@ constexpr int leastGridSlider = 90; ///< wide, at the usual size of type
 
 StateGridBar::StateGridBar(QWidget* parent)
     : QWidget(parent)
-    , m_runner(new StateGridRunner(this))
+    , m_job(new Job(this))
     , m_levels(new QSpinBox(this))
     , m_stages(new QSpinBox(this))
     , m_bar(new RunBar(QStringLiteral("stateGrid"), this, StateGridText::progress))
@@ -70,13 +71,11 @@ StateGridBar::StateGridBar(QWidget* parent)
             [this, resized](int value) { resized(m_ownLevels, value); });
     connect(m_stages, &QSpinBox::valueChanged, this,
             [this, resized](int value) { resized(m_ownStages, value); });
-    m_bar->follow(*m_runner);
+    m_bar->follow(*m_job);
     connect(m_bar->run(), &QPushButton::clicked, this, [this] {
         m_stale || !m_outcome ? run() : prove();
         emit changed();
     });
-    connect(m_runner, &StateGridRunner::filled, this, &StateGridBar::take);
-    connect(m_runner, &StateGridRunner::proved, this, &StateGridBar::takeProof);
     connectSteps();
 }
 
@@ -138,7 +137,7 @@ void StateGridBar::follow(const Project& project) {
 }
 
 void StateGridBar::forget() {
-    m_runner->drop();
+    m_job->drop();
     setPlaying(false);
     m_project.reset();
     m_ownLevels.reset();
@@ -159,14 +158,14 @@ void StateGridBar::fill() {
         return;
     }
     if (!canRun()) {
-        m_runner->drop();
+        m_job->drop();
         m_outcome.reset();
         m_stale = true;
         showMoment();
         return;
     }
     noteStale();
-    const bool runs = m_runner->running() && m_running && m_running->grid.size == size()
+    const bool runs = m_job->running() && m_running && m_running->grid.size == size()
                       && sameSearch(m_running->project, *m_project);
     if (m_stale && !runs) {
         run();
@@ -177,12 +176,20 @@ void StateGridBar::run() {
     m_running = StateGridOutcome{*m_project, {}, std::nullopt};
     m_running->grid.size = size();
     m_bar->showProgress(0, size().levels);
-    m_runner->fill(*m_project, size());
+    m_job->start(
+        size().levels,
+        [project = *m_project, of = size()](const Job::Means& means) {
+            return filledGrid(project, of, means);
+        },
+        [this](const StateGridOutcomePtr& outcome) { take(outcome); });
 }
 
 void StateGridBar::prove() {
-    m_bar->showProgress(0, StateGridRunner::proofParts);
-    m_runner->prove(m_outcome);
+    m_bar->showProgress(0, gridProofParts);
+    m_job->start(
+        gridProofParts,
+        [filled = m_outcome](const Job::Means& means) { return provenGrid(*filled, means); },
+        [this](const StateGridOutcomePtr& outcome) { takeProof(outcome); });
 }
 
 void StateGridBar::take(const StateGridOutcomePtr& outcome) {
@@ -278,11 +285,9 @@ QString StateGridBar::remark() const {
         return StateGridText::answer(m_outcome->grid, m_outcome->exact);
     }
     if (busy()) {
-        return m_outcome
-                   ? tr("Of the inputs before the last edit; the grid of now is being filled.")
-                   : QString();
+        return m_outcome ? StudyView::staleText(true, {}) : QString();
     }
-    return m_outcome ? tr("Of the inputs before the last edit. Press “Run” for those of now.")
+    return m_outcome ? StudyView::staleText(false, m_bar->run()->text())
                      : tr("Stopped before the grid was filled. Press “Run”.");
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/project/project.h"
-#include "ui/dynamic_programming/state_grid_runner.h"
+#include "ui/dynamic_programming/state_grid_outcome.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -30,7 +30,7 @@ public:
     void forget();                       ///< another document comes
     /// The last that was filled; null: none, or of a project that has no grid.
     [[nodiscard]] const StateGridOutcomePtr& outcome() const { return m_outcome; }
-    [[nodiscard]] bool busy() const { return m_runner->running(); }
+    [[nodiscard]] bool busy() const { return m_job->running(); }
     [[nodiscard]] bool stale() const { return m_stale; } ///< that is of another project or size
     [[nodiscard]] int moment() const;
     void setMoment(int number);
@@ -65,7 +65,7 @@ private:
     StateGridOutcomePtr m_outcome;
     bool m_stale = true;
     std::optional<StateGridOutcome> m_running; ///< what is being filled, without its grid
-    StateGridRunner* m_runner;
+    Job* m_job;
     QSpinBox *m_levels, *m_stages;
     RunBar* m_bar;
     QToolButton *m_first, *m_previous, *m_play, *m_next, *m_end;

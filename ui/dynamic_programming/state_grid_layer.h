@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/dynamic_programming/grid_moment.h"
-#include "ui/dynamic_programming/state_grid_runner.h"
+#include "ui/dynamic_programming/state_grid_outcome.h"
 #include "ui/plot/painted_layer.h"
 
 #include <optional>

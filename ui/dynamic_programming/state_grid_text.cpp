@@ -3,7 +3,7 @@
 
 #include "core/project/cycle.h"
 #include "core/units.h"
-#include "ui/dynamic_programming/state_grid_runner.h"
+#include "ui/dynamic_programming/state_grid_outcome.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 
@@ -31,7 +31,7 @@ QString counted(std::int64_t count) {
 } // namespace
 
 QString StateGridText::progress(qint64 done, qint64 parts, double) {
-    return parts == StateGridRunner::proofParts
+    return parts == gridProofParts
                ? tr("Proving: %1").arg(percent(100 * done / std::max(parts, qint64(1))))
                : tr("Level %1 of %2").arg(done).arg(parts);
 }

@@ -318,7 +318,7 @@ std::vector<NamedSheet> searchSheets(const Study& study) {
 std::vector<NamedSheet> sheetsOfStudy(const Study& study) {
     switch (study.kind()) {
     case StudyKind::batch: return batchSheets(*study.batch, study.indices);
-    case StudyKind::sweep: return sweepSheets(study.sweep->result);
+    case StudyKind::sweep: return sweepSheets(*study.sweep);
     case StudyKind::search: break;
     }
     return searchSheets(study);
@@ -370,8 +370,7 @@ Sheet studyMainSheet(const Study& study) {
     switch (study.kind()) {
     case StudyKind::batch:
         return sheetOf(batchFiguresTable(study.batch->summary), StudyBook::tr("Statistics"));
-    case StudyKind::sweep:
-        return sheetOf(pointsTable(study.sweep->result), StudyBook::tr("Points"));
+    case StudyKind::sweep: return sheetOf(pointsTable(*study.sweep), StudyBook::tr("Points"));
     case StudyKind::search: break;
     }
     return sheetOf(foundTable(study), StudyBook::tr("Best cycles"));

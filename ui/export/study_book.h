@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/batch_runner.h"
-#include "ui/session/search_runner.h"
-#include "ui/session/sweep_runner.h"
+#include "ui/session/studies.h"
 #include "ui/tables/xlsx_book.h"
 
 #include <QString>
@@ -21,7 +19,7 @@ inline constexpr std::array allStudyKinds{StudyKind::batch, StudyKind::sweep, St
 struct Study {
     BatchOutcomePtr batch = {};
     SobolIndicesPtr indices = {}; ///< of the batch, where they were computed
-    SweepOutcomePtr sweep = {};
+    SweepResultPtr sweep = {};
     SearchOutcomePtr search = {};
     std::optional<double> before_s = {}; ///< the time of the cycle that the search is held against
 
@@ -29,7 +27,7 @@ struct Study {
         return batch ? StudyKind::batch : sweep ? StudyKind::sweep : StudyKind::search;
     }
     [[nodiscard]] const Project& project() const {
-        return batch ? batch->result.project : sweep ? sweep->result.project : search->project;
+        return batch ? batch->result.project : sweep ? sweep->project : search->project;
     }
 };
 

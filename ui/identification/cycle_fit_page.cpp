@@ -74,11 +74,10 @@ CycleFitPage::CycleFitPage(const Project& project, QWidget* parent)
     connect(m_data, &DataChoice::changed, this, &CycleFitPage::propose);
     connect(m_parameters, &ParameterChoice::changed, this, &CycleFitPage::follow);
     connect(m_fit, &QPushButton::clicked, this, &CycleFitPage::start);
-    connect(m_stop, &QPushButton::clicked, &m_runner, &CountedJob::stop);
+    connect(m_stop, &QPushButton::clicked, &m_job, &Job::stop);
     connect(m_leaveOut, &QPushButton::clicked, this, &CycleFitPage::leaveOut);
     connect(m_fitTimes, &QPushButton::clicked, this, &CycleFitPage::fitTimes);
     connect(m_take, &QPushButton::clicked, this, &CycleFitPage::take);
-    connect(&m_runner, &IdentificationRunner::finished, this, &CycleFitPage::showResult);
     propose();
 }
 
@@ -150,7 +149,7 @@ void CycleFitPage::propose() {
 }
 
 void CycleFitPage::follow() {
-    const bool runs = m_runner.running();
+    const bool runs = m_job.running();
     QString fault = m_parameters->fault();
     if (fault.isEmpty() && m_data->traces().empty() && !m_data->withParts()) {
         fault = tr("No measurement is chosen.");
@@ -179,7 +178,12 @@ void CycleFitPage::start() {
     m_requested = request();
     m_result.reset();
     m_shown->clear();
-    m_runner.start(m_project, m_requested);
+    m_job.start(
+        0, // how many cycles it takes is not known before
+        [project = m_project, wanted = m_requested](const Job::Means& means) {
+            return std::make_shared<const Identification>(identify(project, wanted, means.stop));
+        },
+        [this](const IdentificationPtr& result) { showResult(result); });
     follow();
 }
 

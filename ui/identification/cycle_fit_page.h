@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/identification/identification.h"
 #include "core/project/project.h"
-#include "ui/identification/identification_runner.h"
+#include "ui/session/job.h"
 
 #include <QWidget>
 
@@ -12,6 +13,8 @@ class QProgressBar;
 class QPushButton;
 
 namespace sparkout {
+
+using IdentificationPtr = std::shared_ptr<const Identification>;
 
 class DataChoice;
 class FitResult;
@@ -57,9 +60,9 @@ private:
     QPushButton* m_take;
     IdentificationRequest m_requested;
     IdentificationPtr m_result;
-    QString m_consequences;        ///< inputs that would be refused or unusual, in words
-    bool m_canTake = false;        ///< no input would be refused
-    IdentificationRunner m_runner; ///< last: ended before what it reports to is gone
+    QString m_consequences; ///< inputs that would be refused or unusual, in words
+    bool m_canTake = false; ///< no input would be refused
+    Job m_job;              ///< last: ended before what it reports to is gone
 };
 
 } // namespace sparkout

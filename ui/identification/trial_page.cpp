@@ -73,14 +73,9 @@ TrialPage::TrialPage(const Project& project, QWidget* parent)
     column->addLayout(row, 1);
     column->addWidget(buildButtons());
     connect(m_find, &QPushButton::clicked, this, &TrialPage::start);
-    connect(m_stop, &QPushButton::clicked, &m_runner, &CountedJob::stop);
+    connect(m_stop, &QPushButton::clicked, &m_job, &Job::stop);
     connect(m_record, &QComboBox::currentIndexChanged, this, &TrialPage::showDesign);
     connect(m_table, &CopyTable::rowChosen, this, &TrialPage::showTrial);
-    connect(&m_runner, &TrialRunner::finished, this, [this](const TrialDesignPtr& design) {
-        m_design = design;
-        showDesign();
-        follow();
-    });
     showDesign();
     follow();
 }
@@ -153,7 +148,7 @@ std::vector<FittedParameter> TrialPage::parameters() const {
 }
 
 void TrialPage::follow() {
-    const bool runs = m_runner.running();
+    const bool runs = m_job.running();
     QString fault;
     if (!canRunTrials(m_project)) {
         fault = tr("Inputs of the project are missing or wrong: first mend what the messages "
@@ -174,7 +169,16 @@ void TrialPage::start() {
     m_requested = {parameters(), {}};
     m_design.reset();
     showDesign();
-    m_runner.start(m_project, m_requested);
+    m_job.start(
+        0,
+        [project = m_project, wanted = m_requested](const Job::Means& means) {
+            return std::make_shared<const TrialDesign>(designTrial(project, wanted, means.stop));
+        },
+        [this](const TrialDesignPtr& design) {
+            m_design = design;
+            showDesign();
+            follow();
+        });
     follow();
 }
 

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "core/identification/fitted_parameter.h"
+#include "core/identification/trial_design.h"
 #include "core/project/project.h"
-#include "ui/identification/trial_runner.h"
+#include "ui/session/job.h"
 
 #include <QWidget>
 
@@ -17,6 +18,8 @@ class QProgressBar;
 class QPushButton;
 
 namespace sparkout {
+
+using TrialDesignPtr = std::shared_ptr<const TrialDesign>;
 
 class FitTable;
 
@@ -50,7 +53,7 @@ private:
     TrialRequest m_requested;
     TrialDesignPtr m_design;
     std::vector<const Trial*> m_shown; ///< row by row
-    TrialRunner m_runner;              ///< last: ended before what it reports to is gone
+    Job m_job;                         ///< last: ended before what it reports to is gone
 };
 
 } // namespace sparkout

@@ -4,7 +4,7 @@
 #include "core/units.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/tool_row.h"
-#include "ui/session/counted_job.h"
+#include "ui/session/job.h"
 
 #include <QLabel>
 #include <QProgressBar>
@@ -53,10 +53,9 @@ void RunBar::layOut(std::initializer_list<QWidget*> before, std::initializer_lis
     }
 }
 
-void RunBar::follow(CountedJob& job) {
-    connect(&job, &CountedJob::progressed, this,
-            qOverload<qint64, qint64, double>(&RunBar::showProgress));
-    connect(m_stop, &QPushButton::clicked, &job, &CountedJob::stop);
+void RunBar::follow(Job& job) {
+    connect(&job, &Job::progressed, this, qOverload<qint64, qint64, double>(&RunBar::showProgress));
+    connect(m_stop, &QPushButton::clicked, &job, &Job::stop);
 }
 
 QString RunBar::withTimeLeft(const QString& count, double left_s) {

@@ -12,7 +12,7 @@ class QPushButton;
 
 namespace sparkout {
 
-class CountedJob;
+class Job;
 
 /// The row of a view that runs many cycles: buttons to run and to stop them, what was run and,
 /// meanwhile, how far it is and how long it will take; beside them what the view adds.
@@ -36,7 +36,7 @@ public:
     [[nodiscard]] static bool areQuick(std::int64_t runs, std::int64_t radii);
     void takeTurns() { m_turns = true; } ///< the two buttons, in one place
     /// Shows the progress of work whose parts are counted, and stops it.
-    void follow(CountedJob& job);
+    void follow(Job& job);
     void showProgress(qint64 done, qint64 parts, double left_s = -1);
     void showProgress(double share, const QString& text);
     void showRunning(bool runs, bool mayRun);

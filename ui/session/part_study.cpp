@@ -46,9 +46,10 @@ private:
 } // namespace
 
 void PartStudy::runAll(const Setup& setup, SurfaceStudy::Kind kind, std::int64_t parts, One one) {
-    run(parts, [this, setup, kind, one = std::move(one)](const Means& means) {
+    using Surfaces = std::vector<SurfaceStudyPtr>;
+    const auto work = [setup, kind, one = std::move(one)](const Means& means) {
         Setup present = setup;
-        std::vector<SurfaceStudyPtr> studies;
+        Surfaces studies;
         for (std::size_t i = 0; i < setup.surfaces.size() && !means.stop.stop_requested(); ++i) {
             auto study = std::make_shared<SurfaceStudy>();
             study->kind = kind;
@@ -63,12 +64,13 @@ void PartStudy::runAll(const Setup& setup, SurfaceStudy::Kind kind, std::int64_t
             }
             studies.push_back(std::move(study));
         }
-        return [this, studies = std::move(studies), stopped = means.stop.stop_requested()] {
-            for (const SurfaceStudyPtr& study : studies) {
-                emit surfaceDone(study);
-            }
-            emit finished(stopped);
-        };
+        return std::pair(std::move(studies), means.stop.stop_requested());
+    };
+    start(parts, work, [this](const std::pair<Surfaces, bool>& result) {
+        for (const SurfaceStudyPtr& study : result.first) {
+            emit surfaceDone(study);
+        }
+        emit finished(result.second);
     });
 }
 

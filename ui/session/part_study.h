@@ -4,7 +4,7 @@
 #include "core/setup/setup.h"
 #include "core/study/search.h"
 #include "core/study/whole_batch.h"
-#include "ui/session/counted_job.h"
+#include "ui/session/job.h"
 
 #include <cstdint>
 #include <functional>
@@ -28,11 +28,11 @@ using SurfaceStudyPtr = std::shared_ptr<const SurfaceStudy>;
 
 /// The batches or the searches of all surfaces, one after the other in their order, each with the
 /// wheel as those before leave it: in a search as the cycles found do.
-class PartStudy : public CountedJob {
+class PartStudy : public Job {
     Q_OBJECT
 
 public:
-    using CountedJob::CountedJob;
+    using Job::Job;
 
     void startBatches(const Setup& setup);  ///< counts parts
     void startSearches(const Setup& setup); ///< counts thousandths of a surface's search

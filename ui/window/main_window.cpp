@@ -130,8 +130,8 @@ void MainWindow::buildViews() {
     auto* compliance = new ComplianceView(this, &m_settings);
     connect(compliance, &ComplianceView::gaugeWanted, this, &MainWindow::putGauge);
     auto* layers = new LayersView(this, &m_settings);
-    m_batch = new BatchView(this, &m_settings);
-    auto* optimise = new OptimiseView(this, &m_settings);
+    m_batch = new BatchView(this, &m_settings, &m_studies);
+    auto* optimise = new OptimiseView(this, &m_settings, &m_studies);
     const auto edit = [this](const auto& change, const EditText& text) {
         m_document.endMerge();
         m_document.edit(change(m_document.project()), text);
@@ -144,12 +144,12 @@ void MainWindow::buildViews() {
     });
     optimise->setDocument(m_document);
     connect(optimise, &OptimiseView::editWanted, this, edit);
-    auto* sweep = new SweepView(this, &m_settings);
+    auto* sweep = new SweepView(this, &m_settings, &m_studies);
     connect(sweep, &SweepView::editWanted, this, edit);
     auto* compare = new CompareView(*m_kept, this, &m_settings);
     m_overview = new OverviewView(*m_kept, this, &m_settings);
     connectOverview();
-    m_measured = new MeasuredView(m_document, this, &m_settings);
+    m_measured = new MeasuredView(m_document, this, &m_settings, &m_studies);
     connectMeasured();
     m_keeper = new RunKeeper(*m_kept, m_runs, m_files->notices(), this);
     connect(compare, &CompareView::keepWanted, m_actions->keepRun, &QAction::trigger);
@@ -158,10 +158,10 @@ void MainWindow::buildViews() {
     const auto reportEnd = [this](const View* view) { // its notice says how: done, stopped, refused
         return [this, view] { m_status->showForAWhile(tr("%1: ended.").arg(view->title())); };
     };
-    connect(m_batch, &BatchView::batchShown, this, reportEnd(m_batch));
-    connect(m_measured, &MeasuredView::measuredShown, this, reportEnd(m_measured));
-    connect(sweep, &SweepView::sweepShown, this, reportEnd(sweep));
-    connect(optimise, &OptimiseView::searchShown, this, reportEnd(optimise));
+    for (const StudyView* view :
+         std::initializer_list<StudyView*>{m_batch, m_measured, sweep, optimise}) {
+        connect(view, &StudyView::ended, this, reportEnd(view));
+    }
     connect(m_keeper, &RunKeeper::compareWanted, this,
             [this, compare] { m_tabs->showView(compare); });
     for (View* view :
@@ -198,8 +198,8 @@ void MainWindow::connectOverview() {
             });
     connect(m_overview, &OverviewView::viewAsked, this, &MainWindow::showView);
     connect(m_overview, &OverviewView::keepAsked, m_actions->keepRun, &QAction::trigger);
-    connect(m_batch, &BatchView::batchShown, m_overview,
-            [this] { m_overview->setBatch(m_batch->batch()); });
+    connect(m_batch, &StudyView::ended, m_overview,
+            [this] { m_overview->setBatch(m_studies.batch.result()); });
 }
 
 void MainWindow::connectMeasured() {
@@ -379,13 +379,13 @@ void MainWindow::connectReports() {
             const bool isSetup = m_document.surfaceCount() > 1 || m_document.state().wear.isGiven();
             return {outcomeOfNow(),
                     m_document.filePath(),
-                    m_batch->batch(),
+                    m_studies.batch.result(),
                     &m_cursor,
                     isSetup ? std::optional(m_document.setup()) : std::nullopt,
-                    m_measured->prediction()};
+                    m_studies.currentPrediction()};
         },
         m_settings, this);
-    const auto studies = [this] { return studiesShown(views(), asRun()); };
+    const auto studies = [this] { return studiesOffered(m_studies, asRun(), m_document); };
     auto* exports = new ExportCommands(outcomeOfNow, studies, m_settings, this);
     const auto on = [this](QAction* action, const std::function<void()>& command) {
         connect(action, &QAction::triggered, this, [this, command] {

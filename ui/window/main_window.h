@@ -6,6 +6,7 @@
 #include "ui/session/document.h"
 #include "ui/session/run_controller.h"
 #include "ui/session/settings.h"
+#include "ui/session/studies.h"
 #include "ui/text/language.h"
 
 #include <QMainWindow>
@@ -116,6 +117,7 @@ private:
     Settings& m_settings;
     Language& m_language;
     Document m_document;
+    Studies m_studies;
     OutcomePtr m_outcome;
     bool m_isOutcomeOfBefore = false; ///< of another document or surface
     CycleCursor m_cursor;

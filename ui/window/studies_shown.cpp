@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/studies_shown.h"
 
-#include "core/study/batch_edits.h"
-#include "core/study/search_edits.h"
-#include "core/study/sweep_edits.h"
-#include "ui/views/batch/batch_view.h"
-#include "ui/views/optimise/optimise_view.h"
-#include "ui/views/sweep/sweep_view.h"
+#include "ui/session/document.h"
+#include "ui/session/studies.h"
 
 #include <QCoreApplication>
 
@@ -18,36 +14,38 @@ struct StudiesShown {
     Q_DECLARE_TR_FUNCTIONS(StudiesShown)
 };
 
-QString ofOtherInputs(const View& view) {
-    return StudiesShown::tr("It is of the inputs before the last edit. Run it for those of now in "
-                            "the view “%1”.")
-        .arg(view.title());
+/// Why it cannot be exported; empty: it can. `view`: the class of the one that shows it.
+QString hindrance(bool isRunning, bool isStale, const char* view, const char* title) {
+    return isRunning ? StudiesShown::tr("It is being run: wait for it, or stop it.")
+           : isStale ? StudiesShown::tr("These results are for the inputs before the last edit. "
+                                        "Compute them for the present inputs in the view “%1”.")
+                           .arg(QCoreApplication::translate(view, title))
+                     : QString();
 }
 
 } // namespace
 
-std::vector<StudyOffer> studiesShown(const std::vector<View*>& views, const Project& now) {
+std::vector<StudyOffer> studiesOffered(Studies& studies, const Project& now,
+                                       const Document& document) {
     std::vector<StudyOffer> offers;
-    const auto offer = [&offers](const View& view, Study study, bool isCurrent) {
-        offers.push_back({std::move(study), view.busy() ? StudiesShown::tr(
-                                                "It is being run: wait for it, or stop it.")
-                                            : isCurrent ? QString()
-                                                        : ofOtherInputs(view)});
-    };
-    for (const View* view : views) {
-        if (const auto* batch = qobject_cast<const BatchView*>(view); batch && batch->batch()) {
-            offer(*batch, {.batch = batch->batch(), .indices = batch->indices()},
-                  sameBatch(batch->batch()->result.project, now));
-        }
-        if (const auto* sweep = qobject_cast<const SweepView*>(view); sweep && sweep->sweep()) {
-            offer(*sweep, {.sweep = sweep->sweep()},
-                  sameSweep(sweep->sweep()->result.project, now));
-        }
-        if (const auto* search = qobject_cast<const OptimiseView*>(view);
-            search && search->search() && search->search()->ran()) {
-            offer(*search, {.search = search->search(), .before_s = search->before_s()},
-                  !search->hasOtherWear() && sameSearch(search->search()->project, now));
-        }
+    if (const BatchOutcomePtr& batch = studies.batch.result()) {
+        offers.push_back({{.batch = batch, .indices = studies.indices()},
+                          hindrance(studies.batch.running() || studies.indexJob().running(),
+                                    !studies.batch.isOf(now), "sparkout::BatchView", "Batch")});
+    }
+    if (const SweepResultPtr& sweep = studies.sweep.result()) {
+        offers.push_back({{.sweep = sweep},
+                          hindrance(studies.sweep.running(), !studies.sweep.isOf(now),
+                                    "sparkout::SweepView", "Sweep")});
+    }
+    if (const SearchOutcomePtr& search = studies.search.result()) {
+        const bool wearsOtherwise =
+            search->wear
+            && !sameWear(SurfaceWear(document.setup(), document.surface()), *search->wear);
+        offers.push_back(
+            {{.search = search, .before_s = search->given.time_s},
+             hindrance(studies.search.running(), !studies.search.isOf(now) || wearsOtherwise,
+                       "sparkout::OptimiseView", "Optimise")});
     }
     return offers;
 }

@@ -5,10 +5,12 @@
 
 namespace sparkout {
 
-class View;
+class Document;
+struct Studies;
 
-/// The batch, sweep and search that the views show; those of other inputs than `now` say so.
-[[nodiscard]] std::vector<StudyOffer> studiesShown(const std::vector<View*>& views,
-                                                   const Project& now);
+/// The batch, sweep and search that were computed; those that are running, or of other inputs than
+/// `now`, say so.
+[[nodiscard]] std::vector<StudyOffer> studiesOffered(Studies& studies, const Project& now,
+                                                     const Document& document);
 
 } // namespace sparkout

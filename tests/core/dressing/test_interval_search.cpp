@@ -433,7 +433,8 @@ private slots:
         QVERIFY(refusalOf(options).find("/optimisation/objective: The refinement") == 0);
         options = {};
         options.method = SearchMethod::labels;
-        QVERIFY(refusalOf(options).find("/optimisation/objective: This method") == 0);
+        QVERIFY(refusalOf(options).find("/optimisation/objective: --method labels: This method")
+                == 0);
         options = {};
         options.phases = true;
         QVERIFY(refusalOf(options).find("/optimisation/objective") == 0);

@@ -8,6 +8,7 @@
 #include "core/project/part.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/support/project_fixtures.h"
+#include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
 #include <QElapsedTimer>
@@ -112,6 +113,43 @@ private slots:
         QVERIFY(stop.stop_requested());
         qInfo("stopped after %lld ms", took.elapsed());
         QVERIFY(!failing);
+    }
+
+    /// A search that is stopped anywhere keeps the best so far that came through all of its tests,
+    /// and nothing that did not.
+    void aStopKeepsTheBestThatCameThroughItsTests() {
+        const auto path = samples::sourcePath("resources/examples/plunge-shaft-two-stage.sparkout");
+        const Project p = readProject(samples::readText(path)).project.value();
+        int calls = 0, kept = 0, stopped = 0;
+        SearchOptions counted;
+        counted.onProgress = [&calls](const SearchProgress&) { ++calls; };
+        const RobustSummary whole = optimiseRobustly(p, undecidedScenarios(p), {.search = counted});
+        QVERIFY(whole.holdsInSample && whole.search.status == SearchStatus::proved);
+        const int all = calls;
+        for (int part = 1; part < 12; ++part) {
+            std::stop_source stop;
+            int left = all * part / 12;
+            SearchOptions options;
+            options.stop = stop.get_token();
+            options.onProgress = [&](const SearchProgress&) {
+                if (--left == 0) {
+                    stop.request_stop();
+                }
+            };
+            const RobustSummary found =
+                optimiseRobustly(p, undecidedScenarios(p, options.stop), {.search = options});
+            stopped += found.search.status == SearchStatus::stopped ? 1 : 0;
+            if (!found.holdsInSample) {
+                continue;
+            }
+            const Project best = withBest(p, found.search);
+            QVERIFY(found.decided && found.candidate > 0);
+            QVERIFY(decidePhases(best, found.decided->stocks).holds());
+            QVERIFY(found.search.best->time_us >= whole.search.best->time_us);
+            kept += found.search.status == SearchStatus::stopped ? 1 : 0;
+        }
+        qInfo("%d progress reports; %d of 11 stopped, %d of them with a best", all, stopped, kept);
+        QVERIFY(stopped > 3 && kept > 0);
     }
 
     void whatBindsIsNotKnownWhereItWasStopped() {

@@ -4,8 +4,10 @@
 #include "core/phases/failing_share.h"
 #include "core/phases/failing_stock.h"
 #include "core/phases/phase_decision.h"
+#include "core/phases/phase_pieces.h"
 #include "core/phases/sampled_phases.h"
 #include "core/process/profile.h"
+#include "core/project/cycle.h"
 #include "core/project/gauge.h"
 #include "core/project/machine.h"
 #include "core/project/part.h"
@@ -224,6 +226,34 @@ private slots:
     }
 
     /// The ends of what fails are where stocks run by themselves change over.
+    /// A last stage that comes to rest just where it would end: each of its steps splits the stocks
+    /// that do so again, within rounding. The pieces were without end.
+    void aStageThatComesToRestAtItsEndIsDecided() {
+        const auto path = samples::sourcePath("tests/data/trials/rest-at-size.sparkout");
+        Project project = readProject(samples::readText(path)).project.value();
+        for (const double stock_mm : {0.000204, 0.0001, 0.0003, 0.00018, 0.00025}) {
+            project.cycle->stages.back().stock_mm = stock_mm;
+            const StockRange range = usualPhases(project);
+            const auto pieces = phasePieces(project, range.from_mm, range.to_mm, {}, 1000);
+            QVERIFY(!pieces.empty() && pieces.size() < 100);
+            double reached_mm = range.from_mm;
+            for (const PhasePiece& piece : pieces) {
+                QVERIFY(piece.from_mm <= reached_mm);
+                reached_mm = std::max(reached_mm, piece.to_mm);
+                const double middle_mm = (piece.from_mm + piece.to_mm) / 2;
+                if (piece.to_mm - piece.from_mm < 1e-10) {
+                    continue; // within rounding
+                }
+                Project made = project;
+                made.part->stock_mm = middle_mm;
+                const SimulationResult alone = simulateUnchecked(made);
+                QCOMPARE(alone.status, piece.status);
+                QVERIFY(alone.countsByStage == piece.counts);
+            }
+            QCOMPARE(reached_mm, range.to_mm);
+        }
+    }
+
     void failingStocksAreNamed() {
         Project project = samples::project("smallest-plunge");
         project.gauge->control = Control::gauge;

@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/batch/batch_json.h"
+#include "core/batch/batch_run.h"
 #include "core/course/work_file.h"
+#include "core/format/project_file.h"
+#include "core/project/batch.h"
+#include "core/quality/constraints.h"
+#include "core/quality/result_json.h"
 #include "core/reference/json_schema.h"
 #include "core/reference/lesson_page.h"
 #include "core/reference/lesson_schema.h"
 #include "core/reference/reference_page.h"
+#include "core/reference/result_schema.h"
+#include "core/simulation/simulate.h"
+#include "core/study/search.h"
+#include "core/study/search_json.h"
 #include "tests/core/lesson/lesson_samples.h"
 #include "tests/core/setup/setup_samples.h"
 #include "tests/core/support/project_samples.h"
@@ -26,6 +36,9 @@ public:
         const bool then = fault(root.at("if"), value, "").empty();
         const std::string ref = root.at(then ? "then" : "else").at("$ref");
         return fault(root.at(json::json_pointer(ref.substr(1))), value, "");
+    }
+    static std::string faultOf(const json& schema, const json& value) {
+        return fault(schema, value, "");
     }
 
 private:
@@ -115,6 +128,11 @@ private:
     }
 };
 
+Project example(const std::string& name) {
+    const auto path = samples::sourcePath("resources/examples/" + name + ".sparkout");
+    return readProject(samples::readText(path)).project.value();
+}
+
 const char* refresh = "not up to date: cmake --build build/release --target sparkout-reference && "
                       "build/release/app/sparkout-reference resources/help";
 
@@ -134,6 +152,43 @@ private slots:
                  refresh);
         QVERIFY2(readText(sourcePath("resources/help/lesson.schema.json")) == lessonSchema(),
                  refresh);
+        QVERIFY2(readText(sourcePath("resources/help/results.schema.json")) == resultSchema(),
+                 refresh);
+    }
+
+    /// Each table of the schema of results takes what the command line states by it.
+    void theSchemaOfResultsTakesWhatIsStated() {
+        const json schema = json::parse(resultSchema());
+        const auto faultOf = [&schema](const char* table, const json& stated) {
+            return SchemaCheck::faultOf(schema.at("$defs").at(table), stated);
+        };
+        for (const char* name : {"shaft-30h6-factory", "plunge-shaft-two-stage"}) {
+            const Project project = example(name);
+            const SimulationResult result = simulate(project);
+            const json simulated = json::parse(resultJson(result, evaluateConstraints(result)));
+            const json& shop = simulated.at("shop");
+            QCOMPARE(faultOf("shop", shop), std::string());
+            QCOMPARE(faultOf("stage", shop.at("cycle")), std::string());
+            for (const json& stage : shop.at("stages")) {
+                QCOMPARE(faultOf("stage", stage), std::string());
+            }
+            for (const json& requirement : simulated.at("constraints")) {
+                QCOMPARE(faultOf("requirement", requirement), std::string());
+            }
+            const json found = json::parse(searchJson(*search(project, {.phases = true})));
+            QCOMPARE(faultOf("search", found), std::string());
+            json wrong = found;
+            wrong["grid_size"] = "large";
+            QCOMPARE(faultOf("search", wrong), std::string("/grid_size: type"));
+            wrong.erase("grid_size");
+            QVERIFY(!faultOf("search", wrong).empty());
+        }
+        Project batched = example("shaft-30h6-factory");
+        batched.batch->parts = 20;
+        const json batch = json::parse(batchJson(runBatch(batched), std::nullopt));
+        for (const json& characteristic : batch.at("characteristics")) {
+            QCOMPARE(faultOf("characteristic", characteristic), std::string());
+        }
     }
 
     void theSchemaTakesTheShippedLessonsAndRefusesTheirFaults() {

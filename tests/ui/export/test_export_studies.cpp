@@ -80,12 +80,7 @@ SweepAxis axis(const char* input, double low, double high, int points) {
 Study sweepOf(Project project, std::vector<SweepAxis> axes) {
     project.sweep = Sweep{};
     project.sweep->inputs = std::move(axes);
-    auto outcome = std::make_shared<SweepOutcome>();
-    outcome->issues = checkSweep(project);
-    if (outcome->ran()) {
-        outcome->result = runSweep(project, {});
-    }
-    return {.sweep = outcome};
+    return {.sweep = std::make_shared<SweepResult>(runSweep(project, {}))};
 }
 
 struct Run {
@@ -180,7 +175,7 @@ private slots:
     void aSweepAsAWorkbook() {
         const Study study = sweepOf(fixtures::traverse(), {axis("/wheel/dullness", 0.01, 0.03, 4),
                                                            axis("/part/stock_mm", 0.14, 0.16, 3)});
-        const SweepResult& sweep = study.sweep->result;
+        const SweepResult& sweep = *study.sweep;
         QVERIFY(study.sweep->ran());
         const XlsxReader book(written(study));
         QCOMPARE(book.fault(), QString());
@@ -302,18 +297,20 @@ private slots:
 
     void aViewThatShowsOtherInputsSaysSo() {
         const Project project = fixtures::shaftBatch(20);
-        BatchView view;
+        Studies studies;
+        Document document;
+        BatchView view(nullptr, nullptr, &studies);
         view.resize(700, 520);
         view.show();
-        QVERIFY(studiesShown({&view}, project).empty());
+        QVERIFY(studiesOffered(studies, project, document).empty());
         view.setOutcome(evaluate(project, {}));
         QTRY_VERIFY_WITH_TIMEOUT(view.batch() && !view.busy(), 60'000);
-        auto offers = studiesShown({&view}, project);
+        auto offers = studiesOffered(studies, project, document);
         QCOMPARE(offers.size(), std::size_t{1});
         QCOMPARE(offers[0].obstacle, QString());
         Project other = project;
         other.wheel->dullness += 0.001;
-        offers = studiesShown({&view}, other);
+        offers = studiesOffered(studies, other, document);
         QVERIFY2(offers[0].obstacle.contains(QStringLiteral("before the last edit")),
                  qPrintable(offers[0].obstacle));
     }

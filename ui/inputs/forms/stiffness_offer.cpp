@@ -2,6 +2,7 @@
 #include "ui/inputs/forms/stiffness_offer.h"
 
 #include "core/project/machine.h"
+#include "core/study/evaluate.h"
 #include "core/units.h"
 #include "ui/kit/metrics.h"
 #include "ui/text/names.h"
@@ -106,7 +107,6 @@ StiffnessOffer::StiffnessOffer(Project project, QWidget* parent)
     column->addWidget(m_take);
     column->addWidget(m_effect);
     connect(m_take, &QCheckBox::toggled, this, &StiffnessOffer::chosen);
-    connect(&m_finder, &EffectFinder::found, this, &StiffnessOffer::showEffect);
     withdraw();
 }
 
@@ -125,13 +125,13 @@ void StiffnessOffer::offer(const Project& with) {
     if (m_offered) {
         askForEffect();
     } else {
-        m_finder.drop();
+        m_job.stop();
     }
 }
 
 void StiffnessOffer::withdraw() {
     m_offered = false;
-    m_finder.drop();
+    m_job.stop();
     hide();
 }
 
@@ -145,7 +145,13 @@ void StiffnessOffer::askForEffect() {
     without.machine->stiffness_n_um = m_project.machine->stiffness_n_um;
     with.machine->compliance_mm_per_n = std::monostate{};
     m_effect->setText(tr("Computing its effect …"));
-    m_finder.request(std::move(without), std::move(with));
+    m_job.start([this, without = std::move(without),
+                 with = std::move(with)](const std::stop_token& stop, const NewestJob::Post& post) {
+        const OutcomePtr before = evaluate(without, stop);
+        if (const OutcomePtr after = before ? evaluate(with, stop) : nullptr) {
+            post([this, before, after] { showEffect(before, after); });
+        }
+    });
 }
 
 void StiffnessOffer::showEffect(const OutcomePtr& before, const OutcomePtr& after) {

@@ -3,7 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/study/outcome.h"
-#include "ui/session/effect_finder.h"
+#include "ui/session/newest_job.h"
 
 #include <QWidget>
 
@@ -40,7 +40,7 @@ private:
     bool m_offered = false;
     QCheckBox* m_take;
     QLabel* m_effect;
-    EffectFinder m_finder;
+    NewestJob m_job;
 };
 
 } // namespace sparkout

@@ -45,11 +45,7 @@ BatchWait::BatchWait(const Project& project, const QString& what, QWidget* paren
     column->addLayout(row);
     showProgress(0, partsOf(project), -1);
     connect(m_stop, &QPushButton::clicked, this, &QDialog::reject);
-    connect(&m_runner, &BatchRunner::progressed, this, &BatchWait::showProgress);
-    connect(&m_runner, &BatchRunner::finished, this, [this](const BatchOutcomePtr& outcome) {
-        m_outcome = outcome;
-        accept();
-    });
+    connect(&m_job, &Job::progressed, this, &BatchWait::showProgress);
 }
 
 void BatchWait::showProgress(qint64 done, qint64 parts, double left_s) {
@@ -58,14 +54,20 @@ void BatchWait::showProgress(qint64 done, qint64 parts, double left_s) {
 }
 
 BatchOutcomePtr BatchWait::wait() {
-    m_runner.start(m_project);
+    m_job.start(
+        partsOf(m_project),
+        [project = m_project](const Job::Means& means) { return batchOf(project, means); },
+        [this](const BatchOutcomePtr& outcome) {
+            m_outcome = outcome;
+            accept();
+        });
     QEventLoop briefly;
     QTimer::singleShot(unseen_ms, &briefly, &QEventLoop::quit);
-    connect(&m_runner, &BatchRunner::finished, &briefly, &QEventLoop::quit);
+    connect(&m_job, &Job::answered, &briefly, &QEventLoop::quit);
     briefly.exec(QEventLoop::ExcludeUserInputEvents);
     if (!m_outcome) {
         exec();
-        m_runner.drop(); // when it was stopped
+        m_job.drop(); // when it was stopped
     }
     return m_outcome;
 }

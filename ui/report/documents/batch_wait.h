@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/batch_runner.h"
+#include "ui/session/studies.h"
 
 #include <QDialog>
 
@@ -29,7 +29,7 @@ private:
     QProgressBar* m_progress;
     QPushButton* m_stop;
     BatchOutcomePtr m_outcome;
-    BatchRunner m_runner; ///< last: stopped before what it reports to is gone
+    Job m_job; ///< last: stopped before what it reports to is gone
 };
 
 } // namespace sparkout

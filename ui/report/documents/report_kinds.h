@@ -7,8 +7,8 @@
 #include "core/study/outcome.h"
 #include "ui/report/format/report.h"
 #include "ui/report/handout/course_handout.h"
-#include "ui/session/batch_runner.h"
 #include "ui/session/company.h"
+#include "ui/session/studies.h"
 
 #include <functional>
 #include <memory>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/study/outcome.h"
-#include "ui/dynamic_programming/state_grid_runner.h"
+#include "ui/dynamic_programming/state_grid_outcome.h"
 #include "ui/report/format/report.h"
 
 #include <QCoreApplication>

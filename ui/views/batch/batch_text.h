@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/batch/batch_verdict.h"
-#include "ui/session/batch_runner.h"
+#include "core/study/whole_batch.h"
 
 #include <QCoreApplication>
 #include <QString>

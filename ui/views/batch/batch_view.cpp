@@ -63,8 +63,8 @@ void fitColumns(QTableView& table) {
 
 } // namespace
 
-BatchView::BatchView(QWidget* parent, Settings* settings)
-    : PlotView(QStringLiteral("batch"), parent, settings)
+BatchView::BatchView(QWidget* parent, Settings* settings, Studies* studies)
+    : StudyView(QStringLiteral("batch"), parent, settings, studies)
     , m_histograms(new HistogramPlot(this))
     , m_sensitivity(new SensitivityPlot(this))
     , m_scatter(new ScatterPlot(this))
@@ -78,9 +78,7 @@ BatchView::BatchView(QWidget* parent, Settings* settings)
     , m_bar(new RunBar(QStringLiteral("batch"), this, BatchText::progress))
     , m_worst(new QPushButton(this))
     , m_rows(new QPushButton(this))
-    , m_add(new QPushButton(this))
-    , m_runner(new BatchRunner(this))
-    , m_indexRunner(new BatchRunner(this)) {
+    , m_add(new QPushButton(this)) {
     for (ViewPlot* plot :
          std::initializer_list<ViewPlot*>{m_histograms, m_sensitivity, m_scatter, m_pareto}) {
         plot->setMinimumSize(240, 120);
@@ -116,7 +114,7 @@ BatchView::BatchView(QWidget* parent, Settings* settings)
 
 CopyTable* BatchView::buildFigures() {
     m_table = addTable(*m_figures, [this] {
-        return m_batch && m_tellsIndices ? batchFiguresTable(m_batch->summary) : CsvTable();
+        return batch() && m_tellsIndices ? batchFiguresTable(batch()->summary) : CsvTable();
     });
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->verticalHeader()->setHighlightSections(false);
@@ -129,8 +127,8 @@ void BatchView::buildRows() {
     auto* menu = new QMenu(m_rows);
     for (const TableFormat format : {TableFormat::csvRussian, TableFormat::csvEnglish}) {
         connect(menu->addAction(QString()), &QAction::triggered, this, [this, format] {
-            const BatchOutcomePtr batch = m_batch; // may be another one by the end
-            (void)savePartRows(window(), settings(), batch->result.project, format);
+            const BatchOutcomePtr of = batch(); // may be another one by the end
+            (void)savePartRows(window(), settings(), of->result.project, format);
         });
     }
     m_rows->setMenu(menu);
@@ -144,10 +142,10 @@ void BatchView::connectParts() {
         connect(box, &QComboBox::currentIndexChanged, this, &BatchView::chooseQuantities);
     }
     connect(m_bar->run(), &QPushButton::clicked, this, &BatchView::runBatch);
-    m_bar->follow(*m_runner);
-    m_bar->follow(*m_indexRunner);
-    connect(m_runner, &BatchRunner::finished, this, &BatchView::takeBatch);
-    connect(m_indexRunner, &BatchRunner::indicesFound, this, &BatchView::takeIndices);
+    m_bar->follow(studies().batch.job());
+    m_bar->follow(studies().indexJob());
+    connect(&studies().batch.job(), &Job::answered, this, &BatchView::takeBatch);
+    connect(&studies().indexJob(), &Job::answered, this, &BatchView::takeIndices);
     connect(m_worst, &QPushButton::clicked, this, &BatchView::takeWorst);
     connect(m_add, &QPushButton::clicked, this, [this] {
         // The view is of the inputs that were accepted last; those of now may have a batch.
@@ -189,8 +187,8 @@ void BatchView::chooseQuantities() {
 }
 
 void BatchView::setQuantities() {
-    if (m_batch && m_across->currentIndex() >= 0 && m_up->currentIndex() >= 0) {
-        m_scatter->setBatch(m_batch, static_cast<BatchQuantity>(m_across->currentIndex()),
+    if (batch() && m_across->currentIndex() >= 0 && m_up->currentIndex() >= 0) {
+        m_scatter->setBatch(batch(), static_cast<BatchQuantity>(m_across->currentIndex()),
                             static_cast<BatchQuantity>(m_up->currentIndex()));
     }
 }
@@ -207,67 +205,47 @@ void BatchView::chooseName() {
 // --- running ------------------------------------------------------------------------------------
 
 void BatchView::takeOutcome(const OutcomePtr&) {
-    noteStale();
-    if (!stale()) {
-        m_refused.reset(); // what is shown is of these inputs
-    }
     const Project& project = good()->result.project;
-    const bool runs = m_running && m_runner->running() && sameBatch(*m_running, project);
+    studies().batch.follow(&project);
     if (!project.batch) {
         dropStudies();
-    } else if (stale() && !runs) {
-        m_runner->drop();
-        m_refused.reset();
-        if (RunBar::areQuick(partsOf(project), good()->result.visits)) {
-            runBatch();
-        }
+    } else if (stale() && !studies().batch.running()
+               && RunBar::areQuick(partsOf(project), good()->result.visits)) {
+        runBatch();
     }
 }
 
 void BatchView::dropStudies() {
-    m_runner->drop();
-    m_indexRunner->drop();
-    m_batch.reset();
-    m_refused.reset();
-    noteStale();
+    studies().batch.forget();
+    studies().dropIndices();
     showBatch();
 }
 
-void BatchView::noteStale() {
-    m_stale = !m_batch || !good() || !sameBatch(m_batch->result.project, good()->result.project);
-}
-
 void BatchView::runBatch() {
-    if (!stale() && showsIndices() && !m_indices) {
+    if (!stale() && showsIndices() && !indices()) {
         runIndices();
         return;
     }
-    m_running = good()->result.project;
-    m_refused.reset();
-    m_bar->showProgress(0, partsOf(*m_running));
-    m_runner->start(*m_running);
+    const Project& project = good()->result.project;
+    m_bar->showProgress(0, partsOf(project));
+    studies().runBatch(project);
     showState();
 }
 
-void BatchView::takeBatch(const BatchOutcomePtr& outcome) {
-    if (!outcome->ran()) {
-        m_refused = outcome;
-    } else if (outcome->summary.parts > 0) {
-        m_batch = outcome;
-        noteStale();
-        m_indexRunner->drop();
-        m_indices.reset();
+void BatchView::takeBatch() {
+    if (m_shown != batch()) {
+        studies().dropIndices();
         showBatch();
         if (wantsIndices()) {
             runIndices();
         }
     }
     showState();
-    emit batchShown();
+    emit ended();
 }
 
 bool BatchView::busy() const {
-    return m_runner->running() || m_indexRunner->running();
+    return studies().batch.running() || studies().indexJob().running();
 }
 
 bool BatchView::showsIndices() const {
@@ -275,35 +253,33 @@ bool BatchView::showsIndices() const {
 }
 
 bool BatchView::wantsIndices() const {
-    return showsIndices() && m_batch && m_indicesOf != m_batch && !m_batch->factors.empty()
-           && !m_batch->result.project.batch->correlation;
+    return showsIndices() && batch() && !studies().haveIndicesBeenTried()
+           && !batch()->factors.empty() && !batch()->result.project.batch->correlation;
 }
 
 void BatchView::runIndices() {
-    m_indicesOf = m_batch;
-    m_bar->showProgress(0, partsOfIndices(m_batch->result.project, indexPoints));
-    m_indexRunner->startIndices(m_batch->result.project, indexPoints);
+    m_bar->showProgress(0, partsOfIndices(batch()->result.project, indexPoints));
+    studies().runIndices(indexPoints);
     showState();
 }
 
-void BatchView::takeIndices(const SobolIndicesPtr& indices) {
-    m_indices = indices;
-    m_sensitivity->setIndices(m_indices);
+void BatchView::takeIndices() {
+    m_sensitivity->setIndices(indices());
     showState();
     replotFront();
-    emit batchShown();
+    emit ended();
 }
 
 void BatchView::takeWorst() {
-    if (m_batch && !stale()) {
-        const auto take = [batch = m_batch](Project project) -> std::optional<Project> {
+    if (batch() && !stale()) {
+        const auto take = [batch = batch()](Project project) -> std::optional<Project> {
             if (!sameBatch(batch->result.project, project)) {
                 return std::nullopt; // edited meanwhile
             }
             return withPart(std::move(project), batch->result, batch->summary.worstPart);
         };
         emit runWanted(take, QString::fromStdString(givenRunName(
-                                 GivenName::worstPart, Names::part(m_batch->summary.worstPart))));
+                                 GivenName::worstPart, Names::part(batch()->summary.worstPart))));
     }
 }
 
@@ -313,10 +289,10 @@ void BatchView::takeWorst() {
 void BatchView::fillNames() {
     const QSignalBlocker blocker(m_name);
     m_name->clear();
-    if (!m_batch) {
+    if (!batch()) {
         return;
     }
-    for (const CharacteristicSummary& of : m_batch->summary.characteristics) {
+    for (const CharacteristicSummary& of : batch()->summary.characteristics) {
         const QString key = QString::fromUtf8(of.characteristic.name);
         if (m_name->findData(key) < 0) {
             m_name->addItem(BatchText::axis(of.characteristic), key);
@@ -328,14 +304,14 @@ void BatchView::fillNames() {
 /// Factors and characteristics by place; what was chosen stays, at first the factor that the
 /// batch has first against the diameter.
 void BatchView::fillQuantities() {
-    const int quantities = m_batch ? static_cast<int>(m_batch->quantityCount()) : 0;
-    const int usual = m_batch ? static_cast<int>(m_batch->factors.size()) : 0;
+    const int quantities = batch() ? static_cast<int>(batch()->quantityCount()) : 0;
+    const int usual = batch() ? static_cast<int>(batch()->factors.size()) : 0;
     for (QComboBox* box : {m_across, m_up}) {
         const QSignalBlocker blocker(box);
         const int chosen = box->count() == quantities ? box->currentIndex() : -1;
         box->clear();
         for (int i = 0; i < quantities; ++i) {
-            box->addItem(quantityName(*m_batch, static_cast<BatchQuantity>(i)));
+            box->addItem(quantityName(*batch(), static_cast<BatchQuantity>(i)));
         }
         box->setCurrentIndex(chosen >= 0 ? chosen : box == m_up ? usual : 0);
     }
@@ -343,12 +319,13 @@ void BatchView::fillQuantities() {
 }
 
 void BatchView::showBatch() {
+    m_shown = batch();
     fillNames();
     fillQuantities();
     std::vector<CharacteristicSummary> shown;
-    if (m_batch) {
-        for (const std::size_t i : placesOf(m_batch->summary, chosenName(), mostPlaces)) {
-            shown.push_back(m_batch->summary.characteristics[i]);
+    if (batch()) {
+        for (const std::size_t i : placesOf(batch()->summary, chosenName(), mostPlaces)) {
+            shown.push_back(batch()->summary.characteristics[i]);
         }
     }
     m_histograms->setSummaries(std::move(shown));
@@ -357,15 +334,15 @@ void BatchView::showBatch() {
                                                           ? QHeaderView::Stretch
                                                           : QHeaderView::ResizeToContents);
     fitColumns(*m_table);
-    m_sensitivity->setBatch(m_batch, chosenName());
-    m_sensitivity->setIndices(m_indices);
-    m_pareto->setBatch(m_batch);
+    m_sensitivity->setBatch(batch(), chosenName());
+    m_sensitivity->setIndices(indices());
+    m_pareto->setBatch(batch());
     showState();
     replotAll();
 }
 
 void BatchView::showFigures() {
-    m_figures->setTable(m_batch ? batchFigures(m_batch->summary, chosenName(), m_tellsIndices)
+    m_figures->setTable(batch() ? batchFigures(batch()->summary, chosenName(), m_tellsIndices)
                                 : ValueTable());
 }
 
@@ -376,35 +353,35 @@ void BatchView::tellIndices(bool tells) {
 }
 
 bool BatchView::drawn() const {
-    return m_batch && contentNotice().isEmpty();
+    return batch() && contentNotice().isEmpty();
 }
 
 bool BatchView::faint() const {
-    return m_batch && (stale() || refused());
+    return batch() && (stale() || refused());
 }
 
 const Project* BatchView::shownProject() const {
-    return m_batch ? &m_batch->result.project : nullptr;
+    return batch() ? &batch()->result.project : nullptr;
 }
 
 void BatchView::showState() {
     PlotView::showState();
     const bool has = good() && good()->result.project.batch;
     m_add->setVisible(good() && !has);
-    m_choice->setVisible(has || m_batch); // else there is nothing to choose
+    m_choice->setVisible(has || batch()); // else there is nothing to choose
     m_bar->setVisible(has);
     m_bar->showRunning(busy(), has && !refused());
     const auto found = [this] {
-        return m_tellsIndices ? BatchText::verdict(*m_batch) : BatchText::counts(m_batch->summary);
+        return m_tellsIndices ? BatchText::verdict(*batch()) : BatchText::counts(batch()->summary);
     };
-    m_bar->state()->setText(m_batch ? (BatchText::run(*m_batch) + u' ' + found()).trimmed()
+    m_bar->state()->setText(batch() ? (BatchText::run(*batch()) + u' ' + found()).trimmed()
                                     : QString());
-    const bool mayTake = m_batch && !faint() && !busy();
-    m_worst->setEnabled(mayTake && m_batch->summary.worstPart >= 0);
+    const bool mayTake = batch() && !faint() && !busy();
+    m_worst->setEnabled(mayTake && batch()->summary.worstPart >= 0);
     m_rows->setEnabled(mayTake);
     for (QWidget* choice :
          std::initializer_list<QWidget*>{content(), m_name, m_weights, m_across, m_up}) {
-        choice->setEnabled(m_batch != nullptr);
+        choice->setEnabled(batch() != nullptr);
     }
     readOut();
     m_histograms->setAccessibleDescription(m_bar->state()->text());
@@ -427,27 +404,27 @@ QString BatchView::contentNotice() const {
     if (&front() != m_sensitivity || !m_sensitivity->empty()) {
         return {};
     }
-    if (m_batch->factors.empty()) {
+    if (batch()->factors.empty()) {
         return tr("No factor scatters in this batch.");
     }
     if (m_sensitivity->kind() == SensitivityKind::ranks) {
-        return m_batch->summary.isSample
+        return batch()->summary.isSample
                    ? tr("This characteristic or one of the factors does not vary, or the parts are "
                         "too few to tell which factor matters.")
                    : tr("Corners are no sample: rank regression takes parts at random.");
     }
-    if (m_batch->result.project.batch->correlation) {
+    if (batch()->result.project.batch->correlation) {
         return tr("Sobol indices have no meaning for correlated factors.");
     }
-    if (m_indexRunner->running()) {
+    if (studies().indexJob().running()) {
         return tr("Sobol indices take parts of their own; they are being run.");
     }
-    return m_indices ? tr("This characteristic does not vary, or some of the parts have none.")
+    return indices() ? tr("This characteristic does not vary, or some of the parts have none.")
                      : tr("The Sobol indices were stopped. “Run” runs them again.");
 }
 
 QString BatchView::keptText() const {
-    return m_batch ? tr("The inputs are refused; the batch is that of the last accepted ones.")
+    return batch() ? tr("The inputs are refused; the batch is that of the last accepted ones.")
                    : refusedText();
 }
 
@@ -458,20 +435,18 @@ QString BatchView::remark() const {
                   "the drawing. Choose the factors on the page Batch of the inputs, or start with "
                   "usual ones.");
     }
-    if (m_refused) {
+    if (studies().batch.refusal()) {
         return tr("The batch cannot be run:") + QLatin1Char('\n')
-               + Names::refusal(m_refused->issues, 2);
+               + Names::refusal(studies().batch.refusal()->issues, 2);
     }
-    if (m_batch && stale()) {
-        return m_runner->running()
-                   ? tr("Of the inputs before the last edit; the new batch is being run.")
-                   : tr("Of the inputs before the last edit. Press “Run” for those of now.");
+    if (batch() && stale()) {
+        return staleText(studies().batch.running(), m_bar->run()->text());
     }
-    if (m_batch) {
+    if (batch()) {
         const QString content = contentNotice();
-        return content.isEmpty() ? Names::uncutStrips(m_batch->result.project) : content;
+        return content.isEmpty() ? Names::uncutStrips(batch()->result.project) : content;
     }
-    return m_runner->running()
+    return studies().batch.running()
                ? QString()
                : tr(
                    "This batch takes a while: press “Run”. It can be stopped at any time and keeps "
@@ -480,7 +455,7 @@ QString BatchView::remark() const {
 
 QStringList BatchView::subheading() const {
     return {m_name->currentText(), m_bar->state()->text(),
-            Names::uncutStrips(m_batch->result.project)};
+            Names::uncutStrips(batch()->result.project)};
 }
 
 void BatchView::nameParts() {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/plot_view.h"
-#include "ui/session/batch_runner.h"
-#include "ui/session/document.h"
+#include "ui/plot/study_view.h"
 
 #include <functional>
 #include <optional>
@@ -27,19 +25,21 @@ class SensitivityPlot;
 /// they scatter against the tolerance band, zone beside zone, with the figures of each; which
 /// factor matters most; any two quantities against each other. A quick batch runs by itself when
 /// the inputs change, another one on demand; results of other inputs are drawn faint.
-class BatchView : public PlotView {
+class BatchView : public StudyView {
     Q_OBJECT
 public:
-    explicit BatchView(QWidget* parent = nullptr, Settings* settings = nullptr);
+    explicit BatchView(QWidget* parent = nullptr, Settings* settings = nullptr,
+                       Studies* studies = nullptr);
 
     [[nodiscard]] HistogramPlot* histograms() const { return m_histograms; }
     [[nodiscard]] SensitivityPlot* sensitivity() const { return m_sensitivity; }
     [[nodiscard]] ScatterPlot* scatter() const { return m_scatter; }
     [[nodiscard]] ParetoPlot* pareto() const { return m_pareto; }
-    [[nodiscard]] const BatchOutcomePtr& batch() const { return m_batch; }
-    [[nodiscard]] const SobolIndicesPtr& indices() const { return m_indices; }
-    [[nodiscard]] bool busy() const override;            ///< runs a batch, or its Sobol indices
-    [[nodiscard]] bool stale() const { return m_stale; } ///< what is shown is of other inputs
+    [[nodiscard]] const BatchOutcomePtr& batch() const { return studies().batch.result(); }
+    [[nodiscard]] const SobolIndicesPtr& indices() const { return studies().indices(); }
+    [[nodiscard]] bool busy() const override; ///< runs a batch, or its Sobol indices
+    /// What is shown is of other inputs.
+    [[nodiscard]] bool stale() const { return studies().batch.stale(); }
 
     /// Whether the interval of the mean, Pp, Ppk and the verdict they decide may be read.
     void tellIndices(bool tells);
@@ -47,13 +47,9 @@ public:
     [[nodiscard]] QString title() const override;
 
 signals:
-    /// The document is to be changed so.
-    void editWanted(const std::function<sparkout::Project(sparkout::Project)>& edit,
-                    const sparkout::EditText& text);
     /// A run of such inputs is to be kept beside the project, under a name.
     void runWanted(const std::function<std::optional<sparkout::Project>(sparkout::Project)>& inputs,
                    const QString& name);
-    void batchShown(); ///< the outcome of a batch has been drawn
 
 protected:
     [[nodiscard]] QString hint() const override;
@@ -79,14 +75,13 @@ private:
     void chooseQuantities();
     void setQuantities();
 
-    void noteStale();
     void runBatch();
-    void takeBatch(const BatchOutcomePtr& outcome);
+    void takeBatch();
     void takeWorst();
     [[nodiscard]] bool showsIndices() const; ///< Sobol's are chosen
     [[nodiscard]] bool wantsIndices() const; ///< they are, but not there yet
     void runIndices();
-    void takeIndices(const SobolIndicesPtr& indices);
+    void takeIndices();
 
     void fillNames();
     void fillQuantities();
@@ -112,15 +107,8 @@ private:
     QPushButton* m_rows; ///< of all parts, into a file
     QPushButton* m_add;
     std::string m_wanted = "diameter"; ///< characteristic the user chose
-    BatchOutcomePtr m_batch;           ///< what is shown
-    BatchOutcomePtr m_refused;         ///< the last one that could not be run
-    SobolIndicesPtr m_indices;         ///< of what is shown
-    BatchOutcomePtr m_indicesOf;       ///< what they are, or were refused, or stopped, of
-    BatchRunner* m_runner;
-    BatchRunner* m_indexRunner;
-    bool m_stale = true;
+    BatchOutcomePtr m_shown;           ///< drawn
     bool m_tellsIndices = true;
-    std::optional<Project> m_running; ///< what it runs, to know when that is of other inputs
 };
 
 } // namespace sparkout

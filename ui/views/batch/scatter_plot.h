@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/plot/view_plot.h"
-#include "ui/session/batch_runner.h"
+#include "ui/session/studies.h"
 
 #include <optional>
 

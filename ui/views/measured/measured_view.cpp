@@ -51,8 +51,9 @@ public:
 
 } // namespace
 
-MeasuredView::MeasuredView(Document& document, QWidget* parent, Settings* settings)
-    : PlotView(QStringLiteral("measured"), parent, settings)
+MeasuredView::MeasuredView(Document& document, QWidget* parent, Settings* settings,
+                           Studies* studies)
+    : StudyView(QStringLiteral("measured"), parent, settings, studies)
     , m_boxes(new BarPlot(this))
     , m_model(new AdequacyModel(this))
     , m_judgement(new QLabel(this))
@@ -64,8 +65,7 @@ MeasuredView::MeasuredView(Document& document, QWidget* parent, Settings* settin
     , m_import(new QPushButton(this))
     , m_paste(new QPushButton(this))
     , m_calibrate(new QPushButton(this))
-    , m_start(new QPushButton(this))
-    , m_runner(new BatchRunner(this)) {
+    , m_start(new QPushButton(this)) {
     m_boxes->setMinimumSize(240, 120);
     addPage(*m_boxes);
     constexpr int valueLines = 4;
@@ -139,8 +139,8 @@ void MeasuredView::connectParts() {
     connect(m_sheet, &QComboBox::currentIndexChanged, this, &MeasuredView::chooseSheet);
     connect(m_quantity, &QComboBox::currentIndexChanged, this, &MeasuredView::chooseQuantity);
     connect(m_bar->run(), &QPushButton::clicked, this, &MeasuredView::runBatch);
-    m_bar->follow(*m_runner);
-    connect(m_runner, &BatchRunner::finished, this, &MeasuredView::takeBatch);
+    m_bar->follow(studies().prediction.job());
+    connect(&studies().prediction.job(), &Job::answered, this, &MeasuredView::takeBatch);
     connect(m_import, &QPushButton::clicked, this, &MeasuredView::importAsked);
     connect(m_start, &QPushButton::clicked, this, &MeasuredView::importAsked);
     connect(m_paste, &QPushButton::clicked, this, &MeasuredView::pasteAsked);
@@ -154,11 +154,6 @@ void MeasuredView::connectParts() {
 
 const std::vector<AdequacyRow>& MeasuredView::rows() const {
     return m_model->rows();
-}
-
-BatchOutcomePtr MeasuredView::prediction() const {
-    return stale() || !m_batch || m_batch->result.status != BatchStatus::completed ? nullptr
-                                                                                   : m_batch;
 }
 
 /// What its fields and tables do not take themselves.
@@ -208,22 +203,14 @@ bool MeasuredView::hasStatistics() const {
 void MeasuredView::takeOutcome(const OutcomePtr&) {
     const Project& project = good()->result.project;
     m_hasStatistics = !statisticsOfMeasured(project).empty();
-    noteStale();
-    if (!stale()) {
-        m_refused.reset(); // what is shown is of these inputs
-    }
+    const Project predicting = predictingProject(project);
+    studies().prediction.follow(&predicting);
     if (!hasStatistics()) {
         dropStudies();
         return;
     }
-    const Project predicting = predictingProject(project);
-    const bool runs = m_running && m_runner->running() && sameBatch(*m_running, predicting);
-    if (stale() && !runs) {
-        m_runner->drop();
-        m_refused.reset();
-        if (RunBar::areQuick(partsOf(predicting), good()->result.visits)) {
-            runBatch();
-        }
+    if (stale() && !busy() && RunBar::areQuick(partsOf(predicting), good()->result.visits)) {
+        runBatch();
     }
     judge();
 }
@@ -234,44 +221,31 @@ void MeasuredView::dropOutcome() {
 }
 
 void MeasuredView::dropStudies() {
-    m_runner->drop();
-    m_batch.reset();
-    m_refused.reset();
-    noteStale();
+    studies().prediction.forget();
     judge();
     showState();
 }
 
-void MeasuredView::noteStale() {
-    m_stale = !m_batch || !good()
-              || !sameBatch(m_batch->result.project, predictingProject(good()->result.project));
-}
-
 void MeasuredView::runBatch() {
-    m_running = predictingProject(good()->result.project);
-    m_refused.reset();
-    m_bar->showProgress(0, partsOf(*m_running));
-    m_runner->start(*m_running);
+    const Project predicting = predictingProject(good()->result.project);
+    m_bar->showProgress(0, partsOf(predicting));
+    studies().runPrediction(predicting);
     showState();
 }
 
-void MeasuredView::takeBatch(const BatchOutcomePtr& outcome) {
-    if (!outcome->ran()) {
-        m_refused = outcome;
-    } else if (outcome->summary.parts > 0) {
-        m_batch = outcome;
-        noteStale();
+void MeasuredView::takeBatch() {
+    if (!studies().prediction.refusal()) {
         judge();
     }
     showState();
-    emit measuredShown();
+    emit ended();
 }
 
 void MeasuredView::judge() {
-    const bool has = m_batch && good() && hasStatistics();
+    const bool has = batch() && good() && hasStatistics();
     const Project& project = good() ? good()->result.project : Project();
     m_model->show(project,
-                  has ? judgeAdequacy(project, m_batch->result) : std::vector<AdequacyRow>());
+                  has ? judgeAdequacy(project, batch()->result) : std::vector<AdequacyRow>());
     m_judgement->setText(has ? MeasuredText::judgement(project, rows()).join(u'\n') : QString());
     fillQuantities();
     showComparison();
@@ -304,7 +278,7 @@ QString MeasuredView::stateText() const {
     const auto agreeing =
         std::ranges::count(rows(), AdequacyVerdict::adequate, &AdequacyRow::verdict);
     const QString predicted =
-        tr("Predicted of %n part(s).", nullptr, static_cast<int>(m_batch->summary.parts));
+        tr("Predicted of %n part(s).", nullptr, static_cast<int>(batch()->summary.parts));
     return predicted + u' '
            + (speaksForModel(rows())
                   ? tr("Nothing speaks against the model; %1 of %2 comparisons agree.")
@@ -375,19 +349,17 @@ QString MeasuredView::remark() const {
                   "from a spreadsheet (Ctrl+V), or type the statistics of a printed table under "
                   "“Statistics”.");
     }
-    if (m_refused) {
+    if (studies().prediction.refusal()) {
         return tr("The batch that predicts cannot be run:") + QLatin1Char('\n')
-               + Names::refusal(m_refused->issues, 2);
+               + Names::refusal(studies().prediction.refusal()->issues, 2);
     }
-    if (m_batch && stale()) {
-        return m_runner->running()
-                   ? tr("Of the inputs before the last edit; the new batch is being run.")
-                   : tr("Of the inputs before the last edit. Press “Run” for those of now.");
+    if (batch() && stale()) {
+        return staleText(busy(), m_bar->run()->text());
     }
-    if (!m_batch) {
-        return m_runner->running() ? QString()
-                                   : tr("The batch that predicts takes a while: press “Run”. It "
-                                        "can be stopped at any time.");
+    if (!batch()) {
+        return busy() ? QString()
+                      : tr("The batch that predicts takes a while: press “Run”. It "
+                           "can be stopped at any time.");
     }
     return good()->result.project.batch
                ? QString()

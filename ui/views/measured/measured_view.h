@@ -2,11 +2,9 @@
 #pragma once
 
 #include "core/adequacy/adequacy.h"
-#include "ui/plot/plot_view.h"
-#include "ui/session/batch_runner.h"
+#include "ui/plot/study_view.h"
 
 #include <array>
-#include <optional>
 #include <vector>
 
 class QComboBox;
@@ -28,20 +26,19 @@ class RunBar;
 /// The view "Measured": measured parts against the batch that the project predicts, as boxes, as a
 /// table and in words; and the measured data themselves, to edit. A quick batch runs by itself when
 /// the inputs change, another one on demand; results of other inputs are drawn faint.
-class MeasuredView : public PlotView {
+class MeasuredView : public StudyView {
     Q_OBJECT
 public:
     enum Sheet { comparison, parts, summaries, traces };
 
     explicit MeasuredView(Document& document, QWidget* parent = nullptr,
-                          Settings* settings = nullptr);
+                          Settings* settings = nullptr, Studies* studies = nullptr);
 
     [[nodiscard]] BarPlot* boxes() const { return m_boxes; }
     [[nodiscard]] const std::vector<AdequacyRow>& rows() const;
-    [[nodiscard]] bool busy() const override { return m_runner->running(); }
-    [[nodiscard]] bool stale() const { return m_stale; } ///< what is shown is of other inputs
-    /// Of the inputs that were measured, run whole; null: none, or of other inputs.
-    [[nodiscard]] BatchOutcomePtr prediction() const;
+    [[nodiscard]] bool busy() const override { return studies().prediction.running(); }
+    /// What is shown is of other inputs.
+    [[nodiscard]] bool stale() const { return studies().prediction.stale(); }
 
     void offerCalibration(bool offers); ///< the button that calibrates
 
@@ -51,7 +48,6 @@ signals:
     void importAsked();
     void pasteAsked();
     void calibrateAsked();
-    void measuredShown(); ///< the outcome of a batch has been drawn
 
 protected:
     [[nodiscard]] QString hint() const override;
@@ -75,9 +71,9 @@ private:
     void chooseQuantity();
     [[nodiscard]] bool isComparing() const;
     [[nodiscard]] bool hasStatistics() const;
-    void noteStale();
+    [[nodiscard]] const BatchOutcomePtr& batch() const { return studies().prediction.result(); }
     void runBatch();
-    void takeBatch(const BatchOutcomePtr& outcome);
+    void takeBatch();
     void judge();
     void showComparison();
     void fillQuantities();
@@ -98,12 +94,7 @@ private:
     QPushButton* m_start; ///< of the empty view
     std::array<DataSheet*, 3> m_data{};
     MeasuredQuantity m_wanted = MeasuredQuantity::diameter_deviation;
-    BatchOutcomePtr m_batch;   ///< that predicts what is shown
-    BatchOutcomePtr m_refused; ///< the last one that could not be run
-    BatchRunner* m_runner;
-    bool m_stale = true;
     bool m_hasStatistics = false;
-    std::optional<Project> m_running; ///< what it runs, to know when that is of other inputs
 };
 
 } // namespace sparkout

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/search_runner.h"
+#include "ui/session/studies.h"
 #include "ui/tables/csv_table.h"
 #include "ui/tables/table_model.h"
 
@@ -21,7 +21,8 @@ public:
     /// With the time of the cycle compared with, if it ends by itself.
     void show(SearchOutcomePtr outcome, std::optional<double> before_s);
     void setBefore(std::optional<double> before_s); ///< the choice in the table stays
-    [[nodiscard]] CsvTable table() const;           ///< with all digits
+    [[nodiscard]] const SearchOutcomePtr& outcome() const { return m_outcome; }
+    [[nodiscard]] CsvTable table() const; ///< with all digits
 
 private:
     [[nodiscard]] int rowsShown() const override {

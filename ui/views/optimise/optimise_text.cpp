@@ -78,8 +78,11 @@ QString OptimiseText::fault(const SearchOutcome& outcome) {
     if (!outcome.issues.empty()) {
         return Names::refusal(outcome.issues, 2);
     }
+    const bool isOnPage =
+        outcome.fault == GridFault::noLevels || outcome.objectiveFault == ObjectiveFault::noRates;
     return outcome.batchIssues.empty()
                ? QString::fromStdString(SearchText().fault(outcome))
+                     + (isOnPage ? u' ' + tr("See the page Search of the inputs.") : QString())
                : tr("The batch that the cycle is to hold for cannot be run:") + u'\n'
                      + Names::refusal(outcome.batchIssues, 2);
 }

@@ -41,8 +41,8 @@ namespace {
 constexpr int curvesShare = 260, foundShare = 140; ///< of the height at first
 } // namespace
 
-OptimiseView::OptimiseView(QWidget* parent, Settings* settings)
-    : PlotView(QStringLiteral("optimise"), parent, settings)
+OptimiseView::OptimiseView(QWidget* parent, Settings* settings, Studies* studies)
+    : StudyView(QStringLiteral("optimise"), parent, settings, studies)
     , m_curves(new ComparePlot(this))
     , m_times(new StageCountPlot(this))
     , m_margins(new MarginFrontPlot(this))
@@ -56,7 +56,6 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings)
     , m_add(new QPushButton(this))
     , m_phases(new QCheckBox(this))
     , m_refine(new QCheckBox(this))
-    , m_runner(new SearchRunner(this))
     , m_trials(new RunController(this)) {
     for (ViewPlot* plot : std::initializer_list<ViewPlot*>{m_curves, m_times, m_margins, m_grid}) {
         plot->setMinimumSize(240, 120);
@@ -99,7 +98,7 @@ void OptimiseView::connectParts() {
     connect(content(), &QComboBox::currentIndexChanged, this, &OptimiseView::chooseContent);
     connect(m_zone, &QComboBox::currentIndexChanged, this, &OptimiseView::chooseZone);
     connect(m_bar->run(), &QPushButton::clicked, this, &OptimiseView::runSearch);
-    connect(m_bar->stop(), &QPushButton::clicked, m_runner, &SearchRunner::stop);
+    connect(m_bar->stop(), &QPushButton::clicked, &studies().search.job(), &Job::stop);
     connect(m_take, &QPushButton::clicked, this, &OptimiseView::takeCycle);
     connect(m_table, &CopyTable::rowEntered, this, &OptimiseView::takeCycle);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
@@ -112,13 +111,14 @@ void OptimiseView::connectParts() {
             },
             {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a search")});
     });
-    connect(m_runner, &SearchRunner::progressed, this, [this](const SearchState& state) {
+    connect(&studies().search.job(), &Job::progressed, this, [this] {
+        SearchState state = studies().search.state();
+        state.took_s = studies().search.job().took_s();
         const double share = state.best_s ? std::clamp(state.bound_s / *state.best_s, 0.0, 1.0) : 0;
         m_bar->showProgress(std::max(share, state.share), OptimiseText::state(state));
         m_bar->progress()->setToolTip(m_bar->progress()->format());
     });
-    connect(m_runner, &SearchRunner::answered, this, &OptimiseView::takeAnswer);
-    connect(m_runner, &SearchRunner::finished, this, &OptimiseView::takeSearch);
+    connect(&studies().search.job(), &Job::answered, this, &OptimiseView::takeSearch);
     connect(m_trials, &RunController::finished, this, &OptimiseView::takeTrial);
     connect(m_gridBar, &StateGridBar::changed, this, &OptimiseView::takeGrid);
     connect(m_gridBar, &StateGridBar::moved, this, &OptimiseView::moveGrid);
@@ -134,9 +134,10 @@ void OptimiseView::connectParts() {
 }
 
 const FoundCycle* OptimiseView::chosen() const {
+    const SearchOutcomePtr& shown = m_found->outcome(); // the newest may be about to be shown
     const int row = m_table->currentIndex().row();
-    return m_search && row >= 0 && row < static_cast<int>(m_search->found.size())
-               ? &m_search->found[static_cast<std::size_t>(row)]
+    return shown && row >= 0 && row < static_cast<int>(shown->found.size())
+               ? &shown->found[static_cast<std::size_t>(row)]
                : nullptr;
 }
 
@@ -148,7 +149,7 @@ std::optional<double> OptimiseView::before_s() const {
 
 /// Whether the present cycle is one of those that were found.
 bool OptimiseView::isTaken() const {
-    return !m_stale && std::ranges::any_of(m_search->found, [&](const FoundCycle& found) {
+    return !stale() && std::ranges::any_of(search()->found, [&](const FoundCycle& found) {
         const Project& present = good()->result.project;
         return sameProject(withFound(present, found), present);
     });
@@ -164,11 +165,8 @@ void OptimiseView::takeOutcome(const OutcomePtr& before) {
         m_wanted = good()->result.sections.size() / 2;
         fillZones();
     }
-    if (m_searching && m_runner->running() && !sameSearch(*m_searching, good()->result.project)) {
-        m_runner->drop();
-        endAnswer();
-    }
-    noteStale();
+    studies().search.follow(&good()->result.project);
+    m_goesOn = m_goesOn && studies().search.isAnswered();
     const bool mayCompare =
         m_own && isTaken() && sameSearch(m_own->result.project, good()->result.project);
     m_before = mayCompare ? m_own : good();
@@ -180,32 +178,26 @@ void OptimiseView::takeOutcome(const OutcomePtr& before) {
 
 void OptimiseView::dropOutcome() {
     m_before.reset();
-    noteStale();
+    studies().search.follow(nullptr);
     fillZones();
     fillCurves();
 }
 
 bool OptimiseView::busy() const {
-    return m_runner->running() || m_gridBar->busy();
+    return studies().search.running() || m_gridBar->busy();
 }
 
-void OptimiseView::noteStale() {
-    m_stale = !m_search || !good() || !sameSearch(m_search->project, good()->result.project)
-              || hasOtherWear();
-}
-
-bool OptimiseView::hasOtherWear() const {
-    if (!m_search || !m_search->wear || !m_document) {
-        return false;
-    }
-    return !sameWear(SurfaceWear(m_document->setup(), m_document->surface()), *m_search->wear);
+bool OptimiseView::stale() const {
+    return studies().search.stale()
+           || (search()->wear && m_document
+               && !sameWear(SurfaceWear(m_document->setup(), m_document->surface()),
+                            *search()->wear));
 }
 
 void OptimiseView::runSearch() {
     if (!good()) {
         return;
     }
-    m_searching = good()->result.project;
     m_bar->showProgress(0, OptimiseText::state({}));
     SearchWish wish{.phases = m_phases->isChecked() && m_phases->isEnabled(),
                     .refine = m_refine->isChecked() && m_refine->isEnabled(),
@@ -213,43 +205,38 @@ void OptimiseView::runSearch() {
     if (m_document) {
         wish.wear = searchWear(m_document->setup(), m_document->surface());
     }
-    endAnswer();
-    m_runner->start(*m_searching, wish);
+    m_goesOn = false;
+    studies().search.start(good()->result.project, wish);
     showState();
 }
 
-/// It can be chosen and taken while the margins by time are looked for.
-void OptimiseView::takeAnswer(const SearchOutcomePtr& outcome) {
-    m_search = outcome;
-    noteStale();
-    showSearch();
-}
-
-void OptimiseView::takeSearch(const SearchOutcomePtr& outcome) {
-    if (isAnswerShown()) {
-        addToAnswer(outcome);
+/// An answer can be chosen and taken while the margins by time are looked for.
+void OptimiseView::takeSearch() {
+    if (m_goesOn) {
+        addToAnswer();
     } else {
-        takeAnswer(outcome);
+        showSearch();
     }
-    emit searchShown();
+    m_goesOn = studies().search.isAnswered();
+    if (!studies().search.running()) {
+        emit ended();
+    }
 }
 
 /// The chosen cycle stays, and what a taken one took the place of.
-void OptimiseView::addToAnswer(const SearchOutcomePtr& outcome) {
+void OptimiseView::addToAnswer() {
     const FoundCycle* const was = chosen();
     const std::optional<FoundCycle> kept = was ? std::optional(*was) : std::nullopt;
-    m_search = outcome;
-    noteStale();
     {
         const QSignalBlocker blocker(m_table->selectionModel());
-        m_found->show(m_search, before_s());
-        const auto row = std::ranges::find_if(m_search->found, [&](const FoundCycle& each) {
+        m_found->show(search(), before_s());
+        const auto row = std::ranges::find_if(search()->found, [&](const FoundCycle& each) {
             return kept && each.machine == kept->machine
-                   && sameProject(withFound(m_search->project, each),
-                                  withFound(m_search->project, *kept));
+                   && sameProject(withFound(search()->project, each),
+                                  withFound(search()->project, *kept));
         });
         m_table->selectRow(
-            row == m_search->found.end() ? 0 : static_cast<int>(row - m_search->found.begin()));
+            row == search()->found.end() ? 0 : static_cast<int>(row - search()->found.begin()));
     }
     showBefore();
     for (const ViewPlot* plot : plots()) {
@@ -259,35 +246,19 @@ void OptimiseView::addToAnswer(const SearchOutcomePtr& outcome) {
     showCurves();
 }
 
-/// Its search has been dropped: no margins by time will come.
-void OptimiseView::endAnswer() {
-    if (isAnswerShown()) {
-        auto ended = std::make_shared<SearchOutcome>(*m_search);
-        ended->isFrontComing = false;
-        m_search = std::move(ended);
-    }
-}
-
-/// Of the search that is running or has just ended.
-bool OptimiseView::isAnswerShown() const {
-    return m_search && m_search->isFrontComing;
-}
-
 void OptimiseView::dropStudies() {
-    m_runner->drop();
+    studies().search.forget();
     m_gridBar->forget();
-    m_search.reset();
-    noteStale();
     showSearch();
 }
 
 void OptimiseView::showSearch() {
     m_own.reset();
     m_before = good();
-    m_found->show(m_search, before_s());
+    m_found->show(search(), before_s());
     showBefore();
     m_trial.reset();
-    if (m_search && m_search->best()) {
+    if (search() && search()->best()) {
         m_table->selectRow(0);
     }
     for (const ViewPlot* plot : plots()) {
@@ -304,8 +275,8 @@ void OptimiseView::showBefore() {
                                                    &ConstraintResult::relativeMargin)
                               ->relativeMargin};
     }
-    m_times->setSearch(m_search, before_s());
-    m_margins->setSearch(m_search, yours);
+    m_times->setSearch(search(), before_s());
+    m_margins->setSearch(search(), yours);
     m_margins->setChosen(chosen());
 }
 
@@ -316,7 +287,7 @@ void OptimiseView::chooseRow(std::size_t row) {
 
 void OptimiseView::tryCycle() {
     if (const FoundCycle* cycle = chosen()) {
-        m_trials->request(withFound(m_search->project, *cycle));
+        m_trials->request(withFound(search()->project, *cycle));
     }
     m_margins->setChosen(chosen());
     m_margins->replot(QCustomPlot::rpQueuedReplot);
@@ -330,13 +301,13 @@ void OptimiseView::takeTrial(const OutcomePtr& outcome) {
 
 void OptimiseView::takeCycle() {
     const FoundCycle* cycle = chosen();
-    if (!cycle || m_stale) {
+    if (!cycle || stale()) {
         return;
     }
     if (!isTaken()) {
         m_own = good();
     }
-    const auto take = [searched = m_search->project, found = *cycle](Project project) {
+    const auto take = [searched = search()->project, found = *cycle](Project project) {
         // Else edited meanwhile.
         return sameSearch(searched, project) ? withFound(std::move(project), found) : project;
     };
@@ -418,7 +389,7 @@ bool OptimiseView::isGiven() const {
 }
 
 bool OptimiseView::isFound() const {
-    return m_search && m_search->best();
+    return search() && search()->best();
 }
 
 bool OptimiseView::hasCurves() const {
@@ -438,7 +409,7 @@ bool OptimiseView::drawn() const {
 /// What was found before, while another search runs or after an edit.
 bool OptimiseView::faint() const {
     return showsGrid() ? m_gridBar->stale() || refused()
-                       : m_stale || (m_runner->running() && !isAnswerShown());
+                       : stale() || (studies().search.running() && !studies().search.isAnswered());
 }
 
 bool OptimiseView::isFaint(const ViewPlot& plot) const {
@@ -450,7 +421,7 @@ void OptimiseView::showState() {
     tools()->setEnabled(hasCurves());
     m_add->setVisible(good() && !isGiven());
     m_choice->setVisible(isGiven() || isFound()); // else there is nothing to choose
-    const bool searching = m_runner->running(), grid = showsGrid();
+    const bool searching = studies().search.running(), grid = showsGrid();
     m_bar->setVisible(!grid);
     m_gridBar->setVisible(grid && isGiven());
     m_gridBar->showState(!refused());
@@ -469,7 +440,7 @@ void OptimiseView::showState() {
                                 ? OptimiseText::gridSize(sparkout::gridSize(good()->result.project))
                                 : QString());
     m_table->setVisible(isFound() && !grid);
-    m_take->setEnabled(chosen() && !m_stale && (!searching || isAnswerShown()));
+    m_take->setEnabled(chosen() && !stale() && (!searching || studies().search.isAnswered()));
     readOut();
 }
 
@@ -490,8 +461,8 @@ QString OptimiseView::hint() const {
                : m_margins->hasFront()
                    ? tr("A click or the arrow keys choose a cycle, “Take this cycle” or Enter "
                         "takes it.")
-                         + u' ' + OptimiseText::front(*m_search)
-                   : OptimiseText::front(*m_search);
+                         + u' ' + OptimiseText::front(*search())
+                   : OptimiseText::front(*search());
     }
     return &front() == m_curves
                ? tr("Point at a curve to read its values beside those of your cycle.")
@@ -504,7 +475,7 @@ QString OptimiseView::keptText() const {
                    ? tr("The inputs are refused; the grid is that of the last accepted ones.")
                    : refusedText();
     }
-    return m_search ? tr("The inputs are refused; the search is that of the last accepted ones.")
+    return search() ? tr("The inputs are refused; the search is that of the last accepted ones.")
                     : refusedText();
 }
 
@@ -518,8 +489,11 @@ QString OptimiseView::remark() const {
     if (showsGrid()) {
         return m_gridBar->remark();
     }
-    if (!m_search) {
-        return m_runner->running() ? QString()
+    if (const SearchOutcomePtr& refusal = studies().search.refusal()) {
+        return OptimiseText::fault(*refusal);
+    }
+    if (!search()) {
+        return studies().search.running() ? QString()
                : objectiveOf(good()->result.project) != SearchObjective::time
                    ? OptimiseText::offer(objectiveOf(good()->result.project))
                : good()->result.project.optimisation->margin_within_min
@@ -528,15 +502,10 @@ QString OptimiseView::remark() const {
                    : tr("“Search” finds the quickest cycle of the grid that holds every "
                         "requirement. It can be stopped at any time and keeps the best so far.");
     }
-    if (m_stale) {
-        return m_runner->running()
-                   ? tr("Of the inputs before the last edit; those of now are being searched.")
-                   : tr("Of the inputs before the last edit. Press “Search” for those of now.");
+    if (stale()) {
+        return staleText(studies().search.running(), m_bar->run()->text());
     }
-    if (!m_search->ran()) {
-        return OptimiseText::fault(*m_search);
-    }
-    return OptimiseText::answer(*m_search, before_s());
+    return OptimiseText::answer(*search(), before_s());
 }
 
 const Project* OptimiseView::shownProject() const {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/plot_view.h"
-#include "ui/session/document.h"
+#include "ui/plot/study_view.h"
 #include "ui/session/run_controller.h"
-#include "ui/session/search_runner.h"
 
-#include <functional>
 #include <optional>
 
 class QCheckBox;
@@ -31,10 +28,11 @@ class StateGridPlot;
 /// margin over the time; what keeps it from being quicker. A cycle is taken by one edit. Results of
 /// other inputs are drawn faint. Or, instead of a search, the grid of dynamic programming as the
 /// published rule fills it.
-class OptimiseView : public PlotView {
+class OptimiseView : public StudyView {
     Q_OBJECT
 public:
-    explicit OptimiseView(QWidget* parent = nullptr, Settings* settings = nullptr);
+    explicit OptimiseView(QWidget* parent = nullptr, Settings* settings = nullptr,
+                          Studies* studies = nullptr);
 
     /// Whose surface in front is searched, with the wear of its wheel; without one it does not
     /// wear. It is to outlive the view.
@@ -43,22 +41,14 @@ public:
     [[nodiscard]] StageCountPlot* times() const { return m_times; }
     [[nodiscard]] MarginFrontPlot* margins() const { return m_margins; }
     [[nodiscard]] StateGridPlot* stateGrid() const { return m_grid; }
-    [[nodiscard]] const SearchOutcomePtr& search() const { return m_search; }
+    [[nodiscard]] const SearchOutcomePtr& search() const { return studies().search.result(); }
     /// The time of the cycle that is compared with, if it ends by itself.
     [[nodiscard]] std::optional<double> before_s() const;
     [[nodiscard]] bool busy() const override;
-    [[nodiscard]] bool stale() const { return m_stale; } ///< what is shown is of other inputs
-
-    /// Whether the wheel of the document wears in another way than that of the search shown.
-    [[nodiscard]] bool hasOtherWear() const;
+    /// What is shown is of other inputs, or of another wear of the wheel.
+    [[nodiscard]] bool stale() const;
 
     [[nodiscard]] QString title() const override;
-
-signals:
-    /// The document is to be changed so.
-    void editWanted(const std::function<sparkout::Project(sparkout::Project)>& edit,
-                    const sparkout::EditText& text);
-    void searchShown(); ///< the outcome of a search has been drawn
 
 protected:
     [[nodiscard]] QString hint() const override;
@@ -88,15 +78,11 @@ private:
     void chooseZone();
     void fillZones();
     void runSearch();
-    void takeAnswer(const SearchOutcomePtr& outcome);
-    void takeSearch(const SearchOutcomePtr& outcome);
-    void addToAnswer(const SearchOutcomePtr& outcome); ///< what the search found since
-    void endAnswer();
-    [[nodiscard]] bool isAnswerShown() const; ///< before the search has ended
-    void tryCycle();                          ///< runs the chosen one for its curves
+    void takeSearch();
+    void addToAnswer(); ///< what the search found since
+    void tryCycle();    ///< runs the chosen one for its curves
     void takeTrial(const OutcomePtr& outcome);
     void takeCycle(); ///< into the document
-    void noteStale();
     [[nodiscard]] const FoundCycle* chosen() const;
     [[nodiscard]] bool isTaken() const;
 
@@ -125,14 +111,11 @@ private:
     QPushButton* m_add;
     QCheckBox* m_phases;
     QCheckBox* m_refine;
-    OutcomePtr m_own;          ///< what a cycle found took the place of
-    OutcomePtr m_before;       ///< what is compared with: that one, or the present one
-    SearchOutcomePtr m_search; ///< what is shown
-    OutcomePtr m_trial;        ///< the run of the chosen cycle
-    std::optional<Project> m_searching;
+    OutcomePtr m_own;         ///< what a cycle found took the place of
+    OutcomePtr m_before;      ///< what is compared with: that one, or the present one
+    OutcomePtr m_trial;       ///< the run of the chosen cycle
     std::size_t m_wanted = 1; ///< zone or section the user chose
-    bool m_stale = true;
-    SearchRunner* m_runner;
+    bool m_goesOn = false;    ///< the search whose answer is shown
     RunController* m_trials;
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/plot/plot_view.h"
-#include "ui/session/batch_runner.h"
+#include "ui/session/studies.h"
 #include "ui/views/overview/overview_charts.h"
 
 #include <array>

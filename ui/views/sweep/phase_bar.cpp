@@ -6,6 +6,7 @@
 #include "ui/fields/number_field.h"
 #include "ui/kit/font_size.h"
 #include "ui/plot/run_bar.h"
+#include "ui/plot/study_view.h"
 #include "ui/text/shown_scale.h"
 #include "ui/text/texts.h"
 #include "ui/views/sweep/phase_text.h"
@@ -33,7 +34,7 @@ double roundedStock(double stock_mm) {
 
 PhaseBar::PhaseBar(QWidget* parent)
     : QWidget(parent)
-    , m_runner(new PhaseRunner(this))
+    , m_job(new Job(this))
     , m_from(new NumberField({}, this))
     , m_to(new NumberField({}, this))
     , m_dash(new QLabel(QStringLiteral("…"), this))
@@ -48,12 +49,11 @@ PhaseBar::PhaseBar(QWidget* parent)
     column->addWidget(m_bar);
     addEnd(*m_from, &PhaseBar::m_ownFrom_mm, &StockRange::from_mm);
     addEnd(*m_to, &PhaseBar::m_ownTo_mm, &StockRange::to_mm);
-    m_bar->follow(*m_runner);
+    m_bar->follow(*m_job);
     connect(m_bar->run(), &QPushButton::clicked, this, [this] {
         run();
         emit changed();
     });
-    connect(m_runner, &PhaseRunner::finished, this, &PhaseBar::take);
 }
 
 void PhaseBar::addEnd(NumberField& field, std::optional<double> PhaseBar::*own,
@@ -89,7 +89,7 @@ void PhaseBar::follow(const Project& project) {
 }
 
 void PhaseBar::forget() {
-    m_runner->drop();
+    m_job->drop();
     m_project.reset();
     m_ownFrom_mm.reset();
     m_ownTo_mm.reset();
@@ -106,15 +106,15 @@ void PhaseBar::noteStale() {
 void PhaseBar::decide() {
     noteStale();
     if (!canRun()) {
-        m_runner->drop();
+        m_job->drop();
         m_phases.reset();
         m_stale = true;
         return;
     }
-    const bool runs = m_runner->running() && m_running && m_running->decision.range == range()
+    const bool runs = m_job->running() && m_running && m_running->decision.range == range()
                       && sameProject(m_running->project, *m_project);
     if (!m_stale) {
-        m_runner->drop();
+        m_job->drop();
     } else if (!runs) {
         run();
     }
@@ -124,7 +124,13 @@ void PhaseBar::run() {
     m_running = PhaseOutcome{*m_project, {}};
     m_running->decision.range = range();
     m_bar->showProgress(0, 1);
-    m_runner->start(*m_project, range());
+    m_job->start(
+        1,
+        [project = *m_project, stocks = range()](const Job::Means& means) {
+            return std::make_shared<const PhaseOutcome>(
+                PhaseOutcome{project, decidePhases(project, stocks, means.stop)});
+        },
+        [this](const PhaseOutcomePtr& outcome) { take(outcome); });
 }
 
 void PhaseBar::take(const PhaseOutcomePtr& phases) {
@@ -172,10 +178,9 @@ QString PhaseBar::remark() const {
                + (share.isEmpty() ? QString() : u'\n' + share);
     }
     if (busy()) {
-        return m_phases ? tr("Of the inputs before the last edit; those of now are being decided.")
-                        : QString();
+        return m_phases ? StudyView::staleText(true, {}) : QString();
     }
-    return m_phases ? tr("Of the inputs before the last edit. Press “Run” for those of now.")
+    return m_phases ? StudyView::staleText(false, m_bar->run()->text())
                     : tr("Stopped before anything was decided. Press “Run”.");
 }
 

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "core/project/project.h"
-#include "ui/views/sweep/phase_runner.h"
+#include "ui/session/job.h"
+#include "ui/views/sweep/phase_outcome.h"
 
 #include <QWidget>
 
@@ -26,7 +27,7 @@ public:
     void forget();                       ///< another document comes: project, range and phases
     /// The last that were decided; null: none, or of a project whose phases cannot be.
     [[nodiscard]] const PhaseOutcomePtr& phases() const { return m_phases; }
-    [[nodiscard]] bool busy() const { return m_runner->running(); }
+    [[nodiscard]] bool busy() const { return m_job->running(); }
     [[nodiscard]] bool stale() const { return m_stale; } ///< those are of another project or range
     [[nodiscard]] QString remark() const; ///< what was decided, or why nothing can be
     void showState(bool accepted);        ///< false: the newest inputs are refused
@@ -50,7 +51,7 @@ private:
     PhaseOutcomePtr m_phases;
     bool m_stale = true;
     std::optional<PhaseOutcome> m_running; ///< what is being decided, without its decision
-    PhaseRunner* m_runner;
+    Job* m_job;
     NumberField *m_from, *m_to;
     QLabel *m_dash, *m_unit;
     RunBar* m_bar;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/plot/view_plot.h"
-#include "ui/views/sweep/phase_runner.h"
+#include "ui/views/sweep/phase_outcome.h"
 
 namespace sparkout {
 

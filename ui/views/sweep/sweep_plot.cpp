@@ -35,13 +35,13 @@ SweepPlot::SweepPlot(QWidget* parent) : ViewPlot(parent), m_rect(addRect()) {
     });
 }
 
-void SweepPlot::setSweep(SweepOutcomePtr sweep, SweepEntry entry, bool margins) {
+void SweepPlot::setSweep(SweepResultPtr sweep, SweepEntry entry, bool margins) {
     m_sweep = std::move(sweep);
     m_entry = std::move(entry);
     m_margins = margins;
-    for (std::size_t i = 0; m_sweep && i < m_sweep->result.inputs.size() && i < 2; ++i) {
+    for (std::size_t i = 0; m_sweep && i < m_sweep->inputs.size() && i < 2; ++i) {
         (i == 0 ? across() : up())
-            ->setTicker(QSharedPointer<QCPAxisTicker>(i == 0 || m_sweep->result.inputs.size() == 2
+            ->setTicker(QSharedPointer<QCPAxisTicker>(i == 0 || m_sweep->inputs.size() == 2
                                                           ? new SweepTicker(scaleOf(i))
                                                           : new NumberTicker));
     }

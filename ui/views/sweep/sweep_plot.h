@@ -20,7 +20,7 @@ public:
 
     explicit SweepPlot(QWidget* parent);
 
-    void setSweep(SweepOutcomePtr sweep, SweepEntry entry, bool margins); ///< no replot
+    void setSweep(SweepResultPtr sweep, SweepEntry entry, bool margins); ///< no replot
     /// The present values of the inputs, as far as they are given.
     void setPresent(std::vector<std::optional<double>> values);
     void setChosen(std::optional<std::size_t> point);
@@ -46,7 +46,7 @@ protected:
     virtual void label() = 0;     ///< in the language
 
     [[nodiscard]] bool empty() const { return !m_sweep || m_entry.quantities.empty(); }
-    [[nodiscard]] const SweepResult& sweep() const { return m_sweep->result; }
+    [[nodiscard]] const SweepResult& sweep() const { return *m_sweep; }
     [[nodiscard]] const SweepEntry& entry() const { return m_entry; }
     [[nodiscard]] bool margins() const { return m_margins; }
     [[nodiscard]] SweepScale scaleOf(std::size_t input) const;
@@ -73,7 +73,7 @@ protected:
 private:
     [[nodiscard]] QString valuesAt(const QPointF& at) const override;
 
-    SweepOutcomePtr m_sweep;
+    SweepResultPtr m_sweep;
     SweepEntry m_entry;
     bool m_margins = false;
     std::vector<std::optional<double>> m_present;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/sweep/sweep_entries.h"
-#include "ui/session/sweep_runner.h"
+#include "ui/session/studies.h"
 
 #include <QCoreApplication>
 #include <QString>

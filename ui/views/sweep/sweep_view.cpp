@@ -40,8 +40,8 @@ constexpr std::size_t curvesPage = 0, mapPage = 1, phasesPage = 2;
 
 } // namespace
 
-SweepView::SweepView(QWidget* parent, Settings* settings)
-    : PlotView(QStringLiteral("sweep"), parent, settings)
+SweepView::SweepView(QWidget* parent, Settings* settings, Studies* studies)
+    : StudyView(QStringLiteral("sweep"), parent, settings, studies)
     , m_subject(new QComboBox(this))
     , m_entry(new SearchCombo(this))
     , m_side(new QComboBox(this))
@@ -54,8 +54,7 @@ SweepView::SweepView(QWidget* parent, Settings* settings)
     , m_bar(new RunBar(QStringLiteral("sweep"), this, SweepText::progress))
     , m_take(new QAction(this))
     , m_takeButton(new QPushButton(this))
-    , m_add(new QPushButton(this))
-    , m_runner(new SweepRunner(this)) {
+    , m_add(new QPushButton(this)) {
     for (SweepPlot* plot : sweepPlots()) {
         plot->setMinimumSize(240, 120);
         PlotSubject subject;
@@ -114,8 +113,8 @@ void SweepView::connectParts() {
         choosePoint(number > 0 ? std::optional(static_cast<std::size_t>(number - 1))
                                : std::nullopt);
     });
-    m_bar->follow(*m_runner);
-    connect(m_runner, &SweepRunner::finished, this, &SweepView::takeSweep);
+    m_bar->follow(studies().sweep.job());
+    connect(&studies().sweep.job(), &Job::answered, this, &SweepView::takeSweep);
 }
 
 void SweepView::connectEdits() {
@@ -153,7 +152,7 @@ std::array<SweepPlot*, 2> SweepView::sweepPlots() const {
 }
 
 SweepPlot& SweepView::plot() const {
-    return *sweepPlots()[m_sweep && m_sweep->result.inputs.size() > 1 ? 1 : 0];
+    return *sweepPlots()[sweep() && sweep()->inputs.size() > 1 ? 1 : 0];
 }
 
 SweepEntry SweepView::chosenEntry() const {
@@ -182,7 +181,7 @@ void SweepView::chooseSubject() {
 }
 
 void SweepView::choosePoint(std::optional<std::size_t> point) {
-    m_chosen = m_sweep ? point : std::nullopt;
+    m_chosen = sweep() ? point : std::nullopt;
     const QSignalBlocker blocker(m_point);
     m_point->setValue(m_chosen ? static_cast<int>(*m_chosen) + 1 : 0);
     plot().setChosen(m_chosen);
@@ -202,7 +201,7 @@ void SweepView::takeOutcome(const OutcomePtr&) {
 }
 
 bool SweepView::busy() const {
-    return m_runner->running() || m_phaseBar->busy();
+    return studies().sweep.running() || m_phaseBar->busy();
 }
 
 /// Only what is shown runs by itself.
@@ -219,14 +218,13 @@ void SweepView::followSweep(bool asked) {
         box->show(project);
     }
     m_refused = project.sweep ? checkSweep(project) : Issues();
-    noteStale();
-    const bool runs = m_running && m_runner->running() && sameSweep(*m_running, project);
+    StudyOf<SweepResult>& study = studies().sweep;
+    study.follow(&project);
     if (!project.sweep) {
         forgetSweep();
     } else if (!m_refused.empty()) {
-        m_runner->drop();
-    } else if (stale() && !runs) {
-        m_runner->drop();
+        study.job().drop();
+    } else if (stale() && !study.running()) {
         const bool quick = RunBar::areQuick(pointsOf(project), good()->result.visits);
         if (asked || (quick && !showsPhases())) {
             runSweep();
@@ -241,14 +239,8 @@ void SweepView::dropStudies() {
 }
 
 void SweepView::forgetSweep() {
-    m_runner->drop();
-    m_sweep.reset();
-    noteStale();
+    studies().sweep.forget();
     showSweep();
-}
-
-void SweepView::noteStale() {
-    m_stale = !m_sweep || !good() || !sameSweep(m_sweep->result.project, good()->result.project);
 }
 
 void SweepView::runSweep() {
@@ -256,25 +248,19 @@ void SweepView::runSweep() {
         m_asked = true;
         return;
     }
-    m_running = good()->result.project;
-    m_bar->showProgress(0, pointsOf(*m_running));
-    m_runner->start(*m_running);
+    const Project& project = good()->result.project;
+    m_bar->showProgress(0, pointsOf(project));
+    studies().runSweep(project);
     showState();
 }
 
-void SweepView::takeSweep(const SweepOutcomePtr& outcome) {
-    const bool any =
-        outcome->ran() && std::ranges::any_of(outcome->result.points, [](const SweepPoint& point) {
-            return point.status != SweepStatus::pending;
-        });
-    if (any) {
-        m_sweep = outcome;
+void SweepView::takeSweep() {
+    if (m_shown != sweep()) {
         m_chosen.reset();
-        noteStale();
         showSweep();
     }
     showState();
-    emit sweepShown();
+    emit ended();
 }
 
 void SweepView::takePhases() {
@@ -297,18 +283,17 @@ void SweepView::edit(const std::function<Project(Project)>& edit, const EditText
 }
 
 void SweepView::takeValues() {
-    if (m_sweep && m_chosen) {
-        edit([sweep = m_sweep, point = *m_chosen](
-                 Project project) { return withPoint(std::move(project), sweep->result, point); },
+    if (sweep() && m_chosen) {
+        edit([from = sweep(), point = *m_chosen](
+                 Project project) { return withPoint(std::move(project), *from, point); },
              {"Edit", QT_TRANSLATE_NOOP("Edit", "Take the values of a point of the sweep")});
     }
 }
 
 void SweepView::showPresent() {
     std::vector<std::optional<double>> values;
-    for (std::size_t i = 0; m_sweep && i < m_sweep->result.inputs.size(); ++i) {
-        const auto input =
-            numberInput(good()->result.project, m_sweep->result.inputs[i].axis.input);
+    for (std::size_t i = 0; sweep() && i < sweep()->inputs.size(); ++i) {
+        const auto input = numberInput(good()->result.project, sweep()->inputs[i].axis.input);
         values.push_back(input ? input->value : std::nullopt);
     }
     m_curves->setPresent(values);
@@ -322,14 +307,14 @@ void SweepView::fillEntries() {
     const QSignalBlocker blocker(m_entry);
     m_entry->clear();
     m_entries.clear();
-    if (!m_sweep) {
+    if (!sweep()) {
         return;
     }
-    const SweepResult& sweep = m_sweep->result;
-    m_entries = sweepEntries(sweep, sweep.inputs.size() > 1);
+    const SweepResult& result = *sweep();
+    m_entries = sweepEntries(result, result.inputs.size() > 1);
     for (const SweepEntry& entry : m_entries) {
-        const bool all = entry.quantities.size() > 1 && sweep.inputs.size() > 1;
-        const QString text = SweepText::entry(sweep, entry);
+        const bool all = entry.quantities.size() > 1 && result.inputs.size() > 1;
+        const QString text = SweepText::entry(result, entry);
         m_entry->addItem(all ? tr("%1, worst place").arg(text) : text);
     }
     const auto found = std::ranges::find(m_entries, m_wanted, &SweepEntry::key);
@@ -338,7 +323,8 @@ void SweepView::fillEntries() {
 }
 
 void SweepView::showSweep() {
-    const int points = m_sweep ? static_cast<int>(m_sweep->result.points.size()) : 0;
+    m_shown = sweep();
+    const int points = sweep() ? static_cast<int>(sweep()->points.size()) : 0;
     if (m_chosen && *m_chosen >= static_cast<std::size_t>(points)) {
         m_chosen.reset();
     }
@@ -360,7 +346,7 @@ void SweepView::showEntry() {
     for (SweepPlot* other : sweepPlots()) {
         const bool shown = other == &plot();
         other->setChosen(shown ? m_chosen : std::nullopt);
-        other->setSweep(shown ? m_sweep : nullptr, shown ? chosenEntry() : SweepEntry{},
+        other->setSweep(shown ? sweep() : nullptr, shown ? chosenEntry() : SweepEntry{},
                         m_side->currentIndex() == 1);
     }
     showFront();
@@ -372,19 +358,19 @@ void SweepView::showFront() {
 }
 
 bool SweepView::drawn() const {
-    return showsPhases() ? m_phaseBar->phases() != nullptr : m_sweep && !m_entries.empty();
+    return showsPhases() ? m_phaseBar->phases() != nullptr : sweep() && !m_entries.empty();
 }
 
 bool SweepView::faint() const {
     return showsPhases() ? m_phaseBar->phases() && (m_phaseBar->stale() || refused())
-                         : m_sweep && (stale() || refused());
+                         : sweep() && (stale() || refused());
 }
 
 const Project* SweepView::shownProject() const {
     if (showsPhases()) {
         return m_phaseBar->phases() ? &m_phaseBar->phases()->project : nullptr;
     }
-    return m_sweep ? &m_sweep->result.project : nullptr;
+    return sweep() ? &sweep()->project : nullptr;
 }
 
 void SweepView::showState() {
@@ -405,8 +391,8 @@ void SweepView::showState() {
     m_side->setVisible(has);
     m_phaseBar->setVisible(good() && showsPhases());
     m_phaseBar->showState(accepted);
-    m_bar->showRunning(m_runner->running(), has && m_refused.empty() && !refused());
-    m_bar->state()->setText(m_sweep ? SweepText::run(m_sweep->result) : QString());
+    m_bar->showRunning(studies().sweep.running(), has && m_refused.empty() && !refused());
+    m_bar->state()->setText(sweep() ? SweepText::run(*sweep()) : QString());
     m_take->setEnabled(drawn() && m_chosen && accepted);
     m_takeButton->setEnabled(m_take->isEnabled());
     readOut();
@@ -424,7 +410,7 @@ QString SweepView::hint() const {
     if (showsPhases()) {
         return tr("Point at a stock to read the steps, the time and the size of its cycle.");
     }
-    return m_sweep && m_chosen ? SweepText::point(m_sweep->result, *m_chosen, chosenEntry())
+    return sweep() && m_chosen ? SweepText::point(*sweep(), *m_chosen, chosenEntry())
                                : tr("Point at a place to read its values; a click chooses it.");
 }
 
@@ -434,7 +420,7 @@ QString SweepView::keptText() const {
                                          "those of the last accepted ones.")
                                     : refusedText();
     }
-    return m_sweep ? tr("The inputs are refused; the sweep is that of the last accepted ones.")
+    return sweep() ? tr("The inputs are refused; the sweep is that of the last accepted ones.")
                    : refusedText();
 }
 
@@ -451,31 +437,29 @@ QString SweepView::remark() const {
     if (!m_refused.empty()) {
         return tr("The sweep cannot be run:") + QLatin1Char('\n') + Names::refusal(m_refused, 2);
     }
-    if (m_sweep && stale()) {
-        return m_runner->running()
-                   ? tr("Of the inputs before the last edit; the new sweep is being run.")
-                   : tr("Of the inputs before the last edit. Press “Run” for those of now.");
+    if (sweep() && stale()) {
+        return staleText(studies().sweep.running(), m_bar->run()->text());
     }
-    if (m_sweep) {
+    if (sweep()) {
         return sweepRemark();
     }
-    return m_runner->running()
+    return studies().sweep.running()
                ? QString()
                : tr("This sweep takes a while: press “Run”. It can be stopped at any time and "
                     "keeps what was done.");
 }
 
 QString SweepView::sweepRemark() const {
-    const SweepResult& sweep = m_sweep->result;
+    const SweepResult& result = *sweep();
     if (m_entries.empty()) {
         const auto refused =
-            std::ranges::find(sweep.points, SweepStatus::refused, &SweepPoint::status);
-        return refused == sweep.points.end()
+            std::ranges::find(result.points, SweepStatus::refused, &SweepPoint::status);
+        return refused == result.points.end()
                    ? tr("The cycle reaches size at no point of the range.")
                    : tr("No point has a result. Refused:") + QLatin1Char('\n')
                          + Names::refusal(refused->issues, 2);
     }
-    return changesNothing(sweep)
+    return changesNothing(result)
                ? tr("Nothing changes over this range: the model does not read the "
                     "input as this project is set.")
                : QString();

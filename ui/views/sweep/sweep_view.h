@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/plot_view.h"
-#include "ui/session/document.h"
-#include "ui/session/sweep_runner.h"
+#include "ui/plot/study_view.h"
 #include "ui/views/sweep/sweep_text.h"
 
 #include <array>
@@ -31,25 +29,21 @@ class SweepPlot;
 /// as a map. A quick sweep runs by itself when the inputs change, another one on demand; results of
 /// other inputs are drawn faint. The values of a point can be taken into the project. Or, instead
 /// of a sweep, the phases of the stock: size against stock.
-class SweepView : public PlotView {
+class SweepView : public StudyView {
     Q_OBJECT
 public:
-    explicit SweepView(QWidget* parent = nullptr, Settings* settings = nullptr);
+    explicit SweepView(QWidget* parent = nullptr, Settings* settings = nullptr,
+                       Studies* studies = nullptr);
 
     [[nodiscard]] SweepCurves* curves() const { return m_curves; }
     [[nodiscard]] SweepMap* map() const { return m_map; }
-    [[nodiscard]] const SweepOutcomePtr& sweep() const { return m_sweep; }
+    [[nodiscard]] const SweepResultPtr& sweep() const { return studies().sweep.result(); }
     [[nodiscard]] PhasePlot* phases() const { return m_phases; }
     [[nodiscard]] bool busy() const override;
-    [[nodiscard]] bool stale() const { return m_stale; } ///< what is shown is of other inputs
+    /// What is shown is of other inputs.
+    [[nodiscard]] bool stale() const { return studies().sweep.stale(); }
 
     [[nodiscard]] QString title() const override;
-
-signals:
-    /// The document is to be changed so.
-    void editWanted(const std::function<sparkout::Project(sparkout::Project)>& edit,
-                    const sparkout::EditText& text);
-    void sweepShown(); ///< the outcome of a sweep has been drawn
 
 protected:
     [[nodiscard]] QString hint() const override;
@@ -80,9 +74,8 @@ private:
     void followSweep(bool asked);
     void takePhases();
     void forgetSweep();
-    void noteStale();
     void runSweep();
-    void takeSweep(const SweepOutcomePtr& outcome);
+    void takeSweep();
     void edit(const std::function<Project(Project)>& edit, const EditText& text);
     void choosePoint(std::optional<std::size_t> point);
     void takeValues();
@@ -109,14 +102,11 @@ private:
     QPushButton *m_takeButton, *m_add;
     std::vector<SweepEntry> m_entries;   ///< in the box
     std::string m_wanted = "diameter";   ///< result the user chose
-    SweepOutcomePtr m_sweep;             ///< what is shown
+    SweepResultPtr m_shown;              ///< drawn
     Issues m_refused;                    ///< why the present one cannot be run
     std::optional<std::size_t> m_chosen; ///< point of what is shown
-    SweepRunner* m_runner;
-    bool m_stale = true;
     bool m_edited = false; ///< the document has been asked for a change that is not run yet
     bool m_asked = false;  ///< to run as soon as it is
-    std::optional<Project> m_running; ///< what it runs, to know when that is of other inputs
 };
 
 } // namespace sparkout

@@ -377,14 +377,13 @@ private slots:
         project.optimisation->stock_step_mm = 1e-9;
         const Desk desk(project);
         desk.click("optimiseRun");
-        QTRY_VERIFY_WITH_TIMEOUT(desk.view->search() && !desk.view->busy(), patience_ms);
-        const QString fault = OptimiseText::fault(*desk.view->search());
-        QCOMPARE(desk.told(), fault);
+        QTRY_VERIFY_WITH_TIMEOUT(!desk.view->busy(), patience_ms);
+        QTRY_VERIFY2(desk.told().contains(QStringLiteral("take a larger step")),
+                     qPrintable(desk.told()));
         desk.bench.window->document().edit(fixtures::searchedShaft(), {"Edit", ""});
         desk.bench.settle();
-        QTRY_VERIFY(desk.told() != fault);
-        QVERIFY2(desk.told().contains(QStringLiteral("before the last edit")),
-                 qPrintable(desk.told()));
+        QTRY_VERIFY2(desk.told().contains(QStringLiteral("finds the quickest cycle")),
+                     qPrintable(desk.told()));
     }
 
     void roundsThatRanOutProveNothing() {

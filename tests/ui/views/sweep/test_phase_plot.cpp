@@ -327,8 +327,9 @@ private slots:
         QVERIFY(bench.view.busy());
         QTest::mouseClick(&bench.part<QPushButton>("phasesStop"), Qt::LeftButton);
         QVERIFY(bench.settled());
-        QVERIFY2(bench.notice().startsWith(QStringLiteral("Of the inputs before")),
-                 qPrintable(bench.notice()));
+        QVERIFY2(
+            bench.notice().startsWith(QStringLiteral("These results are for the inputs before")),
+            qPrintable(bench.notice()));
         QVERIFY(bench.view.phases()->isDimmed());
         QTest::mouseClick(&bench.part<QPushButton>("phasesRun"), Qt::LeftButton);
         QVERIFY(bench.view.busy());

@@ -180,7 +180,7 @@ private slots:
         bench.type("sweep1To", QStringLiteral("0,05"));
         QVERIFY(bench.settled());
         QCOMPARE(bench.document.project().sweep->inputs.front().to, 0.05);
-        QCOMPARE(bench.view.sweep()->result.inputs[0].values.back(), 0.05);
+        QCOMPARE(bench.view.sweep()->inputs[0].values.back(), 0.05);
         // Beyond what a dullness may be nothing is taken; backwards it says so.
         bench.type("sweep1To", QStringLiteral("-3"));
         QVERIFY(bench.part<NumberField>("sweep1To").refused());
@@ -231,7 +231,7 @@ private slots:
         QCOMPARE(curves.size(), std::size_t{3});
         for (int i = 0; i < 11; ++i) {
             Project single = project;
-            const double value = bench.view.sweep()->result.inputs[0].values[std::size_t(i)];
+            const double value = bench.view.sweep()->inputs[0].values[std::size_t(i)];
             QVERIFY(setNumberInput(single, dullness, value));
             const SimulationResult run = simulate(single);
             for (std::size_t zone = 0; zone < 3; ++zone) {
@@ -244,12 +244,12 @@ private slots:
         QCOMPARE(bench.view.curves()->limits()[0]->data()->at(0)->value, 6.0);
         // Shaded are the points that hold, and no others.
         for (std::size_t i = 0; i < 11; ++i) {
-            const double value = bench.view.sweep()->result.inputs[0].values[i];
+            const double value = bench.view.sweep()->inputs[0].values[i];
             bool shaded = false;
             for (const QCPRange& range : bench.view.curves()->holding()) {
                 shaded = shaded || range.contains(value);
             }
-            QCOMPARE(shaded, bench.view.sweep()->result.points[i].good);
+            QCOMPARE(shaded, bench.view.sweep()->points[i].good);
         }
     }
 
@@ -261,7 +261,7 @@ private slots:
         bench.clickPoint(*bench.view.curves(), 6);
         QCOMPARE(bench.part<QSpinBox>("sweepPoint").value(), 7);
         QVERIFY(bench.part<QLabel>("sweepValues").text().contains(QStringLiteral("0.04")));
-        const SweepOutcomePtr shown = bench.view.sweep();
+        const SweepResultPtr shown = bench.view.sweep();
         bench.click("sweepTake");
         QCOMPARE(bench.document.project().wheel->dullness, 0.04);
         QTest::qWait(50);
@@ -292,7 +292,7 @@ private slots:
         bench.click("sweepRun"); // unless it has run already
         QVERIFY(bench.settled());
         QVERIFY(bench.view.map()->isVisible());
-        const SweepResult& sweep = bench.view.sweep()->result;
+        const SweepResult& sweep = *bench.view.sweep();
         auto& result = bench.part<QComboBox>("sweepResult");
         result.setCurrentIndex(result.findText(QStringLiteral("Mean diameter, NZ")));
         QCPColorMapData& cells = *bench.view.map()->map()->data();
@@ -338,7 +338,7 @@ private slots:
         qInfo("SWEEP stopped and shown after %g ms, target 100 ms: %s", stop_ms,
               beside(stop_ms, 100));
         QVERIFY(stop_ms <= 400);
-        QVERIFY(bench.view.sweep() && bench.view.sweep()->result.stopped);
+        QVERIFY(bench.view.sweep() && bench.view.sweep()->stopped);
         QVERIFY(bench.part<QLabel>("sweepState").text().startsWith(QStringLiteral("Stopped")));
         QVERIFY(bench.part<QPushButton>("sweepRun").isEnabled());
     }
@@ -354,7 +354,7 @@ private slots:
         QVERIFY(bench.view.busy());
         bench.document.edit(swept(shaft(), {{dullness, 0.02, 0.03, 5}}), {"Edit", "short"});
         QVERIFY(bench.settled());
-        QCOMPARE(bench.view.sweep()->result.points.size(), std::size_t{5});
+        QCOMPARE(bench.view.sweep()->points.size(), std::size_t{5});
     }
 
     void aNameOrANoteMakesNoOtherSweep() {
@@ -489,7 +489,7 @@ private slots:
         bench.click("sweepRun");
         QVERIFY(bench.settled());
         SweepMap& map = *bench.view.map();
-        bench.clickPoint(map, bench.view.sweep()->result.index(3, 3));
+        bench.clickPoint(map, bench.view.sweep()->index(3, 3));
         std::set<int> keys;
         for (const LegendEntry& entry : map.legendEntries()) {
             keys.insert(entry.key);

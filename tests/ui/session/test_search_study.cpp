@@ -17,7 +17,7 @@
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/support/search_fixtures.h"
-#include "ui/session/search_runner.h"
+#include "ui/session/studies.h"
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -25,7 +25,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace test_search_runner {
+namespace test_search_study {
 
 using namespace sparkout;
 
@@ -33,28 +33,27 @@ namespace {
 
 constexpr int patience_ms = 120'000;
 
-struct Listener {
-    explicit Listener(SearchRunner& runner) {
-        QObject::connect(&runner, &SearchRunner::finished, &runner,
-                         [this](const SearchOutcomePtr& outcome) { outcomes.push_back(outcome); });
-        QObject::connect(&runner, &SearchRunner::answered, &runner,
-                         [this](const SearchOutcomePtr& outcome) {
-                             if (outcomes.empty()) { // before the end
-                                 answers.push_back(outcome);
-                             }
-                         });
-        QObject::connect(&runner, &SearchRunner::progressed, &runner,
-                         [this](const SearchState& state) { states.push_back(state); });
+/// A study of searches, and what it reports.
+struct Heard {
+    Heard() {
+        QObject::connect(&study().job(), &Job::answered, &study().job(), [this] {
+            const SearchOutcomePtr& outcome =
+                study().refusal() ? study().refusal() : study().result();
+            (study().running() ? answers : outcomes).push_back(outcome);
+        });
+        QObject::connect(&study().job(), &Job::progressed, &study().job(),
+                         [this] { states.push_back(study().state()); });
     }
+    SearchStudy& study() { return studies.search; }
     std::vector<SearchOutcomePtr> outcomes, answers;
     std::vector<SearchState> states;
+    Studies studies; ///< last: ended before what it reports to is gone
 };
 
 SearchOutcomePtr searched(const Project& project, SearchWish wish = {}) {
     wish.front = true;
-    SearchRunner runner;
-    Listener heard(runner);
-    runner.start(project, wish);
+    Heard heard;
+    heard.study().start(project, wish);
     const bool done = QTest::qWaitFor([&] { return !heard.outcomes.empty(); }, patience_ms);
     return done ? heard.outcomes.front() : nullptr;
 }
@@ -75,7 +74,7 @@ bool sameCycle(const Cycle& a, const Cycle& b) {
 
 } // namespace
 
-class TestSearchRunner : public QObject {
+class TestSearchStudy : public QObject {
     Q_OBJECT
 
 private slots:
@@ -92,6 +91,25 @@ private slots:
         QCOMPARE(outcome->search.bound_s, outcome->best()->time_s);
         QCOMPARE(outcome->numbers.size(), std::size_t{2});
         for (const SearchedNumber& number : outcome->numbers) {
+            Project alone = project;
+            alone.optimisation->stages = {double(number.stages)};
+            const SearchSummary own = optimise(alone);
+            QVERIFY(own.best.has_value() == number.best_s.has_value());
+            QVERIFY(!own.best || own.best->time_s == *number.best_s);
+        }
+    }
+
+    /// The spark-out that is searched besides is no stage of those that are listed.
+    void aSparkOutIsNoStageOfThoseListed() {
+        Project project = fixtures::searchedShaft();
+        project.optimisation->unfed_steps = std::vector<double>{2};
+        const SearchOutcomePtr outcome = searched(project);
+        QVERIFY(outcome && outcome->proved());
+        QVERIFY(!outcome->best()->cycle.stages.back().feeds());
+        QCOMPARE(outcome->numbers.size(), std::size_t{2});
+        for (std::size_t i = 0; i < 2; ++i) {
+            const SearchedNumber& number = outcome->numbers[i];
+            QCOMPARE(number.stages, static_cast<int>(i) + 1);
             Project alone = project;
             alone.optimisation->stages = {double(number.stages)};
             const SearchSummary own = optimise(alone);
@@ -164,9 +182,8 @@ private slots:
     // Margins by time may take as long as the search did: the answer is shown before.
     void theProvedAnswerComesBeforeTheMarginsByTime() {
         const Project project = fixtures::searchedShaft();
-        SearchRunner runner;
-        Listener heard(runner);
-        runner.start(project, {.front = true});
+        Heard heard;
+        heard.study().start(project, {.front = true});
         QTRY_VERIFY_WITH_TIMEOUT(!heard.outcomes.empty(), patience_ms);
         QCOMPARE(heard.answers.size(), std::size_t{1});
         const SearchOutcome &answer = *heard.answers.front(), &whole = *heard.outcomes.front();
@@ -193,15 +210,14 @@ private slots:
     }
 
     void aStopKeepsTheBestAndAProvenBound() {
-        SearchRunner runner;
-        Listener heard(runner);
+        Heard heard;
         const double stop_ms = leastOfTries_ms(4 * 100, [&] {
             heard.states.clear();
             heard.outcomes.clear();
-            runner.start(fixtures::endlessSearch(), {});
+            heard.study().start(fixtures::endlessSearch(), {});
             const bool found = QTest::qWaitFor(
                 [&] { return !heard.states.empty() && heard.states.back().best_s; }, patience_ms);
-            runner.stop();
+            heard.study().job().stop();
             QElapsedTimer took;
             took.start();
             const bool told = QTest::qWaitFor([&] { return !heard.outcomes.empty(); }, patience_ms);
@@ -214,21 +230,20 @@ private slots:
         QVERIFY(outcome.stopped() && !outcome.proved() && outcome.best());
         QVERIFY(outcome.search.bound_s > 0 && outcome.search.bound_s <= outcome.best()->time_s);
         QVERIFY(outcome.search.bound_s >= outcome.limit.time_s);
-        QVERIFY(!runner.running());
+        QVERIFY(!heard.study().running());
     }
 
     void theNewestSearchWinsAndADroppedOneSaysNothing() {
-        SearchRunner runner;
-        Listener heard(runner);
-        runner.start(fixtures::endlessSearch(), {});
+        Heard heard;
+        heard.study().start(fixtures::endlessSearch(), {});
         QTest::qWait(50);
         const Project newest = fixtures::searchedShaft();
-        runner.start(newest, {});
+        heard.study().start(newest, {});
         QTRY_VERIFY_WITH_TIMEOUT(!heard.outcomes.empty(), patience_ms);
         QVERIFY(sameSearch(heard.outcomes.front()->project, newest));
-        runner.start(fixtures::endlessSearch(), {});
+        heard.study().start(fixtures::endlessSearch(), {});
         QTest::qWait(50);
-        runner.drop();
+        heard.study().job().drop();
         QTest::qWait(300);
         QCOMPARE(heard.outcomes.size(), std::size_t{1});
     }
@@ -328,7 +343,7 @@ private slots:
     }
 };
 
-} // namespace test_search_runner
+} // namespace test_search_study
 
-SPARKOUT_TEST(test_search_runner, TestSearchRunner)
-#include "test_search_runner.moc"
+SPARKOUT_TEST(test_search_study, TestSearchStudy)
+#include "test_search_study.moc"

@@ -6,34 +6,39 @@
 #include "core/study/new_project.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
-#include "ui/session/batch_runner.h"
+#include "ui/session/studies.h"
 
 #include <QElapsedTimer>
 #include <QSignalSpy>
 #include <QTest>
 
-namespace test_batch_runner {
+namespace test_batch_study {
 
 using namespace sparkout;
 
 namespace {
 
-/// Keeps what a runner reports.
-struct Listener {
-    explicit Listener(BatchRunner& runner) {
-        QObject::connect(&runner, &BatchRunner::finished, &runner,
-                         [this](const BatchOutcomePtr& outcome) { outcomes.push_back(outcome); });
-        QObject::connect(&runner, &BatchRunner::progressed, &runner,
+/// A study of batches, and what it reports.
+struct Heard {
+    Heard() {
+        QObject::connect(&study().job(), &Job::answered, &study().job(), [this] {
+            if (!study().running()) {
+                outcomes.push_back(study().refusal() ? study().refusal() : study().result());
+            }
+        });
+        QObject::connect(&study().job(), &Job::progressed, &study().job(),
                          [this](qint64 done, qint64 parts, double left_s) {
                              told.push_back({done, parts, left_s});
                          });
     }
+    StudyOf<BatchOutcome>& study() { return studies.batch; }
     struct Progress {
         qint64 done, parts;
         double left_s;
     };
     std::vector<BatchOutcomePtr> outcomes;
     std::vector<Progress> told;
+    Studies studies; ///< last: ended before what it reports to is gone
 };
 
 constexpr int patience_ms = 60'000;
@@ -41,7 +46,7 @@ constexpr int endless = 1'000'000; ///< parts: a minute or so
 
 } // namespace
 
-class TestBatchRunner : public QObject {
+class TestBatchStudy : public QObject {
     Q_OBJECT
 
 private slots:
@@ -90,12 +95,11 @@ private slots:
 
     void theOutcomeIsThatOfTheEngine() {
         const Project project = fixtures::shaftBatch(50);
-        BatchRunner runner;
-        Listener heard(runner);
-        runner.start(project);
-        QVERIFY(runner.running());
+        Heard heard;
+        heard.studies.runBatch(project);
+        QVERIFY(heard.study().running());
         QTRY_COMPARE_WITH_TIMEOUT(heard.outcomes.size(), std::size_t{1}, patience_ms);
-        QVERIFY(!runner.running());
+        QVERIFY(!heard.study().running());
         const BatchOutcome& outcome = *heard.outcomes.front();
         QVERIFY(outcome.ran() && outcome.result.status == BatchStatus::completed);
         QCOMPARE(writeBatchState(outcome.result), writeBatchState(runBatch(project)));
@@ -105,18 +109,16 @@ private slots:
     void aBatchThatCannotBeRunSaysWhy() {
         Project project = fixtures::shaftBatch(50);
         project.batch->factors.dullness = fixtures::uniform(0.03, 0.01);
-        BatchRunner runner;
-        Listener heard(runner);
-        runner.start(project);
+        Heard heard;
+        heard.studies.runBatch(project);
         QTRY_COMPARE_WITH_TIMEOUT(heard.outcomes.size(), std::size_t{1}, patience_ms);
         QVERIFY(!heard.outcomes.front()->ran());
         QCOMPARE(heard.outcomes.front()->result.statistics.parts, std::int64_t{0});
     }
 
     void progressRisesAndAStopKeepsWhatWasDone() {
-        BatchRunner runner;
-        Listener heard(runner);
-        runner.start(fixtures::shaftBatch(endless));
+        Heard heard;
+        heard.studies.runBatch(fixtures::shaftBatch(endless));
         const auto toldThrice = [&heard] {
             return heard.told.size() >= 3 && heard.told[2].done > 0;
         };
@@ -126,7 +128,7 @@ private slots:
             QCOMPARE(heard.told[i].parts, qint64{endless});
         }
         QVERIFY(heard.told.back().left_s > 0);
-        runner.stop();
+        heard.study().job().stop();
         QTRY_COMPARE_WITH_TIMEOUT(heard.outcomes.size(), std::size_t{1}, patience_ms);
         const BatchOutcome& outcome = *heard.outcomes.front();
         QVERIFY(outcome.result.status == BatchStatus::stopped);
@@ -134,26 +136,55 @@ private slots:
     }
 
     void theNewestBatchWinsAndADroppedOneIsNeverHeardOf() {
-        BatchRunner runner;
-        Listener heard(runner);
-        runner.start(fixtures::shaftBatch(endless));
+        Heard heard;
+        heard.studies.runBatch(fixtures::shaftBatch(endless));
         QTest::qWait(20);
-        runner.start(fixtures::shaftBatch(20));
+        heard.studies.runBatch(fixtures::shaftBatch(20));
         QTRY_COMPARE_WITH_TIMEOUT(heard.outcomes.size(), std::size_t{1}, patience_ms);
         QCOMPARE(heard.outcomes.front()->summary.parts, std::int64_t{20});
-        runner.start(fixtures::shaftBatch(endless));
+        heard.studies.runBatch(fixtures::shaftBatch(endless));
         QTest::qWait(20);
-        runner.drop();
-        QVERIFY(!runner.running());
+        heard.study().job().drop();
+        QVERIFY(!heard.study().running());
         QTest::qWait(200);
         QCOMPARE(heard.outcomes.size(), std::size_t{1});
+    }
+
+    /// A result of other inputs is stale; a run of other inputs is dropped, one of these goes on.
+    void itFollowsTheInputs() {
+        Heard heard;
+        const Project project = fixtures::shaftBatch(20);
+        QVERIFY(heard.study().stale());
+        heard.study().follow(&project);
+        heard.studies.runBatch(project);
+        heard.study().follow(&project);
+        QTRY_COMPARE_WITH_TIMEOUT(heard.outcomes.size(), std::size_t{1}, patience_ms);
+        QVERIFY(!heard.study().stale() && heard.study().isOf(project));
+        Project other = project;
+        other.title = "nothing that counts";
+        heard.study().follow(&other);
+        QVERIFY(!heard.study().stale());
+        other.wheel->dullness += 0.001;
+        heard.study().follow(&other);
+        QVERIFY(heard.study().stale() && heard.study().result());
+        heard.studies.runBatch(fixtures::shaftBatch(endless));
+        heard.study().follow(&other);
+        QVERIFY(!heard.study().running());
+        other.batch->factors.dullness = fixtures::uniform(0.03, 0.01);
+        heard.studies.runBatch(other);
+        QTRY_COMPARE_WITH_TIMEOUT(heard.outcomes.size(), std::size_t{2}, patience_ms);
+        QVERIFY(heard.study().refusal() && heard.study().result()); // that of before stays
+        heard.study().follow(&project);
+        QVERIFY(!heard.study().refusal() && !heard.study().stale());
+        heard.study().forget();
+        QVERIFY(heard.study().stale() && !heard.study().result());
     }
 
     void closingEndsItAndWaits() {
         QElapsedTimer timer;
         {
-            BatchRunner runner;
-            runner.start(fixtures::shaftBatch(endless));
+            Studies studies;
+            studies.runBatch(fixtures::shaftBatch(endless));
             QTest::qWait(50);
             timer.start();
         }
@@ -161,7 +192,7 @@ private slots:
     }
 };
 
-} // namespace test_batch_runner
+} // namespace test_batch_study
 
-SPARKOUT_TEST(test_batch_runner, TestBatchRunner)
-#include "test_batch_runner.moc"
+SPARKOUT_TEST(test_batch_study, TestBatchStudy)
+#include "test_batch_study.moc"

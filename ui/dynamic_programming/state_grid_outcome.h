@@ -3,7 +3,7 @@
 
 #include "core/dynamic_programming/exact_answer.h"
 #include "core/dynamic_programming/state_grid.h"
-#include "ui/session/counted_job.h"
+#include "ui/session/job.h"
 
 #include <memory>
 #include <optional>
@@ -20,21 +20,14 @@ struct StateGridOutcome {
 
 using StateGridOutcomePtr = std::shared_ptr<const StateGridOutcome>;
 
-/// Fills grids and proves answers off the window's thread.
-class StateGridRunner : public CountedJob {
-    Q_OBJECT
+/// The parts that the progress of a proof is counted in.
+inline constexpr std::int64_t gridProofParts = 1000;
 
-public:
-    using CountedJob::CountedJob;
-
-    void fill(const Project& project, StateGridSize size);
-    void prove(const StateGridOutcomePtr& filled);
-    /// Of the progress, in parts.
-    static constexpr std::int64_t proofParts = 1000;
-
-signals:
-    void filled(sparkout::StateGridOutcomePtr outcome); ///< null after a stop
-    void proved(sparkout::StateGridOutcomePtr outcome); ///< after a stop with what is known
-};
+/// Null after a stop.
+[[nodiscard]] StateGridOutcomePtr filledGrid(const Project& project, StateGridSize size,
+                                             const Job::Means& means);
+/// With the proven answer; after a stop with what is known.
+[[nodiscard]] StateGridOutcomePtr provenGrid(const StateGridOutcome& filled,
+                                             const Job::Means& means);
 
 } // namespace sparkout

@@ -3,7 +3,6 @@
 
 #include "core/phases/phase_decision.h"
 #include "core/project/project.h"
-#include "ui/session/counted_job.h"
 
 #include <memory>
 
@@ -16,18 +15,5 @@ struct PhaseOutcome {
 };
 
 using PhaseOutcomePtr = std::shared_ptr<const PhaseOutcome>;
-
-/// Decides the phases of the stock off the window's thread.
-class PhaseRunner : public CountedJob {
-    Q_OBJECT
-
-public:
-    using CountedJob::CountedJob;
-
-    void start(const Project& project, StockRange range);
-
-signals:
-    void finished(sparkout::PhaseOutcomePtr outcome); ///< undecided after a stop
-};
 
 } // namespace sparkout

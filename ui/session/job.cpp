@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/counted_job.h"
+#include "ui/session/job.h"
 
 #include <algorithm>
 #include <thread>
@@ -7,13 +7,13 @@
 
 namespace sparkout {
 
-CountedJob::CountedJob(QObject* parent) : QObject(parent) {
+Job::Job(QObject* parent) : QObject(parent) {
     constexpr int tick_ms = 100;
     m_progress.setInterval(tick_ms);
-    connect(&m_progress, &QTimer::timeout, this, &CountedJob::tell);
+    connect(&m_progress, &QTimer::timeout, this, &Job::tell);
 }
 
-void CountedJob::run(std::int64_t parts, Work work) {
+void Job::run(std::int64_t parts, Work work) {
     drop();
     m_stop = std::stop_source();
     m_done = std::make_shared<std::atomic<std::int64_t>>(0);
@@ -25,29 +25,35 @@ void CountedJob::run(std::int64_t parts, Work work) {
         std::stop_source either = wanted; // the two share one state
         const std::stop_callback dropped(newer, [&either] { either.request_stop(); });
         const int processors = static_cast<int>(std::thread::hardware_concurrency());
-        const Means means{std::max(1, processors - 1), either.get_token(), done.get()};
-        post([this, answer = work(means)] {
-            m_progress.stop();
-            answer();
-        });
+        const auto answer = [this, &post](NewestJob::Answer taken, bool isLast) {
+            post([this, taken = std::move(taken), isLast] {
+                if (isLast) {
+                    m_progress.stop();
+                }
+                taken();
+                emit answered();
+            });
+        };
+        const Means means{std::max(1, processors - 1), either.get_token(), done.get(),
+                          [&answer](NewestJob::Answer now) { answer(std::move(now), false); }};
+        answer(work(means), true);
     });
 }
 
-void CountedJob::stop() {
+void Job::stop() {
     m_stop.request_stop();
 }
 
-void CountedJob::drop() {
+void Job::drop() {
     m_progress.stop();
     m_job.stop();
 }
 
-void CountedJob::tell() {
+void Job::tell() {
     const std::int64_t done = m_done->load(std::memory_order_relaxed);
-    const double took_s = static_cast<double>(m_took.elapsed()) / 1000;
     emit progressed(
         done, m_parts,
-        done > 0 ? took_s * static_cast<double>(m_parts - done) / static_cast<double>(done) : -1);
+        done > 0 ? took_s() * static_cast<double>(m_parts - done) / static_cast<double>(done) : -1);
 }
 
 } // namespace sparkout

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/course/work.h"
+#include "core/lesson/goal_check.h"
+#include "core/lesson/lesson.h"
+
+#include <stop_token>
+#include <vector>
+
+namespace sparkout {
+
+/// What each step of a lesson finds in an answer of it.
+struct CheckedSteps {
+    Lesson lesson;
+    std::vector<GoalResult> steps;
+};
+
+/// Each step as it is given: what a student finds before he does anything. Where the lesson asks
+/// for the best cycle, its time is searched first.
+[[nodiscard]] CheckedSteps checkedAsGiven(Lesson lesson, const std::stop_token& stop = {});
+
+/// The last answers of a work, by the engine.
+[[nodiscard]] CheckedSteps checkedAnswers(const Work& work);
+
+} // namespace sparkout

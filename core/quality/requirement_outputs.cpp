@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/quality/requirement_outputs.h"
+
+#include "core/quality/result_names.h"
+
+namespace sparkout {
+
+namespace {
+
+/// Nothing where strips stay uncut.
+std::optional<double> ofWhole(const ConstraintResult& c, double value) {
+    return c.isWhole ? std::optional(value) : std::nullopt;
+}
+
+constexpr Output<ConstraintResult> requirementTable[] = {
+    {{.key = "name"},
+     [](const ConstraintResult& c) { return std::string(requirementOf(c.kind).key); }},
+    {{.key = "unit", .hint = "of limit, value and margin; empty for a plain number"},
+     [](const ConstraintResult& c) { return std::string(requirementOf(c.kind).unit); }},
+    {{.key = "limit"}, [](const ConstraintResult& c) { return c.limit; }},
+    {{.key = "value", .hint = "null where strips stay uncut"},
+     [](const ConstraintResult& c) { return ofWhole(c, c.value); }},
+    {{.key = "margin", .hint = "positive when it holds; null where strips stay uncut"},
+     [](const ConstraintResult& c) { return ofWhole(c, c.margin); }},
+    {{.key = "relative_margin",
+      .hint = "the margin over the width of the field or range, or over the limit"},
+     [](const ConstraintResult& c) { return ofWhole(c, c.relativeMargin); }},
+    {{.key = "where"}, [](const ConstraintResult& c) { return whereText(c); }},
+    {{.key = "ok"}, [](const ConstraintResult& c) { return std::optional(c.holds); }},
+};
+
+} // namespace
+
+std::span<const Output<ConstraintResult>> requirementOutputs() {
+    return requirementTable;
+}
+
+} // namespace sparkout

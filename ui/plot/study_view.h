@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/plot/plot_view.h"
+#include "ui/session/document.h"
+#include "ui/session/studies.h"
+
+#include <functional>
+#include <memory>
+
+namespace sparkout {
+
+/// A view of something that is computed on demand, and that stands until something else is: drawn
+/// faint once the inputs are others.
+class StudyView : public PlotView {
+    Q_OBJECT
+public:
+    /// Over results that are not of the present inputs; `button` computes those.
+    [[nodiscard]] static QString staleText(bool isRunning, const QString& button) {
+        return isRunning ? tr("These results are for the inputs before the last edit; those for "
+                              "the present inputs are being computed.")
+                         : tr("These results are for the inputs before the last edit. Press “%1” "
+                              "to compute them for the present inputs.")
+                               .arg(button);
+    }
+
+signals:
+    /// The document is to be changed so.
+    void editWanted(const std::function<sparkout::Project(sparkout::Project)>& edit,
+                    const sparkout::EditText& text);
+    void ended(); ///< what was computed, or refused, has been drawn
+
+protected:
+    /// Without studies of the window it has its own.
+    StudyView(const QString& name, QWidget* parent, Settings* settings, Studies* studies)
+        : PlotView(name, parent, settings)
+        , m_own(studies ? nullptr : std::make_unique<Studies>())
+        , m_studies(studies ? *studies : *m_own) {}
+
+    [[nodiscard]] Studies& studies() const { return m_studies; }
+
+private:
+    std::unique_ptr<Studies> m_own;
+    Studies& m_studies;
+};
+
+} // namespace sparkout
