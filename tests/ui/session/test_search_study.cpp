@@ -13,17 +13,23 @@
 #include "core/quality/constraints.h"
 #include "core/simulation/simulate.h"
 #include "core/study/search_edits.h"
+#include "core/study/search_json.h"
 #include "tests/core/support/batch_fixtures.h"
+#include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/support/search_fixtures.h"
 #include "ui/session/studies.h"
+#include "words/search_words.h"
+
+#include <nlohmann/json.hpp>
 
 #include <QElapsedTimer>
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace test_search_study {
 
@@ -97,6 +103,42 @@ private slots:
             QVERIFY(own.best.has_value() == number.best_s.has_value());
             QVERIFY(!own.best || own.best->time_s == *number.best_s);
         }
+    }
+
+    /// Answer, front and sentences of every example are those that the command line prints; of a
+    /// front that takes longer than its time, as far as both came.
+    void everyExampleHasTheAnswerOfTheCommandLine() {
+        int searches = 0;
+        for (const auto& file :
+             std::filesystem::directory_iterator(samples::sourcePath("resources/examples"))) {
+            const auto read = file.is_regular_file()
+                                  ? readProject(samples::readText(file.path())).project
+                                  : std::nullopt;
+            if (!read || !read->optimisation) {
+                continue;
+            }
+            const SearchOutcomePtr outcome = searched(*read);
+            const SearchOutcomePtr line = sparkout::search(*read, {.front = true});
+            QVERIFY(outcome && outcome->proved() && line->proved());
+            const SearchWording words;
+            QVERIFY(words.answer(*outcome, outcome->given.time_s)
+                    == words.answer(*line, line->given.time_s));
+            nlohmann::json one = nlohmann::json::parse(searchJson(*outcome)),
+                           other = nlohmann::json::parse(searchJson(*line));
+            const nlohmann::json oneFront = one.at("front"), otherFront = other.at("front");
+            for (std::size_t i = 0; i < std::min(oneFront.size(), otherFront.size()); ++i) {
+                QVERIFY(oneFront[i] == otherFront[i]);
+            }
+            if (!outcome->isFrontWhole || !line->isFrontWhole) {
+                for (const char* key : {"front", "front_is_whole"}) {
+                    one.erase(key);
+                    other.erase(key);
+                }
+            }
+            QVERIFY(one == other);
+            ++searches;
+        }
+        QVERIFY(searches > 3);
     }
 
     /// The spark-out that is searched besides is no stage of those that are listed.
