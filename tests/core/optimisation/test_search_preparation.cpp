@@ -23,6 +23,12 @@ using namespace std::chrono_literals;
 
 namespace {
 
+#ifdef __clang__ // the sanitizers' compiler
+constexpr double slower = 5;
+#else
+constexpr double slower = 1;
+#endif
+
 std::vector<double> evenly(double from, double to, int count) {
     std::vector<double> values;
     for (int i = 0; i < count; ++i) {
@@ -109,7 +115,7 @@ private slots:
         const SearchSummary found = optimise(p, options);
         qInfo("%.0f ms", first_ms);
         QVERIFY(found.bound_s > 0);
-        QVERIFY2(first_ms < 4000, QByteArray::number(first_ms)); // it was 41 s
+        QVERIFY2(first_ms < slower * 4000, QByteArray::number(first_ms)); // it was 41 s
     }
 
     void theSizeOfTheGridIsCountedInNoTime() {
