@@ -13,6 +13,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace sparkout {
 
@@ -497,7 +498,7 @@ void SearchWording::addLevels(const SearchOutcome& outcome, std::vector<std::str
     for (const LevelEdge& edge : outcome.edges) {
         const char* const of = tableOf<Stage>().find(edge.feed->key)->unit;
         const auto value = [&](double level) { return number(level) + "\u00a0" + unit(of); };
-        const std::string where = filled(
+        std::string line = filled(
             edge.isMost ? SPARKOUT_NOOP("Search", "Stage %1: “%2” has the maximum level, %3;")
                         : SPARKOUT_NOOP("Search", "Stage %1: “%2” has the minimum level, %3;"),
             {whole(std::int64_t(edge.stage) + 1), feed(*edge.feed), value(edge.level)});
@@ -506,7 +507,9 @@ void SearchWording::addLevels(const SearchOutcome& outcome, std::vector<std::str
                 SPARKOUT_NOOP("Search", "the machine or the stage's limits allow no other."))
             : edge.limit ? filled(SPARKOUT_NOOP("Search", "allowed is %1."), {value(*edge.limit)})
                          : translated(SPARKOUT_NOOP("Search", "smaller ones are allowed."));
-        lines.push_back(where + ' ' + allowed);
+        line += ' ';
+        line += allowed;
+        lines.push_back(std::move(line));
     }
 }
 
