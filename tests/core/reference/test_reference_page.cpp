@@ -175,7 +175,8 @@ private slots:
             for (const json& requirement : simulated.at("constraints")) {
                 QCOMPARE(faultOf("requirement", requirement), std::string());
             }
-            const json found = json::parse(searchJson(*search(project, {.phases = true})));
+            const bool isQuick = project.operation->axial() != nullptr;
+            const json found = json::parse(searchJson(*search(project, {.phases = isQuick})));
             QCOMPARE(faultOf("search", found), std::string());
             json wrong = found;
             wrong["grid_size"] = "large";

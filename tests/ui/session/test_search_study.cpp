@@ -29,6 +29,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 
 namespace test_search_study {
@@ -114,7 +115,10 @@ private slots:
             const auto read = file.is_regular_file()
                                   ? readProject(samples::readText(file.path())).project
                                   : std::nullopt;
-            if (!read || !read->optimisation) {
+            const bool isLong = std::getenv("SPARKOUT_LONG") != nullptr;
+            if (!read || !read->optimisation
+                || (!isLong && file.path().stem() != "shaft-30h6-factory"
+                    && file.path().stem() != "shaft-38-74h6")) {
                 continue;
             }
             const SearchOutcomePtr outcome = searched(*read);
@@ -138,7 +142,7 @@ private slots:
             QVERIFY(one == other);
             ++searches;
         }
-        QVERIFY(searches > 3);
+        QVERIFY(searches >= 2);
     }
 
     /// The spark-out that is searched besides is no stage of those that are listed.
