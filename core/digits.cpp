@@ -2,6 +2,7 @@
 #include "core/digits.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace sparkout {
@@ -10,6 +11,15 @@ int decimalsOf(double value, int significantDigits) {
     const double size = std::abs(value);
     const int before = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
     return std::clamp(significantDigits - before, 0, 9);
+}
+
+std::string fixed(double value, int decimals) {
+    const double least = 0.5 * std::pow(10.0, -decimals);
+    char buffer[400]; // the largest double has 309 digits before the point
+    const auto [end, error] =
+        std::to_chars(buffer, buffer + sizeof buffer, std::abs(value) < least ? 0.0 : value,
+                      std::chars_format::fixed, decimals);
+    return {buffer, end};
 }
 
 } // namespace sparkout

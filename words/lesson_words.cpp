@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "words/lesson_words.h"
 
+#include "core/digits.h"
 #include "core/project/validate.h"
 #include "core/text.h"
 #include "words/issue_words.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 
 namespace sparkout {
@@ -17,15 +17,8 @@ constexpr std::array<const char*, findings> findingKeys{
     "passed",    "failed",  "not_answered", "for_teacher",
     "forbidden", "refused", "does_not_end", "no_such_figure"};
 
-std::string decimals(double value, int digits) {
-    char buffer[64];
-    const auto [end, error] = std::to_chars(
-        buffer, buffer + sizeof buffer, value == 0 ? 0.0 : value, std::chars_format::fixed, digits);
-    return error == std::errc() ? std::string(buffer, end) : numberText(value);
-}
-
 std::string withUnit(double value, const char* unit, int digits) {
-    return decimals(value, digits) + (*unit ? ' ' + std::string(unit) : std::string());
+    return fixed(value, digits) + (*unit ? ' ' + std::string(unit) : std::string());
 }
 
 /// "zone rz1, stage 2, double stroke 10, E1": where a figure is asked for.

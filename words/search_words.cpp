@@ -10,7 +10,6 @@
 #include "core/units.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -32,10 +31,7 @@ std::string SearchWording::whole(std::int64_t count) const {
 }
 
 std::string SearchWording::fixed(double value, int decimals) const {
-    char buffer[400]; // the largest double has 309 digits before the point
-    const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value + 0.0,
-                                            std::chars_format::fixed, decimals);
-    return {buffer, end};
+    return sparkout::fixed(value, decimals);
 }
 
 std::string SearchWording::significant(double value, int digits) const {

@@ -37,7 +37,7 @@ public:
     /// What came out, a sentence each, against the time of the cycle before if that ends by itself.
     [[nodiscard]] std::vector<std::string> answer(const SearchOutcome& outcome,
                                                   std::optional<double> before_s) const;
-    /// Why there is no cycle to give, with what cut most.
+    /// Why no cycle is given, with what cut most.
     [[nodiscard]] std::string noAnswer(const SearchOutcome& outcome) const;
     /// What the margins by time are of, or why there are none.
     [[nodiscard]] std::string front(const SearchOutcome& outcome) const;

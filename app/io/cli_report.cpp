@@ -14,7 +14,6 @@
 #include "words/issue_words.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 
 namespace sparkout::cli {
@@ -95,13 +94,6 @@ std::string requirementsText(const SimulationResult& result,
 }
 
 } // namespace
-
-std::string fixed(double value, int decimals) {
-    char buffer[400]; // the largest double has 309 digits before the point
-    const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value + 0.0,
-                                            std::chars_format::fixed, decimals);
-    return {buffer, end};
-}
 
 std::string issueLine(const std::string& file, const Issue& issue) {
     std::string line = file + ": ";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/digits.h"
 #include "core/issue.h"
 #include "core/quality/constraints.h"
 #include "core/setup/setup_run.h"
@@ -13,9 +14,6 @@ namespace sparkout::cli {
 
 /// One line a fault: "FILE: /path: sentence".
 [[nodiscard]] std::string issueLine(const std::string& file, const Issue& issue);
-
-/// So many decimals, with a point, whatever the locale; never "-0".
-[[nodiscard]] std::string fixed(double value, int decimals);
 
 /// A result for people; resultJson() is the same for programs.
 [[nodiscard]] std::string resultText(const SimulationResult& result,

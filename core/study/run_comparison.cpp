@@ -81,12 +81,7 @@ std::string stated(double value, const ResultDigits& digits) {
     }
     const int decimals =
         digits.decimals < 0 ? decimalsOf(value, digits.significant) : digits.decimals;
-    const double least = 0.5 * std::pow(10.0, -decimals);
-    char buffer[400]; // the largest double has 309 digits before the point
-    const auto written =
-        std::to_chars(buffer, buffer + sizeof buffer, std::abs(value) < least ? 0.0 : value,
-                      std::chars_format::fixed, decimals);
-    return {buffer, written.ptr};
+    return fixed(value, decimals);
 }
 
 bool sameDigits(double a, double b, const ResultDigits& digits) {

@@ -116,7 +116,7 @@ struct SearchOutcome {
     std::vector<FoundCycle> found;
     SteplessLimit limit;
     /// What binds the best of the search, its time or its margin, whichever is searched; nothing:
-    /// not known, as it was stopped before, or there is no best.
+    /// not known, as it was stopped before, or no cycle was found.
     std::optional<std::vector<ConstraintKind>> binding;
     GivenCycle given;
 
