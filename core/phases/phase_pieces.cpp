@@ -24,6 +24,8 @@ std::unique_ptr<CycleSteps> stepsOf(const Project& project, const std::stop_toke
                                        : plungeSteps(project, nullptr, stop);
 }
 
+constexpr double rounding_mm = 1e-12;
+
 /// Follows the cycles of an interval of stocks, as offsets from its lower end.
 class PhaseWalk {
 public:
@@ -31,7 +33,6 @@ public:
               std::stop_token stop)
         : m_project(std::move(project)), m_visit(visit), m_stop(std::move(stop)) {
         m_project.part->stock_mm = from_mm;
-        constexpr double rounding_mm = 1e-12;
         m_overlap_mm = formChange_mm(m_project, to_mm - from_mm) + rounding_mm;
         std::unique_ptr<CycleSteps> steps = stepsOf(m_project, m_stop);
         CycleLoop loop(m_project, steps->run());
@@ -110,7 +111,7 @@ private:
                 m_given.push_back(known[m_given.size()]);
                 return static_cast<bool>(m_given.back());
             }
-            if (larger_mm <= branch.denied_mm + m_overlap_mm) {
+            if (larger_mm <= branch.denied_mm + rounding_mm) {
                 m_given.push_back(false);
                 return false;
             }
