@@ -9128,6 +9128,18 @@ With another name both versions stay as they are.</source>
             <source>Quantity</source>
             <translation>Величина</translation>
         </message>
+        <message>
+            <source>Inputs</source>
+            <translation>Исходные данные</translation>
+        </message>
+        <message>
+            <source>Results</source>
+            <translation>Результаты</translation>
+        </message>
+        <message>
+            <source>What differs</source>
+            <translation>Что различается</translation>
+        </message>
     </context>
     <context>
         <name>SaveDialog</name>
@@ -12193,6 +12205,10 @@ With another name both versions stay as they are.</source>
             <source>Copy the selected rows</source>
             <translation>Копировать выбранные строки</translation>
         </message>
+        <message>
+            <source>Columns</source>
+            <translation>Столбцы</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::CorrelationBox</name>
@@ -12943,7 +12959,7 @@ With another name both versions stay as they are.</source>
         </message>
     </context>
     <context>
-        <name>sparkout::FoundModel</name>
+        <name>FoundTable</name>
         <message>
             <source>The quickest of its number of stages</source>
             <translation>Самый быстрый для своего числа ступеней</translation>
@@ -12995,10 +13011,6 @@ With another name both versions stay as they are.</source>
         <message>
             <source>The minimum margin of all requirements, of its limit</source>
             <translation>Наименьший запас из всех требований, в долях предела</translation>
-        </message>
-        <message>
-            <source>Feeds and stocks of the stages</source>
-            <translation>Подачи и припуски ступеней</translation>
         </message>
         <message>
             <source>The quickest of the grid</source>
@@ -15137,25 +15149,6 @@ target, µm</source>
         </message>
     </context>
     <context>
-        <name>sparkout::RunTableModel</name>
-        <message>
-            <source>Inputs</source>
-            <translation>Исходные данные</translation>
-        </message>
-        <message>
-            <source>Results</source>
-            <translation>Результаты</translation>
-        </message>
-        <message>
-            <source>What differs</source>
-            <translation>Что различается</translation>
-        </message>
-        <message>
-            <source>Unit</source>
-            <translation>Единица</translation>
-        </message>
-    </context>
-    <context>
         <name>sparkout::RunsPanel</name>
         <message>
             <source>Present run</source>
@@ -16118,7 +16111,7 @@ target, µm</source>
         </message>
     </context>
     <context>
-        <name>sparkout::VerdictModel</name>
+        <name>VerdictTable</name>
         <message>
             <source>What the drawing, the process or the machine asks of the cycle</source>
             <translation>То, чего от цикла требуют чертёж, процесс или станок</translation>
@@ -17512,7 +17505,7 @@ good</source>
         </message>
     </context>
     <context>
-        <name>sparkout::PartModel</name>
+        <name>PartTable</name>
         <message>
             <source>not set up</source>
             <translation>не задано</translation>
@@ -17557,6 +17550,22 @@ good</source>
             <source>Batch</source>
             <translation>Партия</translation>
         </message>
+        <message>
+            <source>Ra, estimate</source>
+            <translation>Ra, оценка</translation>
+        </message>
+        <message>
+            <source>Cycle time, min</source>
+            <translation>Время цикла, мин</translation>
+        </message>
+        <message>
+            <source>%1, %2</source>
+            <translation>%1, %2</translation>
+        </message>
+        <message>
+            <source>Value / limit</source>
+            <translation>Значение / предел</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::SurfaceBars</name>
@@ -17587,25 +17596,6 @@ good</source>
         <message>
             <source>The surfaces compared, as bars</source>
             <translation>Сравнение поверхностей столбцами</translation>
-        </message>
-    </context>
-    <context>
-        <name>sparkout::SurfaceComparison</name>
-        <message>
-            <source>Ra, estimate</source>
-            <translation>Ra, оценка</translation>
-        </message>
-        <message>
-            <source>Cycle time, min</source>
-            <translation>Время цикла, мин</translation>
-        </message>
-        <message>
-            <source>%1, %2</source>
-            <translation>%1, %2</translation>
-        </message>
-        <message>
-            <source>Value / limit</source>
-            <translation>Значение / предел</translation>
         </message>
     </context>
     <context>
@@ -18693,7 +18683,7 @@ The size alone gives α and β, that is the compliance with the force together; 
         </message>
     </context>
     <context>
-        <name>sparkout::AdequacyModel</name>
+        <name>AdequacyTable</name>
         <message>
             <source>Quantity</source>
             <translation>Величина</translation>
@@ -21724,7 +21714,7 @@ s</source>
         </message>
     </context>
     <context>
-        <name>sparkout::MarksModel</name>
+        <name>MarksTable</name>
         <message>
             <source>%1: %2</source>
             <translation>%1: %2</translation>

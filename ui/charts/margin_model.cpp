@@ -3,7 +3,7 @@
 
 #include "ui/charts/light_icon.h"
 #include "ui/charts/result_tables.h"
-#include "ui/charts/verdict_model.h"
+#include "ui/charts/verdict_table.h"
 #include "ui/kit/theme.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"

@@ -6,7 +6,7 @@
 #include "core/quality/roughness.h"
 #include "core/units.h"
 #include "ui/charts/margin_model.h"
-#include "ui/charts/verdict_model.h"
+#include "ui/charts/verdict_table.h"
 #include "ui/tables/output_cells.h"
 #include "ui/text/names.h"
 #include "ui/text/output_text.h"

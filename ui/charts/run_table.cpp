@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/run_table.h"
 
-#include "ui/charts/verdict_model.h"
+#include "ui/charts/verdict_table.h"
 #include "ui/text/field_text.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
@@ -171,6 +171,27 @@ QString changeShown(const ChangedValue& change) {
     return QStringLiteral("%1 → %2").arg(from, to);
 }
 
+QString briefly(const QString& text, qsizetype longest) {
+    return text.size() > longest ? text.left(longest - 1) + u'…' : text;
+}
+
+/// A unit is never broken at its stroke.
+QString inOneLine(QString text) {
+    return text.replace(u'/', QStringLiteral("\u2060/\u2060"));
+}
+
+CsvTable sheetOf(const std::vector<RunRow>& rows, const QStringList& runs) {
+    CsvTable table;
+    table.ownUnits = true;
+    table.header << RunTable::tr("What differs") << RunTable::tr("Unit") << runs;
+    for (const RunRow& row : rows) {
+        std::vector<CsvCell> cells{row.what, row.unit};
+        cells.insert(cells.end(), row.cells.begin(), row.cells.end());
+        table.rows.push_back(std::move(cells));
+    }
+    return table;
+}
+
 QString changeName(const ChangedValue& change) {
     const QStringList steps = QString::fromStdString(change.path).split(u'/', Qt::SkipEmptyParts);
     if (steps.size() < 3 || steps[0] == u"zones") {
@@ -205,6 +226,35 @@ std::vector<RunRow> differingRows(const std::vector<ComparedRun>& runs) {
         rows.push_back(std::move(row));
     }
     return rows;
+}
+
+ValueTable runTable(const std::vector<RunRow>& rows, const QStringList& runs) {
+    constexpr qsizetype longestCell = 60, longestHead = 48; // shown; the copy has all of it
+    ValueTable table{.sheet = sheetOf(rows, runs), .isList = true};
+    if (rows.empty()) {
+        return table;
+    }
+    table.columns.push_back({.text = RunTable::tr("What differs"), .isText = true});
+    for (const QString& run : runs) {
+        table.columns.push_back({.text = briefly(run, longestHead), .name = run});
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const RunRow& row = rows[i];
+        if (i == 0 || row.isResult != rows[i - 1].isResult) {
+            std::vector<ValueCell> group(table.columns.size());
+            group.front().text = row.isResult ? RunTable::tr("Results") : RunTable::tr("Inputs");
+            table.addRow({.isGroup = true}, std::move(group));
+        }
+        const QString name =
+            row.unit.isEmpty() ? row.what : QStringLiteral("%1, %2").arg(row.what, row.unit);
+        std::vector<ValueCell> cells{{.text = inOneLine(name)}};
+        for (const QString& shown : row.shown) {
+            cells.push_back({.text = briefly(shown, longestCell),
+                             .tip = shown.size() > longestCell ? shown : QString()});
+        }
+        table.addRow({.text = name}, std::move(cells));
+    }
+    return table;
 }
 
 QStringList changesShown(const ReadSummary& kept, const RunSummary& now) {

@@ -3,7 +3,7 @@
 
 #include "core/quality/run_summary.h"
 #include "core/study/run_comparison.h"
-#include "ui/tables/csv_table.h"
+#include "ui/tables/value_table.h"
 
 #include <QString>
 #include <QStringList>
@@ -23,6 +23,11 @@ struct RunRow {
 
 /// What the runs differ in, in words.
 [[nodiscard]] std::vector<RunRow> differingRows(const std::vector<ComparedRun>& runs);
+
+/// The same as a table: a row an input or result under a row that names which of the two, a column
+/// a run, the present one first. It is copied with all digits and the units in a column of their
+/// own.
+[[nodiscard]] ValueTable runTable(const std::vector<RunRow>& rows, const QStringList& runs);
 
 /// What a kept run has otherwise now, a line each: "RZ1 › Roundness: 1.23 → 1.25 µm".
 [[nodiscard]] QStringList changesShown(const ReadSummary& kept, const RunSummary& now);

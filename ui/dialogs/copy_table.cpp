@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/copy_table.h"
 
+#include "ui/dialogs/value_model.h"
+#include "ui/session/settings.h"
 #include "ui/tables/copied_cells.h"
 
 #include <QContextMenuEvent>
@@ -43,9 +45,19 @@ CopyTable::CopyTable(std::function<QString()> text, QWidget* parent)
     horizontalHeader()->setMinimumSectionSize(20);
     horizontalHeader()->setSectionsClickable(false);
     connect(this, &QTableView::clicked, this,
-            [this](const QModelIndex& index) { emit rowChosen(index.row()); });
+            [this](const QModelIndex& index) { emit rowChosen(rowOf(index)); });
     connect(this, &QTableView::doubleClicked, this,
-            [this](const QModelIndex& index) { emit rowEntered(index.row()); });
+            [this](const QModelIndex& index) { emit rowEntered(rowOf(index)); });
+}
+
+CopyTable::CopyTable(ValueModel& model, QWidget* parent)
+    : CopyTable([&model] { return model.asTsv(); }, parent) {
+    m_values = &model;
+    setModel(&model);
+}
+
+int CopyTable::rowOf(const QModelIndex& index) const {
+    return m_values ? m_values->rowAt(index.row()) : index.row();
 }
 
 void CopyTable::copy() const {
@@ -89,8 +101,8 @@ void CopyTable::keyPressEvent(QKeyEvent* event) {
     }
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (enter && currentIndex().isValid()) {
-        emit rowChosen(currentIndex().row());
-        emit rowEntered(currentIndex().row());
+        emit rowChosen(rowOf(currentIndex()));
+        emit rowEntered(rowOf(currentIndex()));
         event->accept();
         return;
     }
@@ -108,6 +120,57 @@ void CopyTable::addSaving(QMenu& menu) {
         QAction* action = formats->addAction(savingText(format));
         action->setToolTip(tableFormatHint(format));
         connect(action, &QAction::triggered, this, [this, format] { save(format); });
+    }
+}
+
+void CopyTable::setArrangeable(Settings* settings) {
+    m_arrangeable = true;
+    m_settings = settings;
+    m_hidden = settings ? settings->hiddenColumns(objectName()) : QStringList();
+    QHeaderView& head = *horizontalHeader();
+    head.setSectionsClickable(true);
+    head.setSortIndicatorClearable(true);
+    head.setSortIndicator(-1, Qt::AscendingOrder); // else it would be sorted by its first column
+    setSortingEnabled(true);
+    head.setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(&head, &QHeaderView::customContextMenuRequested, this,
+            [this, &head](const QPoint& at) { openMenu(head.viewport()->mapToGlobal(at)); });
+    connect(m_values, &QAbstractItemModel::modelReset, this, &CopyTable::hideColumns);
+    hideColumns();
+}
+
+void CopyTable::hideColumns() {
+    const std::vector<ValueHead>& columns = m_values->table().columns;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        setColumnHidden(static_cast<int>(i), m_hidden.contains(QLatin1String(columns[i].key)));
+    }
+}
+
+void CopyTable::chooseColumn(const QString& key, bool shown) {
+    m_hidden.removeAll(key);
+    if (!shown) {
+        m_hidden << key;
+    }
+    hideColumns();
+    if (m_settings) {
+        m_settings->setHiddenColumns(objectName(), m_hidden);
+    }
+}
+
+/// The first column names the rows and stays.
+void CopyTable::addColumns(QMenu& menu) {
+    if (!m_arrangeable || m_values->table().columns.empty()) {
+        return;
+    }
+    QMenu* const columns = menu.addMenu(tr("Columns"));
+    const std::vector<ValueHead>& heads = m_values->table().columns;
+    for (std::size_t i = 1; i < heads.size(); ++i) {
+        const QString key = QString::fromLatin1(heads[i].key);
+        QAction* const action = columns->addAction(heads[i].fullName());
+        action->setCheckable(true);
+        action->setChecked(!m_hidden.contains(key));
+        connect(action, &QAction::toggled, this,
+                [this, key](bool shown) { chooseColumn(key, shown); });
     }
 }
 
@@ -133,6 +196,11 @@ void CopyTable::save(TableFormat format) {
 }
 
 void CopyTable::contextMenuEvent(QContextMenuEvent* event) {
+    openMenu(event->globalPos());
+    event->accept();
+}
+
+void CopyTable::openMenu(const QPoint& at) {
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     QAction* rows = menu->addAction(tr("Copy the selected rows"));
@@ -143,8 +211,8 @@ void CopyTable::contextMenuEvent(QContextMenuEvent* event) {
     action->setShortcut(copyAllKey);
     connect(action, &QAction::triggered, this, [this] { copy(); });
     addSaving(*menu);
-    menu->popup(event->globalPos());
-    event->accept();
+    addColumns(*menu);
+    menu->popup(at);
 }
 
 /// Sections as wide or high as their contents are measured again, in the type the table has now.

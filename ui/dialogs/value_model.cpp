@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/value_model.h"
 
+#include "ui/fields/mark.h"
 #include "ui/kit/theme_icon.h"
 #include "ui/text/texts.h"
 
+#include <QCollator>
+#include <QFont>
 #include <QGuiApplication>
 #include <QIcon>
+#include <QLocale>
 #include <QPalette>
 
+#include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace sparkout {
@@ -22,20 +28,49 @@ const auto& itemOf(const List& list, int index) {
 /// Marked up, or a tool tip does not wrap; V_k with its index below the line.
 QString paragraphs(const QStringList& texts) {
     QString tip;
-    for (const QString& text : texts) {
-        if (!text.isEmpty()) {
-            tip += QStringLiteral("<p>%1</p>").arg(withIndices(text));
-        }
+    for (const QString& text : texts.join(u'\n').split(u'\n', Qt::SkipEmptyParts)) {
+        tip += QStringLiteral("<p>%1</p>").arg(withIndices(text));
     }
     return tip;
 }
+
+/// Numbers before words; what is missing comes last, however the table is sorted.
+struct SortKey {
+    enum Kind { number, word, missing };
+    Kind kind = missing;
+    double value = 0;
+    QString text = {};
+
+    explicit SortKey(const ValueCell& cell) {
+        if (const auto* const is = std::get_if<double>(&cell.value)) {
+            kind = number;
+            value = *is;
+            return;
+        }
+        const auto* const said = std::get_if<QString>(&cell.value);
+        text = said ? *said : cell.text;
+        kind = text.isEmpty() ? missing : word;
+    }
+};
 
 } // namespace
 
 void ValueModel::setTable(ValueTable table) {
     beginResetModel();
     m_table = std::move(table);
+    arrange();
     endResetModel();
+}
+
+void ValueModel::update(ValueTable table) {
+    if (table.rows.size() != m_table.rows.size()
+        || table.columns.size() != m_table.columns.size()) {
+        setTable(std::move(table));
+        return;
+    }
+    m_table = std::move(table);
+    sort(m_sorted, m_direction);
+    retranslate();
 }
 
 void ValueModel::setGreyed(bool grey) {
@@ -44,39 +79,132 @@ void ValueModel::setGreyed(bool grey) {
     }
 }
 
-QString ValueModel::spoken(int row, int column) const {
-    const ValueCell& cell = itemOf(itemOf(m_table.cells, row), column);
-    const QString said = QStringLiteral("%1, %2: %3")
-                             .arg(itemOf(m_table.columns, column).fullName(),
-                                  itemOf(m_table.rows, row).fullName(), cell.text);
+QString ValueModel::asTsv() const {
+    return tabSeparated(shown(), QLocale());
+}
+
+int ValueModel::rowAt(int line) const {
+    return line < 0 || line >= rowsShown() ? -1 : static_cast<int>(itemOf(m_order, line));
+}
+
+int ValueModel::lineOf(int row) const {
+    const auto found = std::ranges::find(m_order, static_cast<std::size_t>(row));
+    return found == m_order.end() ? -1 : static_cast<int>(found - m_order.begin());
+}
+
+void ValueModel::arrange() {
+    m_order.resize(m_table.rows.size());
+    std::iota(m_order.begin(), m_order.end(), std::size_t{0});
+    if (m_sorted < 0 || m_sorted >= columnsShown() || !m_table.isList) {
+        return;
+    }
+    std::vector<SortKey> keys;
+    for (const std::vector<ValueCell>& row : m_table.cells) {
+        keys.emplace_back(itemOf(row, m_sorted));
+    }
+    QCollator words;
+    words.setNumericMode(true);
+    const bool falls = m_direction == Qt::DescendingOrder;
+    std::ranges::stable_sort(m_order, [&](std::size_t one, std::size_t other) {
+        const SortKey &a = keys[one], &b = keys[other];
+        if (a.kind != b.kind) {
+            return a.kind < b.kind;
+        }
+        const SortKey &first = falls ? b : a, &second = falls ? a : b;
+        return a.kind == SortKey::number ? first.value < second.value
+                                         : words.compare(first.text, second.text) < 0;
+    });
+}
+
+void ValueModel::sort(int column, Qt::SortOrder order) {
+    emit layoutAboutToBeChanged({}, QAbstractItemModel::VerticalSortHint);
+    const std::vector<std::size_t> before = m_order;
+    m_sorted = column;
+    m_direction = order;
+    arrange();
+    const QModelIndexList from = persistentIndexList();
+    QModelIndexList to;
+    for (const QModelIndex& each : from) {
+        to << index(lineOf(static_cast<int>(itemOf(before, each.row()))), each.column());
+    }
+    changePersistentIndexList(from, to);
+    emit layoutChanged({}, QAbstractItemModel::VerticalSortHint);
+}
+
+const ValueHead& ValueModel::headOf(int line) const {
+    return itemOf(m_table.rows, rowAt(line));
+}
+
+Qt::ItemFlags ValueModel::flags(const QModelIndex& index) const {
+    return index.isValid() && headOf(index.row()).isGroup ? Qt::ItemFlags(Qt::ItemIsEnabled)
+                                                          : TableModel::flags(index);
+}
+
+QString ValueModel::spoken(int line, int column) const {
+    const ValueHead& row = headOf(line);
+    const ValueCell& cell = itemOf(itemOf(m_table.cells, rowAt(line)), column);
+    if (row.isGroup || cell.text == row.fullName()) {
+        return cell.text;
+    }
+    if (!cell.said.isEmpty()) {
+        return QStringLiteral("%1: %2").arg(row.fullName(), cell.said);
+    }
+    const QString said =
+        QStringLiteral("%1, %2: %3")
+            .arg(itemOf(m_table.columns, column).fullName(), row.fullName(), cell.text);
     return cell.remark.isEmpty() ? said : said + QStringLiteral("; ") + cell.remark;
 }
 
-QVariant ValueModel::cell(int row, int column, int role) const {
-    const ValueCell& cell = itemOf(itemOf(m_table.cells, row), column);
+QVariant ValueModel::inkOf(const ValueCell& cell) const {
+    if (!cell.fault.isEmpty()) {
+        return markColor(Mark::error, QGuiApplication::palette());
+    }
+    return m_grey ? QVariant(QGuiApplication::palette().brush(QPalette::Disabled, QPalette::Text))
+                  : QVariant();
+}
+
+QVariant ValueModel::cell(int line, int column, int role) const {
+    const ValueHead& row = headOf(line);
+    const ValueCell& cell = itemOf(itemOf(m_table.cells, rowAt(line)), column);
     switch (role) {
     case Qt::DisplayRole: return cell.text;
     case Qt::DecorationRole:
-        return cell.remark.isEmpty() ? QVariant() : QVariant(themeIcon(u"warning"));
-    case Qt::TextAlignmentRole: return aligned(true);
-    case Qt::ForegroundRole:
-        return m_grey
-                   ? QVariant(QGuiApplication::palette().brush(QPalette::Disabled, QPalette::Text))
-                   : QVariant();
-    case Qt::AccessibleTextRole: return spoken(row, column);
+        return !cell.fault.isEmpty()    ? QVariant(markIcon(Mark::error))
+               : !cell.remark.isEmpty() ? QVariant(themeIcon(u"warning"))
+               : cell.icon.isNull()     ? QVariant()
+                                        : QVariant(cell.icon);
+    case Qt::TextAlignmentRole: {
+        const bool right = !itemOf(m_table.columns, column).isText;
+        const Qt::Alignment side = right ? Qt::AlignRight : Qt::AlignLeft;
+        return m_table.atTop ? static_cast<int>(side | Qt::AlignTop) : aligned(right);
+    }
+    case Qt::FontRole: {
+        QFont font;
+        font.setBold(true);
+        return row.isStrong || row.isGroup ? QVariant(font) : QVariant();
+    }
+    case Qt::ForegroundRole: return inkOf(cell);
+    case Qt::AccessibleTextRole: return spoken(line, column);
+    case Qt::AccessibleDescriptionRole: return cell.fault;
     case Qt::ToolTipRole:
-        return paragraphs({spoken(row, column), cell.tip, itemOf(m_table.rows, row).tip});
+        return row.isGroup ? QVariant()
+                           : paragraphs({cell.fault, spoken(line, column), cell.tip, row.tip});
     default: return {};
     }
 }
 
-QVariant ValueModel::side(int row, int role) const {
-    return row < rowsShown() ? headData(itemOf(m_table.rows, row), role, false) : QVariant();
+QVariant ValueModel::side(int line, int role) const {
+    return line < rowsShown() ? headData(headOf(line), role, false) : QVariant();
 }
 
 QVariant ValueModel::head(int column, int role) const {
-    return column < columnsShown() ? headData(itemOf(m_table.columns, column), role, true)
-                                   : QVariant();
+    if (column >= columnsShown()) {
+        return {};
+    }
+    const ValueHead& of = itemOf(m_table.columns, column);
+    return role == Qt::TextAlignmentRole
+               ? aligned(!of.isText).toInt() | static_cast<int>(Qt::TextWordWrap)
+               : headData(of, role, !of.isText);
 }
 
 QVariant ValueModel::headData(const ValueHead& head, int role, bool right) {

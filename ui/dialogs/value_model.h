@@ -6,28 +6,44 @@
 
 namespace sparkout {
 
-/// Shows such a table; whoever owns it makes the table anew for another result or language.
+/// Shows such a table; whoever owns it makes the table anew for another result or language. A list
+/// can be sorted by any of its columns.
 class ValueModel : public TableModel {
     Q_OBJECT
 public:
     using TableModel::TableModel;
 
     void setTable(ValueTable table);
-    void setGreyed(bool grey); ///< the numbers are of inputs that are no longer those shown
+    void update(ValueTable table); ///< of the same rows: what is chosen stays
+    void setGreyed(bool grey);     ///< the numbers are of inputs that are no longer those shown
     [[nodiscard]] const ValueTable& table() const { return m_table; }
+    [[nodiscard]] CsvTable shown() const { return m_table.inOrder(m_order); } ///< as it is sorted
+    [[nodiscard]] QString asTsv() const; ///< the same for the clipboard
+    /// Which row of the table stands in a line, and in which line a row stands.
+    [[nodiscard]] int rowAt(int line) const;
+    [[nodiscard]] int lineOf(int row) const;
+
+    void sort(int column, Qt::SortOrder order) override; ///< below 0: as the table is
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
 
 private:
     [[nodiscard]] int rowsShown() const override { return static_cast<int>(m_table.rows.size()); }
     [[nodiscard]] int columnsShown() const override {
         return static_cast<int>(m_table.columns.size());
     }
-    [[nodiscard]] QVariant cell(int row, int column, int role) const override;
+    [[nodiscard]] QVariant cell(int line, int column, int role) const override;
     [[nodiscard]] QVariant head(int column, int role) const override;
-    [[nodiscard]] QVariant side(int row, int role) const override;
+    [[nodiscard]] QVariant side(int line, int role) const override;
     [[nodiscard]] static QVariant headData(const ValueHead& head, int role, bool right);
-    [[nodiscard]] QString spoken(int row, int column) const;
+    [[nodiscard]] const ValueHead& headOf(int line) const;
+    [[nodiscard]] QString spoken(int line, int column) const;
+    [[nodiscard]] QVariant inkOf(const ValueCell& cell) const;
+    void arrange();
 
     ValueTable m_table;
+    std::vector<std::size_t> m_order; ///< the rows, line by line
+    int m_sorted = -1;
+    Qt::SortOrder m_direction = Qt::AscendingOrder;
     bool m_grey = false;
 };
 

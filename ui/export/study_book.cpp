@@ -19,7 +19,7 @@
 #include "ui/views/batch/histogram_plot.h"
 #include "ui/views/batch/pareto_plot.h"
 #include "ui/views/batch/sensitivity_plot.h"
-#include "ui/views/optimise/found_model.h"
+#include "ui/views/optimise/found_table.h"
 #include "ui/views/optimise/margin_front_plot.h"
 #include "ui/views/optimise/optimise_text.h"
 #include "ui/views/optimise/stage_count_plot.h"
@@ -287,12 +287,6 @@ CsvTable bindingTable(const SearchOutcome& outcome) {
     return table;
 }
 
-CsvTable foundTable(const Study& study) {
-    FoundModel model;
-    model.show(study.search, study.before_s);
-    return model.table();
-}
-
 std::vector<NamedSheet> searchSheets(const Study& study) {
     const SearchOutcome& outcome = *study.search;
     std::vector<NamedSheet> sheets{
@@ -306,7 +300,7 @@ std::vector<NamedSheet> searchSheets(const Study& study) {
                                              QStringLiteral("/machine/work_speed_rpm"),
                                              QStringLiteral("/machine/dwell_")})});
     }
-    sheets.push_back({StudyBook::tr("Best cycles"), foundTable(study)});
+    sheets.push_back({StudyBook::tr("Best cycles"), foundTable(outcome, study.before_s).asTable()});
     sheets.push_back({StudyBook::tr("Time by stages"), StageCountPlot::tableOf(outcome)});
     if (!outcome.front().empty()) {
         sheets.push_back({StudyBook::tr("Margin by time"), MarginFrontPlot::tableOf(outcome)});
@@ -373,7 +367,8 @@ Sheet studyMainSheet(const Study& study) {
     case StudyKind::sweep: return sheetOf(pointsTable(*study.sweep), StudyBook::tr("Points"));
     case StudyKind::search: break;
     }
-    return sheetOf(foundTable(study), StudyBook::tr("Best cycles"));
+    return sheetOf(foundTable(*study.search, study.before_s).asTable(),
+                   StudyBook::tr("Best cycles"));
 }
 
 } // namespace sparkout

@@ -7,15 +7,17 @@
 #include "core/files/safe_file.h"
 #include "core/format/project_file.h"
 #include "core/lesson/lesson_file.h"
+#include "ui/dialogs/copy_table.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/dialogs/file_questions.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/dialogs/table_file.h"
+#include "ui/dialogs/value_model.h"
 #include "ui/kit/file_dialog.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/lesson/lesson_text.h"
-#include "ui/lesson/marks_model.h"
+#include "ui/lesson/marks_table.h"
 #include "ui/session/project_io.h"
 #include "ui/session/settings.h"
 #include "ui/text/file_error_text.h"
@@ -31,7 +33,6 @@
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QTableView>
 #include <QTextBrowser>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -70,10 +71,10 @@ QStringList worksIn(const QString& folder) {
 MarksDialog::MarksDialog(Settings& settings, QWidget* parent)
     : QDialog(parent)
     , m_settings(settings)
-    , m_model(new MarksModel(this))
+    , m_model(new ValueModel(this))
     , m_inputs(new QLabel(this))
     , m_progress(new QProgressBar(this))
-    , m_table(new QTableView(this))
+    , m_table(new CopyTable(*m_model, this))
     , m_detail(new QTextBrowser(this)) {
     setHelpTopic(*this, QStringLiteral("lessons#mark"));
     setWindowTitle(tr("Mark works"));
@@ -94,11 +95,12 @@ void MarksDialog::build() {
     m_inputs->setWordWrap(true);
     m_table->setObjectName(QStringLiteral("marksTable"));
     m_table->setAccessibleName(tr("Marks"));
-    m_table->setModel(m_model);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setWordWrap(false);
+    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    m_table->setUniformRows();
+    m_table->setArrangeable(&m_settings);
+    m_table->retranslate();
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_detail->setObjectName(QStringLiteral("marksDetail"));
@@ -127,7 +129,7 @@ void MarksDialog::build() {
     });
     m_export = button(tr("&Export CSV…"), "marksExport", [this] { exportCsv(); });
     m_book = button(tr("Export &XLSX…"), "marksBook", [this] {
-        saveTable(this, &m_settings, {{m_lessonName, tr("marks")}, m_model->table()},
+        saveTable(this, &m_settings, {{m_lessonName, tr("marks")}, m_model->shown()},
                   TableFormat::xlsx);
     });
     auto* layout = new QVBoxLayout(this);
@@ -164,7 +166,7 @@ void MarksDialog::setBusy(bool busy) {
     m_stop->setEnabled(busy);
     m_mark->setVisible(!busy);
     m_mark->setEnabled(m_lesson && (!m_works.isEmpty() || !m_wish.group.empty()));
-    m_export->setEnabled(!busy && !m_model->works().empty());
+    m_export->setEnabled(!busy && !m_marks.empty());
     m_book->setEnabled(m_export->isEnabled());
 }
 
@@ -284,7 +286,9 @@ void MarksDialog::mark() {
 void MarksDialog::take(std::vector<GradedWork> works) {
     const auto marks = static_cast<qsizetype>(works.size());
     const bool isStopped = m_marking.stop_requested() && marks < m_works.size();
-    m_model->setMarks(*m_lesson, std::move(works));
+    m_marks = std::move(works);
+    m_marked = *m_lesson;
+    m_model->setTable(marksTable(m_marked, m_marks));
     setBusy(false);
     showInputs();
     if (isStopped) {
@@ -293,7 +297,7 @@ void MarksDialog::take(std::vector<GradedWork> works) {
             + tr("Stopped: %1 of %2 works are marked.").arg(marks).arg(m_works.size()));
     }
     m_table->resizeColumnsToContents();
-    if (!m_model->works().empty()) {
+    if (!m_marks.empty()) {
         m_table->selectRow(0);
     }
     showWork();
@@ -306,7 +310,7 @@ QString MarksDialog::detail(const GradedWork& work) const {
                        .arg(name.toHtmlEscaped(), tr("%1 of %2 points")
                                                       .arg(LessonText::points(work.points),
                                                            LessonText::points(work.most)));
-    if (const QString remarks = MarksModel::remarks(work); !remarks.isEmpty()) {
+    if (const QString remarks = workRemarks(work); !remarks.isEmpty()) {
         text += QStringLiteral("<p>%1</p>").arg(remarks.toHtmlEscaped());
     }
     for (const QString& line : FaultsDialog::lines(work.issues)) {
@@ -317,7 +321,7 @@ QString MarksDialog::detail(const GradedWork& work) const {
         QString line = tr("Step %1, points: %2 of %3. %4")
                            .arg(i + 1)
                            .arg(LessonText::points(step.points), LessonText::points(step.most),
-                                LessonText::found(m_model->lesson().steps[i].goal, step.result));
+                                LessonText::found(m_marked.steps[i].goal, step.result));
         if (step.hints > 0) {
             line += u' ' + tr("Hints: −%1.").arg(LessonText::points(step.hints));
         }
@@ -333,16 +337,17 @@ QString MarksDialog::detail(const GradedWork& work) const {
 }
 
 void MarksDialog::showWork() {
-    const int row = m_table->currentIndex().row();
-    m_detail->setHtml(row < 0 ? QString() : detail(m_model->works()[std::size_t(row)]));
+    const int row = m_model->rowAt(m_table->currentIndex().row());
+    m_detail->setHtml(row < 0 ? QString() : detail(m_marks[std::size_t(row)]));
 }
 
 void MarksDialog::exportCsv() {
     saveWithDialog(this, &m_settings,
                    {tr("Export the marks"), fileNameOf({m_lessonName, tr("marks")}),
                     QStringLiteral("csv"), tr("Tables (*.csv)"),
-                    [csv = QByteArray::fromStdString(gradesCsv(
-                         m_model->lesson(), m_model->works()))] { return [csv] { return csv; }; }});
+                    [csv = QByteArray::fromStdString(gradesCsv(m_marked, m_marks))] {
+                        return [csv] { return csv; };
+                    }});
 }
 
 void MarksDialog::dragEnterEvent(QDragEnterEvent* event) {

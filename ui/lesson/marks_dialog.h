@@ -10,17 +10,18 @@
 
 #include <optional>
 #include <stop_token>
+#include <vector>
 
 class QLabel;
 class QProgressBar;
 class QPushButton;
-class QTableView;
 class QTextBrowser;
 
 namespace sparkout {
 
-class MarksModel;
+class CopyTable;
 class Settings;
+class ValueModel;
 
 /// Marks works against their lesson, beside the window, as `sparkout-cli course grade` does. Files
 /// and folders come by buttons or are dropped: lessons, works, the list of students and the
@@ -34,7 +35,8 @@ public:
 
     void add(const QStringList& paths);
     void mark();
-    [[nodiscard]] const MarksModel& model() const { return *m_model; }
+    [[nodiscard]] const std::vector<GradedWork>& marks() const { return m_marks; }
+    [[nodiscard]] const Lesson& lesson() const { return m_marked; } ///< that they are of
     [[nodiscard]] bool busy() const { return m_isBusy; }
 
 signals:
@@ -63,13 +65,15 @@ private:
     QStringList m_works; ///< paths
     GradeWish m_wish;
     bool m_isBusy = false;
-    MarksModel* m_model;
+    std::vector<GradedWork> m_marks;
+    Lesson m_marked; ///< what they are of
+    ValueModel* m_model;
     QLabel* m_inputs;
     QPushButton* m_mark = nullptr;
     QPushButton *m_export = nullptr, *m_book = nullptr; ///< as CSV, as a workbook
     QPushButton* m_stop = nullptr;
     QProgressBar* m_progress;
-    QTableView* m_table;
+    CopyTable* m_table;
     QTextBrowser* m_detail;
     std::stop_source m_marking; ///< stopped by the user
     NewestJob m_job;            ///< last: stopped before what it uses is gone

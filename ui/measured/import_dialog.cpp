@@ -4,6 +4,7 @@
 #include "core/measured/key_value_lines.h"
 #include "core/project/measured.h"
 #include "core/project/part.h"
+#include "ui/dialogs/value_model.h"
 #include "ui/fields/number_field.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
@@ -11,7 +12,7 @@
 #include "ui/measured/columns_delegate.h"
 #include "ui/measured/columns_model.h"
 #include "ui/measured/measured_text.h"
-#include "ui/measured/preview_model.h"
+#include "ui/measured/preview_table.h"
 #include "ui/text/texts.h"
 
 #include <QCheckBox>
@@ -75,7 +76,7 @@ ImportDialog::ImportDialog(MeasuredSource source, const Project& project, QWidge
     , m_factor(
           new NumberField(NumberSpec::of(*tableOf<MeasuredTrace>().find("factor_kw_per_a")), this))
     , m_columns(new ColumnsModel(project, this))
-    , m_preview(new PreviewModel(this))
+    , m_preview(new ValueModel(this))
     , m_columnsView(new QTableView(this))
     , m_previewView(new QTableView(this))
     , m_state(new QLabel(this))
@@ -235,7 +236,7 @@ void ImportDialog::propose() {
 
 void ImportDialog::showTable() {
     m_columns->show(m_table.columns);
-    m_preview->show(m_source->text.utf8(), m_table);
+    m_preview->setTable(previewTable(m_source->text.utf8(), m_table));
     m_previewView->resizeColumnsToContents();
     m_delimiter->setEnabled(!m_table.isKeyValue);
     openBoxes();
@@ -287,7 +288,7 @@ void ImportDialog::startReading() {
 
 void ImportDialog::takeRead(const ReadMeasuredPtr& read) {
     m_read = read;
-    m_preview->setFaults(read->faults);
+    m_preview->update(previewTable(m_source->text.utf8(), m_table, read->faults));
     m_faults->clear();
     for (const CellFault& fault : read->faults) {
         if (m_faults->count() == faultsListed) {

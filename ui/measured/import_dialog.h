@@ -19,7 +19,7 @@ namespace sparkout {
 
 class ColumnsModel;
 class NumberField;
-class PreviewModel;
+class ValueModel;
 
 /// How a table of measurements is to be read: its dialect, what its columns hold, and beneath what
 /// comes of that. The whole table is read aside after every change, so that the faults are those of
@@ -63,7 +63,7 @@ private:
     QLabel* m_factorLabel = nullptr;
     NumberField* m_factor; ///< kW to an ampere
     ColumnsModel* m_columns;
-    PreviewModel* m_preview;
+    ValueModel* m_preview;
     QTableView *m_columnsView, *m_previewView;
     QLabel* m_state;
     QProgressBar* m_progress;

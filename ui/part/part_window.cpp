@@ -3,13 +3,12 @@
 
 #include "core/units.h"
 #include "ui/dialogs/copy_table.h"
+#include "ui/dialogs/value_model.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
-#include "ui/part/part_model.h"
 #include "ui/part/piece_time_text.h"
 #include "ui/part/surface_bars.h"
-#include "ui/part/surface_comparison.h"
 #include "ui/session/document.h"
 #include "ui/session/part_runs.h"
 #include "ui/text/texts.h"
@@ -45,11 +44,11 @@ PartWindow::PartWindow(Document& document, const PartRuns& runs, QWidget* parent
     , m_head(new QLabel(this))
     , m_times(new QLabel(this))
     , m_state(new QLabel(this))
-    , m_table(new CopyTable([this] { return m_model->asTsv(); }, this))
-    , m_comparison(new CopyTable([this] { return m_compared->asTsv(); }, this))
+    , m_model(new ValueModel(this))
+    , m_compared(new ValueModel(this))
+    , m_table(new CopyTable(*m_model, this))
+    , m_comparison(new CopyTable(*m_compared, this))
     , m_bars(new SurfaceBars(this))
-    , m_model(new PartModel(this))
-    , m_compared(new SurfaceComparison(this))
     , m_search(new QPushButton(this))
     , m_batch(new QPushButton(this))
     , m_take(new QPushButton(this))
@@ -70,7 +69,8 @@ PartWindow::PartWindow(Document& document, const PartRuns& runs, QWidget* parent
         m_progress->setValue(static_cast<int>(std::min<qint64>(done, INT_MAX)));
     });
     connect(&m_study, &PartStudy::surfaceDone, this, [this](const SurfaceStudyPtr& study) {
-        m_model->setStudy(m_of[study->surface]->id, study);
+        m_studies.add(m_of[study->surface]->id, study);
+        showTables();
         if (study->search && study->search->ran() && study->search->best()) {
             m_found.push_back(study);
         }
@@ -85,7 +85,8 @@ PartWindow::PartWindow(Document& document, const PartRuns& runs, QWidget* parent
         m_study.drop();
         m_found.clear();
         m_of.clear();
-        m_model->forgetStudies();
+        m_studies = {};
+        showTables();
     });
     retranslate();
 }
@@ -101,9 +102,7 @@ void PartWindow::build() {
     m_state->setTextFormat(Qt::PlainText);
     m_state->setWordWrap(true);
     m_table->setObjectName(QStringLiteral("partTable"));
-    m_table->setModel(m_model);
     m_comparison->setObjectName(QStringLiteral("surfaceComparison"));
-    m_comparison->setModel(m_compared);
     for (CopyTable* table : {m_table, m_comparison}) {
         table->setWordWrap(false);
         table->verticalHeader()->hide();
@@ -166,16 +165,23 @@ void PartWindow::fitTables() {
     }
 }
 
+void PartWindow::showTables() {
+    const SetupState& state = m_document.state();
+    if (m_runs.statuses().size() == state.surfaces.size()) { // else they follow in a moment
+        m_model->update(partTable(state, m_runs.statuses(), m_studies));
+        m_compared->update(surfaceComparison(state, m_runs.statuses()));
+        fitTables();
+    }
+}
+
 void PartWindow::follow() {
     const SetupState& state = m_document.state();
     const std::vector<SurfaceStatus>& statuses = m_runs.statuses();
     if (statuses.size() != state.surfaces.size()) {
         return; // they follow in a moment
     }
-    m_model->setPart(state, statuses);
-    m_compared->setPart(state, statuses);
+    showTables();
     m_bars->setPart(state, statuses);
-    fitTables();
     const auto holding = std::ranges::count_if(statuses, &SurfaceStatus::holds);
     double cycles_min = 0;
     bool areCompleted = true;
@@ -205,7 +211,7 @@ void PartWindow::showStudies() {
     m_take->setEnabled(!runs && !m_found.empty() && isCurrent());
     m_stop->setVisible(runs);
     m_progress->setVisible(runs);
-    const bool isOld = m_model->hasStudies() && !runs && !isCurrent();
+    const bool isOld = !m_studies.empty() && !runs && !isCurrent();
     m_state->setText(isOld       ? tr("Batch and search are of the inputs before the last edit.")
                      : m_stopped ? tr("Stopped; what was done until then is shown.")
                                  : QString());
@@ -216,7 +222,8 @@ void PartWindow::showStudies() {
 void PartWindow::begin() {
     if (!isCurrent()) {
         m_found.clear();
-        m_model->forgetStudies();
+        m_studies = {};
+        showTables();
     }
     m_stopped = false;
     m_of = m_document.state().surfaces;
@@ -256,7 +263,6 @@ void PartWindow::retranslate() {
     m_comparison->setAccessibleName(tr("The surfaces compared"));
     m_table->retranslate();
     m_comparison->retranslate();
-    m_model->retranslate();
     m_bars->retranslate();
     m_search->setText(tr("&Optimise all"));
     m_search->setToolTip(tr("Searches the quickest cycle of every surface whose search is set up, "
@@ -272,8 +278,7 @@ void PartWindow::retranslate() {
 
 void PartWindow::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange) {
-        m_model->retranslate();
-        m_compared->retranslate();
+        showTables(); // their lights
     }
     QDialog::changeEvent(event);
 }

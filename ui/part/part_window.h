@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/part/part_table.h"
 #include "ui/session/part_study.h"
 #include "ui/session/setup_state.h"
 
@@ -16,10 +17,9 @@ namespace sparkout {
 
 class CopyTable;
 class Document;
-class PartModel;
 class PartRuns;
 class SurfaceBars;
-class SurfaceComparison;
+class ValueModel;
 
 /// The whole part beside the workbench: verdict and times of all surfaces, their comparison, and
 /// the batches and searches of all of them.
@@ -29,7 +29,7 @@ class PartWindow : public QDialog {
 public:
     PartWindow(Document& document, const PartRuns& runs, QWidget* parent = nullptr);
 
-    [[nodiscard]] PartModel& model() { return *m_model; }
+    [[nodiscard]] ValueModel& model() { return *m_model; }
     [[nodiscard]] PartStudy& study() { return m_study; }
     void retranslate();
 
@@ -42,6 +42,7 @@ protected:
 private:
     void build();
     void fitTables(); ///< as high as they are: the page scrolls
+    void showTables();
     void follow();
     void showStudies();
     void begin();
@@ -55,16 +56,17 @@ private:
     QLabel* m_head;
     QLabel* m_times;
     QLabel* m_state;
+    ValueModel* m_model;
+    ValueModel* m_compared;
     CopyTable* m_table;
     CopyTable* m_comparison;
     SurfaceBars* m_bars;
-    PartModel* m_model;
-    SurfaceComparison* m_compared;
     QPushButton* m_search;
     QPushButton* m_batch;
     QPushButton* m_take;
     QPushButton* m_stop;
     QProgressBar* m_progress;
+    PartStudies m_studies;
     std::vector<SurfaceStudyPtr> m_found; ///< searches with an answer, …
     std::vector<SurfaceStatePtr> m_of;    ///< … of these surfaces
     bool m_stopped = false;

@@ -2,7 +2,7 @@
 #include "ui/part/status_text.h"
 
 #include "ui/charts/light_icon.h"
-#include "ui/charts/verdict_model.h"
+#include "ui/charts/verdict_table.h"
 #include "ui/kit/theme.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"

@@ -3,6 +3,7 @@
 
 #include "core/study/outcome.h"
 #include "ui/dialogs/copy_table.h"
+#include "ui/dialogs/value_model.h"
 #include "ui/kit/metrics.h"
 #include "ui/plot/cursor_strip.h"
 #include "ui/plot/legend_strip.h"
@@ -181,12 +182,25 @@ CopyTable* PlotView::addTable(QAbstractItemModel& model, std::function<CsvTable(
     }
     auto* const view = new CopyTable(std::move(text), this);
     view->setModel(&model);
-    view->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-    view->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded); // with large type
-    view->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    view->setSaving(
-        std::move(table), [this] { return projectTitle(); }, m_settings);
+    setUpTable(*view, std::move(table));
     return view;
+}
+
+CopyTable* PlotView::addTable(ValueModel& model, std::function<CsvTable()> saved) {
+    auto* const view = new CopyTable(model, this);
+    if (!saved) {
+        saved = [&model] { return model.shown(); };
+    }
+    setUpTable(*view, std::move(saved));
+    return view;
+}
+
+void PlotView::setUpTable(CopyTable& table, std::function<CsvTable()> saved) {
+    table.setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    table.setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded); // with large type
+    table.verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table.setSaving(
+        std::move(saved), [this] { return projectTitle(); }, m_settings);
 }
 
 void PlotView::fillChoice(QComboBox& box, const QStringList& texts) {

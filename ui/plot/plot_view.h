@@ -26,6 +26,7 @@ class CursorStrip;
 class LegendStrip;
 class PlotCursors;
 class Settings;
+class ValueModel;
 class ViewPlot;
 struct Project;
 
@@ -89,6 +90,9 @@ protected:
     /// @param text what is copied of it, with tabs [the table itself]
     CopyTable* addTable(QAbstractItemModel& model, std::function<CsvTable()> table,
                         std::function<QString()> text = {});
+    /// The same of a table as a value.
+    /// @param saved what is saved of it [the table itself]
+    CopyTable* addTable(ValueModel& model, std::function<CsvTable()> saved = {});
     /// Texts in the present language; what was chosen stays.
     static void fillChoice(QComboBox& box, const QStringList& texts);
     void hideUntilDrawn(std::initializer_list<QWidget*> parts);
@@ -145,6 +149,7 @@ protected:
     void recolour() override { showLegend(); }
 
 private:
+    void setUpTable(CopyTable& table, std::function<CsvTable()> saved);
     QWidget* pageButtons(PlotTools& tools);
     [[nodiscard]] bool isShown(const ViewPlot& plot) const; ///< not a page behind the front one
     static void closeUp(QLayout& row);

@@ -23,6 +23,7 @@ const QString folderKey = QStringLiteral("lastFolder");
 const QString recentKey = QStringLiteral("recentFiles");
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString dialogKey = QStringLiteral("dialog/");
+const QString columnsKey = QStringLiteral("columns/");
 const QString stateKey = QStringLiteral("window/state");
 
 const QString english = QStringLiteral("en");
@@ -185,6 +186,14 @@ QByteArray Settings::dialogGeometry(const QString& name) const {
 
 void Settings::setDialogGeometry(const QString& name, const QByteArray& geometry) {
     m_file->set(dialogKey + name, asText(geometry));
+}
+
+QStringList Settings::hiddenColumns(const QString& table) const {
+    return m_file->value(columnsKey + table).toStringList();
+}
+
+void Settings::setHiddenColumns(const QString& table, const QStringList& keys) {
+    m_file->set(columnsKey + table, keys);
 }
 
 } // namespace sparkout

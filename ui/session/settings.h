@@ -51,6 +51,9 @@ public:
 
     [[nodiscard]] QByteArray dialogGeometry(const QString& name) const;
     void setDialogGeometry(const QString& name, const QByteArray& geometry);
+    /// Keys of the columns that were hidden in a table, which is known by its object name.
+    [[nodiscard]] QStringList hiddenColumns(const QString& table) const;
+    void setHiddenColumns(const QString& table, const QStringList& keys);
 
     /// Where the file stands, and what else is the user's own; empty when nothing is kept.
     [[nodiscard]] const QString& folder() const { return m_folder; }

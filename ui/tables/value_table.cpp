@@ -3,32 +3,72 @@
 
 #include <QStringList>
 
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+
 namespace sparkout {
 
-QString ValueTable::asTsv() const {
-    QStringList heads{corner};
+void ValueTable::addRow(ValueHead head, std::vector<ValueCell> of) {
+    rows.push_back(std::move(head));
+    cells.push_back(std::move(of));
+}
+
+CsvTable ValueTable::asTable() const {
+    std::vector<std::size_t> order(rows.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    return inOrder(order);
+}
+
+CsvTable ValueTable::sheetInOrder(const std::vector<std::size_t>& order) const {
+    CsvTable table = sheet;
+    table.rows.clear();
+    for (const std::size_t row : order) {
+        if (!rows[row].isGroup) {
+            const auto groups = std::count_if(rows.begin(), rows.begin() + std::ptrdiff_t(row),
+                                              [](const ValueHead& head) { return head.isGroup; });
+            table.rows.push_back(sheet.rows.at(row - static_cast<std::size_t>(groups)));
+        }
+    }
+    return table;
+}
+
+CsvTable ValueTable::inOrder(const std::vector<std::size_t>& order) const {
+    if (!sheet.header.isEmpty()) {
+        return sheetInOrder(order);
+    }
+    CsvTable table;
+    if (!isList) {
+        table.header << corner;
+    }
     for (const ValueHead& column : columns) {
-        heads << column.fullName();
+        table.header << column.fullName();
     }
     if (!remarks.isEmpty()) {
-        heads << remarks;
+        table.header << remarks;
     }
-    QString text = heads.join(u'\t') + u'\n';
-    for (std::size_t row = 0; row < rows.size(); ++row) {
-        QStringList line{rows[row].fullName()}, said;
+    for (const std::size_t row : order) {
+        if (rows[row].isGroup) {
+            continue;
+        }
+        std::vector<CsvCell>& line = table.rows.emplace_back();
+        if (!isList) {
+            line.emplace_back(rows[row].fullName());
+        }
+        QStringList said;
         for (std::size_t column = 0; column < columns.size(); ++column) {
             const ValueCell& cell = cells[row][column];
-            line << cell.text;
+            line.push_back(cell.value.index() == 0 ? CsvCell(cell.text) : cell.value);
             if (!cell.remark.isEmpty()) {
                 said << QStringLiteral("%1: %2").arg(columns[column].fullName(), cell.remark);
             }
         }
         if (!remarks.isEmpty()) {
-            line << said.join(QStringLiteral("; "));
+            line.emplace_back(said.join(QStringLiteral("; ")));
         }
-        text += line.join(u'\t') + u'\n';
     }
-    return text;
+    return table;
 }
 
 } // namespace sparkout

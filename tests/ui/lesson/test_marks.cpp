@@ -7,8 +7,8 @@
 #include "tests/ui/lesson/lesson_bench.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/xlsx_reader.h"
+#include "ui/dialogs/copy_table.h"
 #include "ui/lesson/marks_dialog.h"
-#include "ui/lesson/marks_model.h"
 #include "ui/text/language.h"
 
 #include <QDropEvent>
@@ -73,10 +73,10 @@ private slots:
         QVERIFY(dialog.busy());
         QVERIFY(marked.wait(60'000));
         const std::vector<GradedWork> wanted = gradeClass(all.lesson, all.files, GradeWish());
-        QCOMPARE(dialog.model().works().size(), wanted.size());
-        QCOMPARE(gradesCsv(dialog.model().lesson(), dialog.model().works()),
-                 gradesCsv(all.lesson, wanted));
-        QCOMPARE(dialog.model().rowCount(), 4);
+        QCOMPARE(dialog.marks().size(), wanted.size());
+        QCOMPARE(gradesCsv(dialog.lesson(), dialog.marks()), gradesCsv(all.lesson, wanted));
+        QCOMPARE(dialog.findChild<CopyTable*>(QStringLiteral("marksTable"))->model()->rowCount(),
+                 4);
         QVERIFY(wanted[0].points > wanted[1].points);
         // The file that is exported is the command line's, byte for byte.
         const QString csv = all.folder.filePath(QStringLiteral("marks.csv"));
@@ -120,7 +120,7 @@ private slots:
         QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("marksStop")),
                           Qt::LeftButton);
         QTRY_VERIFY(!dialog.busy());
-        QVERIFY(dialog.model().works().size() < all.files.size());
+        QVERIFY(dialog.marks().size() < all.files.size());
     }
 
     void stoppedMarkingShowsTheWorksMarkedByThen() {
@@ -142,12 +142,12 @@ private slots:
         QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("marksStop")),
                           Qt::LeftButton);
         QTRY_VERIFY(!dialog.busy());
-        const std::size_t marked = dialog.model().works().size();
+        const std::size_t marked = dialog.marks().size();
         QVERIFY(marked >= 2 && marked < 64);
         QVERIFY(dialog.findChild<QLabel*>(QStringLiteral("marksInputs"))
                     ->text()
                     .contains(QStringLiteral("Stopped: %1 of 64").arg(marked)));
-        for (const GradedWork& work : dialog.model().works()) {
+        for (const GradedWork& work : dialog.marks()) {
             QVERIFY(!work.flags.contains(WorkFlag::missing));
         }
     }
@@ -163,8 +163,8 @@ private slots:
         QSignalSpy marked(&dialog, &MarksDialog::marked);
         dialog.mark();
         QVERIFY(marked.wait(60'000));
-        QCOMPARE(dialog.model().works().size(), std::size_t(2));
-        QVERIFY(dialog.model().works()[1].flags.contains(WorkFlag::missing));
+        QCOMPARE(dialog.marks().size(), std::size_t(2));
+        QVERIFY(dialog.marks()[1].flags.contains(WorkFlag::missing));
     }
 };
 

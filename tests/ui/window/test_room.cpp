@@ -14,7 +14,7 @@
 #include "ui/plot/svg_device.h"
 #include "ui/views/feeds/feeds_plot.h"
 #include "ui/views/feeds/feeds_view.h"
-#include "ui/views/optimise/found_model.h"
+#include "ui/views/optimise/found_table.h"
 #include "ui/window/view_tabs.h"
 
 #include <QApplication>
@@ -365,7 +365,7 @@ private slots:
         for (const int percent : fontSizes) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
             wait(bench);
-            const int column = FoundModel::cycle;
+            const auto column = static_cast<int>(FoundColumn::cycle);
             const int right = table->columnViewportPosition(column) + table->columnWidth(column);
             qInfo("ROOM cycle at %d %% to %d of %d", percent, right, table->viewport()->width());
             // In the largest type nothing but the end of a long cycle is scrolled.

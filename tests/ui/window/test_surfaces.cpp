@@ -14,12 +14,12 @@
 #include "tests/ui/support/window_bench.h"
 #include "ui/bars/bar_plot.h"
 #include "ui/charts/compare_plot.h"
+#include "ui/dialogs/value_model.h"
 #include "ui/fields/number_field.h"
 #include "ui/fields/shared_mark.h"
 #include "ui/files/recovery_store.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/part/part_drawing.h"
-#include "ui/part/part_model.h"
 #include "ui/part/part_strip.h"
 #include "ui/part/part_window.h"
 #include "ui/session/kept_runs.h"
@@ -576,7 +576,7 @@ private slots:
         QTest::mouseClick(batch, Qt::LeftButton);
         QVERIFY(ended.wait(60'000));
         const auto shown = [whole](int row) {
-            return whole->model().index(row, PartModel::batch).data().toString();
+            return whole->model().index(row, static_cast<int>(PartColumn::batch)).data().toString();
         };
         QVERIFY2(shown(0).contains(QStringLiteral("of 8")), qPrintable(shown(0)));
         QCOMPARE(shown(1), QStringLiteral("not set up"));

@@ -2,7 +2,7 @@
 #include "ui/report/documents/passport_measured.h"
 
 #include "core/project/project.h"
-#include "ui/measured/adequacy_model.h"
+#include "ui/measured/adequacy_table.h"
 #include "ui/measured/measured_boxes.h"
 #include "ui/measured/measured_text.h"
 #include "ui/report/documents/passport_figures.h"
@@ -16,17 +16,17 @@ bool PassportMeasured::applies(const Project& project) {
 }
 
 Table PassportMeasured::table(const Project& project, const std::vector<AdequacyRow>& rows) {
+    const ValueTable shown = adequacyTable(project, rows);
     Table table;
-    for (int column = 0; column < AdequacyModel::columnCount_; ++column) {
-        table.head << AdequacyModel::heading(column);
-        table.texts.push_back(column == AdequacyModel::what || column == AdequacyModel::verdict);
+    for (const ValueHead& column : shown.columns) {
+        table.head << column.text;
+        table.texts.push_back(column.isText);
     }
-    for (const AdequacyRow& row : rows) {
-        QStringList cells;
-        for (int column = 0; column < AdequacyModel::columnCount_; ++column) {
-            cells << AdequacyModel::text(project, row, column);
+    for (const std::vector<ValueCell>& row : shown.cells) {
+        QStringList& cells = table.rows.emplace_back();
+        for (const ValueCell& cell : row) {
+            cells << cell.text;
         }
-        table.rows.push_back(std::move(cells));
     }
     return table;
 }

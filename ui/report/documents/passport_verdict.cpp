@@ -2,7 +2,7 @@
 #include "ui/report/documents/passport_verdict.h"
 
 #include "core/project/batch.h"
-#include "ui/charts/verdict_model.h"
+#include "ui/charts/verdict_table.h"
 #include "ui/text/names.h"
 #include "ui/views/batch/batch_text.h"
 #include "ui/views/verdict/verdict_text.h"

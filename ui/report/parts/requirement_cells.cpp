@@ -2,7 +2,7 @@
 #include "ui/report/parts/requirement_cells.h"
 
 #include "core/quality/roughness.h"
-#include "ui/charts/verdict_model.h"
+#include "ui/charts/verdict_table.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/text/names.h"
 

@@ -82,11 +82,11 @@ public:
 
     template <class Text>
     void add(ValueHead head, Text text) {
-        std::vector<ValueCell>& cells = m_table.cells.emplace_back();
+        std::vector<ValueCell> cells;
         for (const Figures& place : m_places) {
-            cells.push_back({text(place), {}, {}});
+            cells.push_back({.text = text(place)});
         }
-        m_table.rows.push_back(std::move(head));
+        m_table.addRow(std::move(head), std::move(cells));
     }
 
 private:

@@ -3,8 +3,8 @@
 
 #include "core/study/run_comparison.h"
 #include "ui/charts/compare_plot.h"
-#include "ui/charts/run_table_model.h"
 #include "ui/dialogs/copy_table.h"
+#include "ui/dialogs/value_model.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/tool_row.h"
@@ -50,8 +50,8 @@ CompareView::CompareView(KeptRuns& kept, QWidget* parent, Settings* settings)
     , m_zone(new QComboBox(this))
     , m_axis(new QComboBox(this))
     , m_runs(new RunsPanel(kept, this))
-    , m_tableModel(new RunTableModel(this))
-    , m_table(addTable(*m_tableModel, [this] { return m_tableModel->table(); }))
+    , m_tableModel(new ValueModel(this))
+    , m_table(addTable(*m_tableModel))
     , m_empty(new QLabel(this))
     , m_keepHere(new QPushButton(this))
     , m_columns(new QSplitter(Qt::Horizontal, this))
@@ -251,7 +251,8 @@ void CompareView::showTable() {
             }
         }
     }
-    m_tableModel->setRows(differingRows(runs), names);
+    m_rows = differingRows(runs);
+    m_tableModel->setTable(runTable(m_rows, names));
 }
 
 void CompareView::followCycle() {
@@ -372,9 +373,8 @@ QString CompareView::emptyText() const {
     if (chosenRuns().empty()) {
         return tr("Check a run in the list to lay it over the present one.");
     }
-    return m_tableModel->rows().empty()
-               ? tr("The chosen runs have the inputs and results of the present one.")
-               : QString();
+    return m_rows.empty() ? tr("The chosen runs have the inputs and results of the present one.")
+                          : QString();
 }
 
 QString CompareView::keptText() const {

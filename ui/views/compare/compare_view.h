@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/charts/run_table.h"
 #include "ui/plot/plot_view.h"
 #include "ui/session/kept_runs.h"
 
@@ -17,8 +18,8 @@ namespace sparkout {
 class ComparePlot;
 class CopyTable;
 class RunsPanel;
-class RunTableModel;
 class SecondAxisMenu;
+class ValueModel;
 struct ComparedFeeds;
 
 /// The view "Compare": kept runs laid over the present one, and a table of the inputs and results
@@ -29,7 +30,8 @@ public:
     explicit CompareView(KeptRuns& kept, QWidget* parent = nullptr, Settings* settings = nullptr);
 
     [[nodiscard]] ComparePlot* plot() const { return m_plot; }
-    [[nodiscard]] RunTableModel* table() const { return m_tableModel; }
+    [[nodiscard]] ValueModel* table() const { return m_tableModel; }
+    [[nodiscard]] const std::vector<RunRow>& rows() const { return m_rows; } ///< of the table
     [[nodiscard]] QListView* list() const;
 
     [[nodiscard]] QString title() const override;
@@ -76,7 +78,8 @@ private:
     QComboBox* m_zone;
     QComboBox* m_axis;
     RunsPanel* m_runs;
-    RunTableModel* m_tableModel;
+    std::vector<RunRow> m_rows; ///< of the table
+    ValueModel* m_tableModel;
     CopyTable* m_table;
     QLabel* m_empty;
     QPushButton* m_keepHere;

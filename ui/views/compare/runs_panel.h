@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/charts/verdict_model.h"
+#include "ui/charts/verdict_table.h"
 #include "ui/session/kept_runs.h"
 
 #include <QWidget>

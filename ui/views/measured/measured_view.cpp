@@ -6,8 +6,9 @@
 #include "core/study/batch_edits.h"
 #include "ui/bars/bar_plot.h"
 #include "ui/dialogs/copy_table.h"
+#include "ui/dialogs/value_model.h"
 #include "ui/kit/tool_row.h"
-#include "ui/measured/adequacy_model.h"
+#include "ui/measured/adequacy_table.h"
 #include "ui/measured/measured_boxes.h"
 #include "ui/measured/measured_text.h"
 #include "ui/plot/legend_strip.h"
@@ -55,7 +56,7 @@ MeasuredView::MeasuredView(Document& document, QWidget* parent, Settings* settin
                            Studies* studies)
     : StudyView(QStringLiteral("measured"), parent, settings, studies)
     , m_boxes(new BarPlot(this))
-    , m_model(new AdequacyModel(this))
+    , m_model(new ValueModel(this))
     , m_judgement(new QLabel(this))
     , m_splitter(new QSplitter(Qt::Vertical, this))
     , m_sheets(new QStackedWidget(this))
@@ -90,6 +91,7 @@ MeasuredView::MeasuredView(Document& document, QWidget* parent, Settings* settin
                  {m_paste, "measuredPaste"},
                  {m_calibrate, "measuredCalibrate"},
                  {m_start, "measuredStart"}});
+    m_table->setArrangeable(settings);
     connectParts();
     built();
     chooseSheet();
@@ -108,7 +110,7 @@ QWidget* MeasuredView::buildTools() {
 }
 
 QWidget* MeasuredView::buildComparison() {
-    m_table = addTable(*m_model, [this] { return m_model->table(); });
+    m_table = addTable(*m_model);
     m_table->setUniformRows();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setStretchLastSection(true);
@@ -147,13 +149,9 @@ void MeasuredView::connectParts() {
     connect(m_calibrate, &QPushButton::clicked, this, &MeasuredView::calibrateAsked);
     connect(m_table, &CopyTable::rowChosen, this, [this](int row) {
         const int at = m_quantity->findData(
-            static_cast<int>(rows().at(static_cast<std::size_t>(row)).measured.quantity));
+            static_cast<int>(m_rows.at(static_cast<std::size_t>(row)).measured.quantity));
         m_quantity->setCurrentIndex(at);
     });
-}
-
-const std::vector<AdequacyRow>& MeasuredView::rows() const {
-    return m_model->rows();
 }
 
 /// What its fields and tables do not take themselves.
@@ -188,7 +186,7 @@ void MeasuredView::chooseQuantity() {
 void MeasuredView::fillQuantities() {
     const QSignalBlocker blocker(m_quantity);
     m_quantity->clear();
-    for (const MeasuredQuantity quantity : MeasuredBoxes::quantities(rows())) {
+    for (const MeasuredQuantity quantity : MeasuredBoxes::quantities(m_rows)) {
         m_quantity->addItem(MeasuredText::quantity(quantity), static_cast<int>(quantity));
     }
     m_quantity->setCurrentIndex(std::max(m_quantity->findData(static_cast<int>(m_wanted)), 0));
@@ -244,9 +242,9 @@ void MeasuredView::takeBatch() {
 void MeasuredView::judge() {
     const bool has = batch() && good() && hasStatistics();
     const Project& project = good() ? good()->result.project : Project();
-    m_model->show(project,
-                  has ? judgeAdequacy(project, batch()->result) : std::vector<AdequacyRow>());
-    m_judgement->setText(has ? MeasuredText::judgement(project, rows()).join(u'\n') : QString());
+    m_rows = has ? judgeAdequacy(project, batch()->result) : std::vector<AdequacyRow>();
+    m_model->update(adequacyTable(project, m_rows));
+    m_judgement->setText(has ? MeasuredText::judgement(project, m_rows).join(u'\n') : QString());
     fillQuantities();
     showComparison();
 }
@@ -256,7 +254,7 @@ void MeasuredView::judge() {
 void MeasuredView::showComparison() {
     const auto chosen = static_cast<MeasuredQuantity>(m_quantity->currentData().toInt());
     m_boxes->setChart(
-        rows().empty() ? BarChart() : MeasuredBoxes::chart(good()->result.project, rows(), chosen));
+        m_rows.empty() ? BarChart() : MeasuredBoxes::chart(good()->result.project, m_rows, chosen));
     m_boxes->setAccessibleDescription(m_boxes->chart().description());
     showState();
     showLegend();
@@ -264,27 +262,27 @@ void MeasuredView::showComparison() {
 }
 
 bool MeasuredView::drawn() const {
-    return isComparing() && !rows().empty();
+    return isComparing() && !m_rows.empty();
 }
 
 bool MeasuredView::faint() const {
-    return !rows().empty() && (stale() || refused());
+    return !m_rows.empty() && (stale() || refused());
 }
 
 QString MeasuredView::stateText() const {
-    if (rows().empty()) {
+    if (m_rows.empty()) {
         return {};
     }
     const auto agreeing =
-        std::ranges::count(rows(), AdequacyVerdict::adequate, &AdequacyRow::verdict);
+        std::ranges::count(m_rows, AdequacyVerdict::adequate, &AdequacyRow::verdict);
     const QString predicted =
         tr("Predicted of %n part(s).", nullptr, static_cast<int>(batch()->summary.parts));
     return predicted + u' '
-           + (speaksForModel(rows())
+           + (speaksForModel(m_rows)
                   ? tr("Nothing speaks against the model; %1 of %2 comparisons agree.")
                   : tr("The model does not agree with the parts; %1 of %2 comparisons agree."))
                  .arg(agreeing)
-                 .arg(rows().size());
+                 .arg(m_rows.size());
 }
 
 void MeasuredView::showState() {
@@ -311,7 +309,7 @@ QString MeasuredView::hint() const {
 }
 
 QString MeasuredView::keptText() const {
-    return rows().empty()
+    return m_rows.empty()
                ? refusedText()
                : tr("The inputs are refused; the prediction is that of the last accepted ones.");
 }
@@ -401,7 +399,7 @@ void MeasuredView::nameParts() {
     if (good()) {
         judge();
     } else {
-        m_model->retranslate();
+        m_model->update(adequacyTable({}, {}));
     }
 }
 

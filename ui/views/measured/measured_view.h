@@ -16,12 +16,12 @@ class QStackedWidget;
 
 namespace sparkout {
 
-class AdequacyModel;
 class BarPlot;
 class CopyTable;
 class DataSheet;
 class Document;
 class RunBar;
+class ValueModel;
 
 /// The view "Measured": measured parts against the batch that the project predicts, as boxes, as a
 /// table and in words; and the measured data themselves, to edit. A quick batch runs by itself when
@@ -35,7 +35,7 @@ public:
                           Settings* settings = nullptr, Studies* studies = nullptr);
 
     [[nodiscard]] BarPlot* boxes() const { return m_boxes; }
-    [[nodiscard]] const std::vector<AdequacyRow>& rows() const;
+    [[nodiscard]] const std::vector<AdequacyRow>& rows() const { return m_rows; }
     [[nodiscard]] bool busy() const override { return studies().prediction.running(); }
     /// What is shown is of other inputs.
     [[nodiscard]] bool stale() const { return studies().prediction.stale(); }
@@ -81,7 +81,8 @@ private:
     [[nodiscard]] QString recordedText() const; ///< empty: no trace
 
     BarPlot* m_boxes;
-    AdequacyModel* m_model;
+    ValueModel* m_model;
+    std::vector<AdequacyRow> m_rows; ///< in it
     CopyTable* m_table = nullptr;
     QLabel* m_judgement;
     QScrollArea* m_judged = nullptr; ///< it is scrolled in

@@ -7,6 +7,7 @@
 #include "core/study/search_edits.h"
 #include "ui/charts/compare_plot.h"
 #include "ui/dialogs/copy_table.h"
+#include "ui/dialogs/value_model.h"
 #include "ui/dynamic_programming/grid_moment.h"
 #include "ui/dynamic_programming/state_grid_bar.h"
 #include "ui/dynamic_programming/state_grid_plot.h"
@@ -15,7 +16,7 @@
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/run_bar.h"
 #include "ui/text/names.h"
-#include "ui/views/optimise/found_model.h"
+#include "ui/views/optimise/found_table.h"
 #include "ui/views/optimise/margin_front_plot.h"
 #include "ui/views/optimise/optimise_text.h"
 #include "ui/views/optimise/stage_count_plot.h"
@@ -49,7 +50,7 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings, Studies* studies
     , m_grid(new StateGridPlot(this))
     , m_gridBar(new StateGridBar(this))
     , m_splitter(new QSplitter(Qt::Vertical, this))
-    , m_found(new FoundModel(this))
+    , m_found(new ValueModel(this))
     , m_zone(new QComboBox(this))
     , m_bar(new RunBar(QStringLiteral("optimise"), this))
     , m_take(new QPushButton(this))
@@ -80,13 +81,14 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings, Studies* studies
                  {m_phases, "optimisePhases"},
                  {m_refine, "optimiseRefine"},
                  {m_table, "optimiseFound"}});
+    m_table->setArrangeable(settings);
     connectParts();
     built();
     chooseContent();
 }
 
 CopyTable* OptimiseView::buildTable() {
-    m_table = addTable(*m_found, [this] { return m_found->table(); });
+    m_table = addTable(*m_found);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setUniformRows();
     m_table->verticalHeader()->hide();
@@ -134,11 +136,17 @@ void OptimiseView::connectParts() {
 }
 
 const FoundCycle* OptimiseView::chosen() const {
-    const SearchOutcomePtr& shown = m_found->outcome(); // the newest may be about to be shown
-    const int row = m_table->currentIndex().row();
-    return shown && row >= 0 && row < static_cast<int>(shown->found.size())
-               ? &shown->found[static_cast<std::size_t>(row)]
-               : nullptr;
+    const int row = m_found->rowAt(m_table->currentIndex().row());
+    return row >= 0 ? &m_listed->found[static_cast<std::size_t>(row)] : nullptr;
+}
+
+ValueTable OptimiseView::tableOfFound() const {
+    return m_listed ? foundTable(*m_listed, before_s()) : ValueTable();
+}
+
+void OptimiseView::listFound() {
+    m_listed = search();
+    m_found->setTable(tableOfFound());
 }
 
 std::optional<double> OptimiseView::before_s() const {
@@ -170,7 +178,7 @@ void OptimiseView::takeOutcome(const OutcomePtr& before) {
     const bool mayCompare =
         m_own && isTaken() && sameSearch(m_own->result.project, good()->result.project);
     m_before = mayCompare ? m_own : good();
-    m_found->setBefore(before_s());
+    m_found->update(tableOfFound());
     showBefore();
     fillCurves(); // the view shows them with the rest
     followGrid();
@@ -229,14 +237,15 @@ void OptimiseView::addToAnswer() {
     const std::optional<FoundCycle> kept = was ? std::optional(*was) : std::nullopt;
     {
         const QSignalBlocker blocker(m_table->selectionModel());
-        m_found->show(search(), before_s());
+        listFound();
         const auto row = std::ranges::find_if(search()->found, [&](const FoundCycle& each) {
             return kept && each.machine == kept->machine
                    && sameProject(withFound(search()->project, each),
                                   withFound(search()->project, *kept));
         });
-        m_table->selectRow(
-            row == search()->found.end() ? 0 : static_cast<int>(row - search()->found.begin()));
+        chooseRow(row == search()->found.end()
+                      ? 0
+                      : static_cast<std::size_t>(row - search()->found.begin()));
     }
     showBefore();
     for (const ViewPlot* plot : plots()) {
@@ -255,11 +264,11 @@ void OptimiseView::dropStudies() {
 void OptimiseView::showSearch() {
     m_own.reset();
     m_before = good();
-    m_found->show(search(), before_s());
+    listFound();
     showBefore();
     m_trial.reset();
     if (search() && search()->best()) {
-        m_table->selectRow(0);
+        chooseRow(0);
     }
     for (const ViewPlot* plot : plots()) {
         plot->tools()->navigation().forgetViews();
@@ -281,8 +290,9 @@ void OptimiseView::showBefore() {
 }
 
 void OptimiseView::chooseRow(std::size_t row) {
-    m_table->selectRow(static_cast<int>(row));
-    m_table->scrollTo(m_found->index(static_cast<int>(row), 0));
+    const int line = m_found->lineOf(static_cast<int>(row));
+    m_table->selectRow(line);
+    m_table->scrollTo(m_found->index(line, 0));
 }
 
 void OptimiseView::tryCycle() {
@@ -539,7 +549,7 @@ void OptimiseView::nameParts() {
     tell(*m_zone, tr("Zone or section of the curves"));
     nameButtons();
     m_gridBar->retranslate();
-    m_found->retranslate();
+    m_found->update(tableOfFound());
     m_table->retranslate();
     fillZones();
     showCurves();

@@ -15,12 +15,13 @@ namespace sparkout {
 
 class ComparePlot;
 class CopyTable;
-class FoundModel;
 class MarginFrontPlot;
 class RunBar;
 class StageCountPlot;
 class StateGridBar;
 class StateGridPlot;
+class ValueModel;
+struct ValueTable;
 
 /// The view "Optimise": searches the grid of the project for the quickest cycle that holds every
 /// requirement. The best cycles as they were found; the one chosen beside the present cycle, or
@@ -67,6 +68,8 @@ protected:
 private:
     void dropStudies() override;
     CopyTable* buildTable();
+    [[nodiscard]] ValueTable tableOfFound() const;
+    void listFound();
     void connectParts();
     void nameButtons();
 
@@ -103,7 +106,8 @@ private:
     StateGridBar* m_gridBar;
     QWidget* m_choice = nullptr; ///< of what is drawn, and how it leaves
     QSplitter* m_splitter;
-    FoundModel* m_found;
+    ValueModel* m_found;
+    SearchOutcomePtr m_listed; ///< in m_found: the newest may be about to be shown
     CopyTable* m_table = nullptr;
     QComboBox* m_zone;
     RunBar* m_bar;

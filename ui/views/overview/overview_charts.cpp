@@ -6,7 +6,7 @@
 #include "core/quality/diameter_shares.h"
 #include "core/quality/usage.h"
 #include "core/units.h"
-#include "ui/charts/verdict_model.h"
+#include "ui/charts/verdict_table.h"
 #include "ui/measured/measured_boxes.h"
 #include "ui/plot/feed_text.h"
 #include "ui/text/limit_names.h"

@@ -15,7 +15,7 @@ FormSection::FormSection(QWidget* parent)
     : QWidget(parent)
     , m_title(new QLabel(this))
     , m_model(new ValueModel(this))
-    , m_table(new NarrowTable([this] { return m_model->table().asTsv(); }, this)) {
+    , m_table(new NarrowTable(*m_model, this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(metrics::tight);
@@ -28,7 +28,6 @@ FormSection::FormSection(QWidget* parent)
     m_title->setWordWrap(true);
     m_title->setMinimumWidth(1);
     m_table->setObjectName(QStringLiteral("formByZone"));
-    m_table->setModel(m_model);
     retranslate();
 }
 

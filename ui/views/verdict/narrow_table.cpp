@@ -57,8 +57,7 @@ private:
 
 } // namespace
 
-NarrowTable::NarrowTable(std::function<QString()> text, QWidget* parent)
-    : CopyTable(std::move(text), parent) {
+NarrowTable::NarrowTable(ValueModel& model, QWidget* parent) : CopyTable(model, parent) {
     setItemDelegate(new NarrowCells(this));
     setWordWrap(false);
     setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);

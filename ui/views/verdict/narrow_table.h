@@ -3,8 +3,6 @@
 
 #include "ui/dialogs/copy_table.h"
 
-#include <functional>
-
 namespace sparkout {
 
 /// A table of numbers for a narrow panel: a row a quantity, with little air between the columns. It
@@ -12,8 +10,7 @@ namespace sparkout {
 class NarrowTable : public CopyTable {
     Q_OBJECT
 public:
-    /// @param text as that of CopyTable
-    explicit NarrowTable(std::function<QString()> text, QWidget* parent = nullptr);
+    explicit NarrowTable(ValueModel& model, QWidget* parent = nullptr);
 
     void fit(); ///< columns and height to what the model has
 

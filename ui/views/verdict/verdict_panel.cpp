@@ -4,9 +4,10 @@
 #include "ui/charts/light_icon.h"
 #include "ui/charts/result_tables.h"
 #include "ui/charts/shop_table.h"
-#include "ui/charts/verdict_model.h"
+#include "ui/charts/verdict_table.h"
 #include "ui/charts/verdict_why.h"
 #include "ui/dialogs/copy_table.h"
+#include "ui/dialogs/value_model.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
@@ -39,7 +40,7 @@ VerdictPanel::VerdictPanel(QWidget* parent, Settings* settings) : QWidget(parent
     build();
     buildTable();
     buildSaving(settings);
-    drawIcons();
+    showRequirements();
     retranslate();
 }
 
@@ -81,8 +82,8 @@ void VerdictPanel::build() {
     m_off->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
     connect(m_off, &QLabel::linkActivated, this,
             [this](const QString& path) { emit pathAsked(path.toStdString()); });
-    m_model = new VerdictModel(this);
-    m_table = new CopyTable([this] { return m_model->asTsv(); }, page);
+    m_model = new ValueModel(this);
+    m_table = new CopyTable(*m_model, page);
     m_layout->addWidget(m_table);
     m_form = new FormSection(page);
     m_layout->addWidget(m_form);
@@ -113,16 +114,16 @@ void VerdictPanel::buildHead(QWidget* head) {
 
 void VerdictPanel::buildTable() {
     m_table->setObjectName(QStringLiteral("requirements"));
-    m_table->setModel(m_model);
     m_table->setWordWrap(true);
     m_table->verticalHeader()->hide();
     QHeaderView* header = m_table->horizontalHeader();
     setRelativeFont(*header, smallHead);
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
-    header->setSectionResizeMode(VerdictModel::requirement, QHeaderView::Stretch);
+    header->setSectionResizeMode(static_cast<int>(VerdictColumn::requirement),
+                                 QHeaderView::Stretch);
     connect(m_table, &CopyTable::resized, this, &VerdictPanel::fitTable, Qt::QueuedConnection);
     connect(m_table, &CopyTable::rowChosen, this, [this](int row) {
-        if (const ConstraintResult* constraint = m_model->constraintAt(row)) {
+        if (const ConstraintResult* constraint = verdictRows(*m_good).at(std::size_t(row))) {
             m_chosen = *constraint;
             showTexts();
             emit requirementActivated(*constraint);
@@ -135,7 +136,11 @@ void VerdictPanel::buildSaving(Settings* settings) {
         return m_good ? QString::fromStdString(m_good->result.project.title).simplified()
                       : QString();
     };
-    m_table->setSaving([this] { return m_model->table(); }, project, settings);
+    const auto requirements = [this] {
+        return m_good ? requirementTable(m_good->constraints, m_good->result.project.operation)
+                      : CsvTable();
+    };
+    m_table->setSaving(requirements, project, settings);
     const auto stages = [this] {
         return m_good ? stageTable(m_good->shop, m_good->result.project.operation) : CsvTable();
     };
@@ -170,7 +175,6 @@ void VerdictPanel::showOutcome() {
     const bool ran = m_latest && m_latest->ran();
     if (ran) {
         m_good = m_latest;
-        m_model->setOutcome(m_good);
         m_form->setOutcome(m_good);
         m_shop->setOutcome(m_good);
     }
@@ -258,11 +262,14 @@ void VerdictPanel::grey(bool on) {
     m_model->setGreyed(on);
     m_form->setGreyed(on, own);
     m_shop->setGreyed(on, own);
-    drawIcons();
+    showRequirements();
 }
 
-void VerdictPanel::drawIcons() {
-    m_model->setIcons(lightIcons(*m_table, m_good && m_latest && !m_latest->ran()));
+void VerdictPanel::showRequirements() {
+    if (m_good) {
+        const bool isOld = m_latest && !m_latest->ran();
+        m_model->setTable(verdictTable(*m_good, lightIcons(*m_table, isOld)));
+    }
 }
 
 /// The table is as high as its rows; the panel scrolls as one.
@@ -274,7 +281,7 @@ void VerdictPanel::fitTable() {
     m_table->clearSpans();
     const int height = m_table->horizontalHeader()->sizeHint().height() + 2 * m_table->frameWidth();
     for (int row = 0; row < m_model->rowCount(); ++row) {
-        if (m_model->isZoneRow(row)) {
+        if (m_model->table().rows[std::size_t(row)].isGroup) {
             m_table->setSpan(row, 0, 1, m_model->columnCount());
         }
     }
@@ -304,7 +311,7 @@ void VerdictPanel::retranslate() {
     m_remedies->retranslate();
     m_form->retranslate();
     m_shop->retranslate();
-    m_model->retranslate();
+    showRequirements();
     showRefusedFields();
     showTexts();
     fitTable();
@@ -321,7 +328,7 @@ void VerdictPanel::changeEvent(QEvent* event) {
         grey(m_good && m_latest && !m_latest->ran());
         showTexts();
     } else if (event->type() == QEvent::FontChange) {
-        drawIcons();
+        showRequirements();
     }
 }
 

@@ -18,7 +18,7 @@ class FormSection;
 class RemedySection;
 class Settings;
 class ShopSection;
-class VerdictModel;
+class ValueModel;
 
 /// What the cycle comes to: machining time and light, always in sight; below them, on a page that
 /// scrolls, what would help, each requirement of the drawing with its predicted value, limit and
@@ -28,7 +28,7 @@ class VerdictPanel : public QWidget {
 public:
     explicit VerdictPanel(QWidget* parent = nullptr, Settings* settings = nullptr);
 
-    [[nodiscard]] VerdictModel* model() const { return m_model; }
+    [[nodiscard]] ValueModel* model() const { return m_model; }
     [[nodiscard]] FormSection& form() const { return *m_form; }
     [[nodiscard]] ShopSection* shop() const { return m_shop; }
     [[nodiscard]] RemedySection& remedies() const { return *m_remedies; }
@@ -63,7 +63,7 @@ private:
     void grey(bool on);
     /// The requirement that is explained: the one chosen, else the worst when it fails.
     [[nodiscard]] const ConstraintResult* explained() const;
-    void drawIcons();
+    void showRequirements();
     void fitTable();
 
     QLabel* m_notice = nullptr;
@@ -77,7 +77,7 @@ private:
     QVBoxLayout* m_layout = nullptr;
     RemedySection* m_remedies = nullptr;
     CopyTable* m_table = nullptr;
-    VerdictModel* m_model = nullptr;
+    ValueModel* m_model = nullptr;
     FormSection* m_form = nullptr;
     ShopSection* m_shop = nullptr;
 

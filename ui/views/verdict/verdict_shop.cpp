@@ -21,7 +21,7 @@ ShopSection::ShopSection(QWidget* parent)
     : QWidget(parent)
     , m_title(new QLabel(this))
     , m_model(new ValueModel(this))
-    , m_table(new NarrowTable([this] { return m_model->table().asTsv(); }, this))
+    , m_table(new NarrowTable(*m_model, this))
     , m_remarksLine(new QWidget(this))
     , m_icon(new QLabel(m_remarksLine))
     , m_remarks(new QLabel(m_remarksLine)) {
@@ -46,7 +46,6 @@ ShopSection::ShopSection(QWidget* parent)
     m_remarks->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_remarks->setObjectName(QStringLiteral("shopRemarks"));
     m_table->setObjectName(QStringLiteral("shop"));
-    m_table->setModel(m_model);
     retranslate();
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/study/outcome.h"
-#include "ui/charts/verdict_model.h"
+#include "ui/charts/verdict_table.h"
 
 #include <QString>
 

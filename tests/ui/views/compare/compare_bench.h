@@ -5,7 +5,8 @@
 #include "core/project/wheel.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/charts/compare_plot.h"
-#include "ui/charts/run_table_model.h"
+#include "ui/charts/run_table.h"
+#include "ui/dialogs/value_model.h"
 #include "ui/session/cycle_cursor.h"
 #include "ui/session/document.h"
 #include "ui/session/kept_runs.h"
@@ -66,7 +67,7 @@ struct Desk {
     }
     [[nodiscard]] QModelIndex row(int run) { return view.list()->model()->index(run + 1, 0); }
     [[nodiscard]] const RunRow* find(const QString& what) {
-        for (const RunRow& row : view.table()->rows()) {
+        for (const RunRow& row : view.rows()) {
             if (row.what == what) {
                 return &row;
             }

@@ -44,7 +44,7 @@ private slots:
         desk.change(quicker);
         const Project& now = desk.document.project();
         QStringList inputs;
-        for (const RunRow& row : desk.view.table()->rows()) {
+        for (const RunRow& row : desk.view.rows()) {
             QCOMPARE(row.shown.size(), 2);
             QVERIFY2(row.shown[0] != row.shown[1], qPrintable(row.what));
             inputs += row.isResult ? QStringList() : QStringList{row.what};
@@ -109,7 +109,7 @@ private slots:
         QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
         const QStringList lines =
             QApplication::clipboard()->text().split(u'\n', Qt::SkipEmptyParts);
-        QCOMPARE(lines.size(), qsizetype(desk.view.table()->rows().size()) + 1);
+        QCOMPARE(lines.size(), qsizetype(desk.view.rows().size()) + 1);
         QVERIFY(lines[0].contains(QStringLiteral("Run 1")));
         QVERIFY(lines[1].startsWith(QStringLiteral("Wheel › Dullness\t")));
         const QString numbers = QStringLiteral("0.03\t0.02");

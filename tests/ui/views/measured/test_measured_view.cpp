@@ -13,7 +13,6 @@
 #include "tests/ui/support/window_bench.h"
 #include "ui/bars/bar_plot.h"
 #include "ui/dialogs/copy_table.h"
-#include "ui/measured/adequacy_model.h"
 #include "ui/measured/import_dialog.h"
 #include "ui/views/measured/measured_view.h"
 #include "ui/views/overview/overview_tile.h"

@@ -15,7 +15,7 @@
 #include "ui/charts/compare_plot.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/inputs/inputs_panel.h"
-#include "ui/views/optimise/found_model.h"
+#include "ui/views/optimise/found_table.h"
 #include "ui/views/optimise/margin_front_plot.h"
 #include "ui/views/optimise/optimise_text.h"
 #include "ui/views/optimise/optimise_view.h"
@@ -70,9 +70,9 @@ struct Desk {
             },
             patience_ms);
     }
-    [[nodiscard]] QString cell(int row, FoundModel::Column column) const {
+    [[nodiscard]] QString cell(int row, FoundColumn column) const {
         const QAbstractItemModel* model = part<CopyTable>("optimiseFound").model();
-        return model->index(row, column).data().toString();
+        return model->index(row, static_cast<int>(column)).data().toString();
     }
     [[nodiscard]] QString told() const { return part<QLabel>("optimiseNotice").text(); }
     [[nodiscard]] const Project& project() const { return bench.window->document().project(); }
@@ -104,9 +104,9 @@ private slots:
         const SearchSummary engine = optimise(project);
         const Desk desk(project);
         QVERIFY(desk.searched());
-        QCOMPARE(desk.cell(0, FoundModel::time), OptimiseText::minutes(engine.best->time_s));
-        QCOMPARE(desk.cell(0, FoundModel::cycle), OptimiseText::cycle(engine.cycle));
-        QVERIFY(desk.told().contains(desk.cell(0, FoundModel::time)));
+        QCOMPARE(desk.cell(0, FoundColumn::time), OptimiseText::minutes(engine.best->time_s));
+        QCOMPARE(desk.cell(0, FoundColumn::cycle), OptimiseText::cycle(engine.cycle));
+        QVERIFY(desk.told().contains(desk.cell(0, FoundColumn::time)));
         const ComparedFeeds& found = desk.view->curves()->runs().back();
         QVERIFY(std::abs(found.feeds->end_s - engine.best->time_s) < 1e-5);
         const BarChart& times = desk.view->times()->chart();
@@ -140,7 +140,8 @@ private slots:
         const std::size_t last = engine.cycles.size() - 1;
         QTest::mouseClick(&plot, Qt::LeftButton, {}, plot.pixelOf(last).toPoint());
         const int row = desk.part<CopyTable>("optimiseFound").currentIndex().row();
-        QCOMPARE(desk.cell(row, FoundModel::cycle), OptimiseText::cycle(engine.cycles[last].cycle));
+        QCOMPARE(desk.cell(row, FoundColumn::cycle),
+                 OptimiseText::cycle(engine.cycles[last].cycle));
         QCOMPARE(plot.chosen()->data()->at(0)->value,
                  100 * engine.cycles[last].best->leastRelativeMargin);
         desk.click("optimiseTake");
@@ -166,7 +167,7 @@ private slots:
         }
         const auto cycleAt = [&] {
             const int row = desk.part<CopyTable>("optimiseFound").currentIndex().row();
-            return desk.cell(row, FoundModel::cycle);
+            return desk.cell(row, FoundColumn::cycle);
         };
         for (std::size_t i = 0; i < engine.cycles.size(); ++i) {
             const SearchSummary& point = engine.cycles[i];
@@ -224,9 +225,9 @@ private slots:
         QVERIFY(!desk.part<QCheckBox>("optimisePhases").isEnabled());
         QVERIFY(desk.told().contains(QStringLiteral("minimum cost")));
         QVERIFY(desk.searched());
-        QCOMPARE(desk.cell(0, FoundModel::cycle), OptimiseText::cycle(engine.search.cycle));
-        QCOMPARE(desk.cell(0, FoundModel::parts), OptimiseText::parts(*engine.held));
-        QCOMPARE(desk.cell(0, FoundModel::cost), OptimiseText::cost(*engine.cost));
+        QCOMPARE(desk.cell(0, FoundColumn::cycle), OptimiseText::cycle(engine.search.cycle));
+        QCOMPARE(desk.cell(0, FoundColumn::parts), OptimiseText::parts(*engine.held));
+        QCOMPARE(desk.cell(0, FoundColumn::cost), OptimiseText::cost(*engine.cost));
         QVERIFY2(desk.told().contains(OptimiseText::cost(*engine.cost))
                      && desk.told().contains(QStringLiteral("the minimum cost, proved")),
                  qPrintable(desk.told()));
@@ -250,8 +251,8 @@ private slots:
         const Desk desk(project);
         QVERIFY(!desk.part<QCheckBox>("optimiseRefine").isEnabled());
         QVERIFY(desk.searched());
-        QCOMPARE(desk.cell(0, FoundModel::cycle), OptimiseText::cycle(engine.cycle));
-        QCOMPARE(desk.cell(0, FoundModel::margin),
+        QCOMPARE(desk.cell(0, FoundColumn::cycle), OptimiseText::cycle(engine.cycle));
+        QCOMPARE(desk.cell(0, FoundColumn::margin),
                  OptimiseText::percent(engine.best->leastRelativeMargin));
         QVERIFY(desk.told().contains(QStringLiteral("the largest within")));
         desk.part<QComboBox>("optimiseContent").setCurrentIndex(2);
@@ -287,7 +288,7 @@ private slots:
         const Desk desk(fixtures::searchedShaft());
         QVERIFY(desk.searched());
         const double before_s = desk.view->curves()->runs().front().feeds->end_s;
-        const QString gained = desk.cell(0, FoundModel::change);
+        const QString gained = desk.cell(0, FoundColumn::change);
         const QString told = desk.told();
         desk.click("optimiseTake");
         const double best_s = desk.view->search()->best()->time_s;
@@ -295,7 +296,7 @@ private slots:
         QTRY_VERIFY(std::abs(present_s() - best_s) < 1e-5);
         desk.bench.settle();
         QCOMPARE(desk.view->curves()->runs().front().feeds->end_s, before_s);
-        QCOMPARE(desk.cell(0, FoundModel::change), gained);
+        QCOMPARE(desk.cell(0, FoundColumn::change), gained);
         QCOMPARE(desk.told(), told);
         Project larger = desk.project();
         larger.part->stock_mm += 0.05;
@@ -304,10 +305,10 @@ private slots:
         desk.bench.window->document().undo();
         desk.bench.settle();
         QCOMPARE(desk.view->curves()->runs().front().feeds->end_s, before_s);
-        QCOMPARE(desk.cell(0, FoundModel::change), gained);
+        QCOMPARE(desk.cell(0, FoundColumn::change), gained);
         QVERIFY(desk.searched()); // for the cycle taken
         QVERIFY(std::abs(desk.view->curves()->runs().front().feeds->end_s - best_s) < 1e-5);
-        QVERIFY(std::abs(desk.cell(0, FoundModel::change).toDouble()) < 0.05);
+        QVERIFY(std::abs(desk.cell(0, FoundColumn::change).toDouble()) < 0.05);
     }
 
     void theEndOfASearchIsToldInOtherViews() {
@@ -354,11 +355,11 @@ private slots:
         QVERIFY(desk.searched());
         auto& table = desk.part<CopyTable>("optimiseFound");
         table.selectRow(1);
-        const QString before = desk.cell(1, FoundModel::change);
+        const QString before = desk.cell(1, FoundColumn::change);
         Project other = desk.project();
         other.cycle->stages.back().axial_feed_mm_min.value() *= 0.9;
         desk.bench.window->document().edit(other, {"Edit", ""});
-        QTRY_VERIFY(desk.cell(1, FoundModel::change) != before);
+        QTRY_VERIFY(desk.cell(1, FoundColumn::change) != before);
         QCOMPARE(table.currentIndex().row(), 1);
         QCOMPARE(table.selectionModel()->selectedRows().size(), 1);
     }

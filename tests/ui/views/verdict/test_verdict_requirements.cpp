@@ -11,7 +11,7 @@
 #include "tests/registry.h"
 #include "tests/ui/views/verdict/verdict_bench.h"
 #include "ui/charts/result_tables.h"
-#include "ui/charts/verdict_model.h"
+#include "ui/charts/verdict_table.h"
 #include "ui/charts/verdict_why.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
@@ -177,13 +177,13 @@ private slots:
         const std::string last = std::to_string(project.cycle->stages.size() - 1);
         QCOMPARE(verdict::inputPath(*verdict::worst(*outcome)),
                  "/cycle/stages/" + last + "/axial_feed_mm_min");
-        VerdictModel model;
-        model.setOutcome(outcome);
+        const ValueTable table = verdictTable(*outcome, {});
+        const auto constraints = verdictRows(*outcome);
         QStringList limits;
-        for (int row = 0; row < model.rowCount(); ++row) {
-            const ConstraintResult* c = model.constraintAt(row);
+        for (std::size_t row = 0; row < table.rows.size(); ++row) {
+            const ConstraintResult* c = constraints[row];
             if (c && c->kind >= ConstraintKind::overlap) {
-                limits << model.index(row, VerdictModel::limit).data().toString();
+                limits << table.cells[row][std::size_t(VerdictColumn::limit)].text;
                 QCOMPARE(c->kind == ConstraintKind::leastSteps,
                          verdict::inputPath(*c).ends_with("stock_mm"));
             }
@@ -208,21 +208,21 @@ private slots:
         const QString text = verdict::overall(*outcome);
         QVERIFY2(text.contains(QStringLiteral("overlap B/s in stage 1 is 0.8, below 1: strips")),
                  qPrintable(text));
-        VerdictModel model;
-        model.setOutcome(outcome);
+        const ValueTable table = verdictTable(*outcome, {});
+        const auto constraints = verdictRows(*outcome);
         int surface = 0;
-        for (int row = 0; row < model.rowCount(); ++row) {
-            const ConstraintResult* c = model.constraintAt(row);
+        for (std::size_t line = 0; line < table.rows.size(); ++line) {
+            const ConstraintResult* c = constraints[line];
             if (!c) {
                 continue;
             }
-            const auto shown = [&](int column) {
-                return model.index(row, column).data().toString();
+            const auto shown = [&](VerdictColumn column) {
+                return table.cells[line][std::size_t(column)].text;
             };
-            const bool dash = shown(VerdictModel::value) == QStringLiteral("–")
-                              && shown(VerdictModel::margin) == QStringLiteral("–");
+            const bool dash = shown(VerdictColumn::value) == QStringLiteral("–")
+                              && shown(VerdictColumn::margin) == QStringLiteral("–");
             QCOMPARE(dash, !c->isWhole);
-            QCOMPARE(shown(VerdictModel::requirement).contains(QStringLiteral("strips uncut")),
+            QCOMPARE(shown(VerdictColumn::requirement).contains(QStringLiteral("strips uncut")),
                      !c->isWhole);
             surface += c->isWhole ? 0 : 1;
         }

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/quality/light.h"
+#include "core/study/outcome.h"
+#include "ui/tables/value_table.h"
+
+#include <QIcon>
+
+#include <array>
+#include <vector>
+
+namespace sparkout {
+
+[[nodiscard]] QString lightName(Light light); ///< "holds", "close to the limit", "fails"
+/// As the light has it, or that strips are left and the value is not of the whole surface.
+[[nodiscard]] QString lightName(const ConstraintResult& constraint);
+
+enum class VerdictColumn { requirement, value, limit, margin };
+
+/// The requirements, zone by zone, then those of the part, of the passes and of the settings; null:
+/// a row that names the group of the next ones.
+[[nodiscard]] std::vector<const ConstraintResult*> verdictRows(const Outcome& outcome);
+
+/// The same as a table with their lights. It is copied with zone and light in columns of their own.
+[[nodiscard]] ValueTable verdictTable(const Outcome& outcome, const std::array<QIcon, 3>& icons);
+
+} // namespace sparkout

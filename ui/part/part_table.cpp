@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/part/part_table.h"
+
+#include "core/project/part.h"
+#include "core/quality/requirement.h"
+#include "core/units.h"
+#include "ui/charts/light_icon.h"
+#include "ui/kit/metrics.h"
+#include "ui/part/status_text.h"
+#include "ui/session/surface_edits.h"
+#include "ui/text/names.h"
+#include "ui/text/number_text.h"
+#include "ui/text/texts.h"
+
+#include <QGuiApplication>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+namespace sparkout {
+
+namespace {
+
+struct PartTable {
+    Q_DECLARE_TR_FUNCTIONS(PartTable)
+};
+
+/// To three decimals: the times stand below each other.
+ValueCell minutesCell(const std::optional<double>& time_s) {
+    constexpr int decimals = 3;
+    using units::secondsPerMinute;
+    return ValueCell::of(time_s ? std::optional(*time_s / secondsPerMinute) : std::nullopt,
+                         [](double time_min) { return Names::fixed(time_min, decimals); });
+}
+
+ValueCell searchCell(const PartStudies& studies, int id) {
+    const auto found = studies.searches.find(id);
+    if (found == studies.searches.end()) {
+        return {};
+    }
+    const SurfaceStudy& study = *found->second;
+    if (!study.isSetUp) {
+        return {.text = PartTable::tr("not set up")};
+    }
+    if (!study.search || !study.search->ran()) {
+        return {.text = PartTable::tr("refused")};
+    }
+    const FoundCycle* const best = study.search->best();
+    return best ? minutesCell(best->time_s) : ValueCell{.text = PartTable::tr("none feasible")};
+}
+
+ValueCell batchCell(const PartStudies& studies, int id) {
+    const auto found = studies.batches.find(id);
+    if (found == studies.batches.end()) {
+        return {};
+    }
+    const SurfaceStudy& study = *found->second;
+    if (!study.isSetUp) {
+        return {.text = PartTable::tr("not set up")};
+    }
+    if (!study.issues.empty() || !study.batch || !study.batch->ran()) {
+        return {.text = PartTable::tr("refused")};
+    }
+    const BatchSummary& summary = study.batch->summary;
+    return {.text = PartTable::tr("%1 of %2 bad").arg(summary.bad.count).arg(summary.parts)};
+}
+
+QString nameOf(const SetupState& state, std::size_t surface) {
+    return QStringLiteral("%1. %2")
+        .arg(surface + 1)
+        .arg(printableText(SurfaceEdits::nameOf(state, surface)));
+}
+
+std::optional<double> timeOf(const SurfaceStatus& status) {
+    return status.ran() ? std::optional(status.time_s) : std::nullopt;
+}
+
+QIcon iconOf(const SurfaceStatus& status) {
+    return QIcon(statusPixmap(status, metrics::iconSmall, qGuiApp->devicePixelRatio()));
+}
+
+QString requirementName(const std::vector<SurfaceStatus>& statuses, ConstraintKind kind) {
+    const char* const unit = requirementOf(kind).unit;
+    const bool isEstimate = kind == ConstraintKind::roughness
+                            && std::ranges::any_of(statuses, &SurfaceStatus::isRoughnessEstimate);
+    const QString name = isEstimate ? PartTable::tr("Ra, estimate") : Names::constraint(kind);
+    return *unit ? PartTable::tr("%1, %2").arg(name, unitText(unit)) : name;
+}
+
+/// "12.3 / 25" beside its light; an estimate that holds is not shown as a value that is known to.
+ValueCell requirementCell(const SurfaceStatus& status, ConstraintKind kind) {
+    const auto found = std::ranges::find(status.requirements, kind, &ConstraintResult::kind);
+    if (found == status.requirements.end()) {
+        return {.text = QStringLiteral("—"), .value = QString()};
+    }
+    const bool isEstimate = kind == ConstraintKind::roughness && status.isRoughnessEstimate;
+    const Light light = lightOf(*found);
+    return {.text = QStringLiteral("%1 / %2").arg(Names::value(*found), Names::limit(*found)),
+            .icon = QIcon(lightPixmap(isEstimate ? std::max(light, Light::close) : light,
+                                      metrics::iconSmall, qGuiApp->devicePixelRatio(), false))};
+}
+
+} // namespace
+
+void PartStudies::add(int id, const SurfaceStudyPtr& study) {
+    (study->kind == SurfaceStudy::Kind::search ? searches : batches)[id] = study;
+}
+
+ValueTable partTable(const SetupState& state, const std::vector<SurfaceStatus>& statuses,
+                     const PartStudies& studies) {
+    ValueTable table{
+        .columns = {{.text = PartTable::tr("Surface"), .key = "surface", .isText = true},
+                    {.text = PartTable::tr("⌀, mm"), .key = "diameter"},
+                    {.text = PartTable::tr("Cycle, min"), .key = "time"},
+                    {.text = PartTable::tr("Verdict"), .key = "verdict", .isText = true},
+                    {.text = PartTable::tr("Minimum margin"), .key = "margin", .isText = true},
+                    {.text = PartTable::tr("Found, min"), .key = "search"},
+                    {.text = PartTable::tr("Batch"), .key = "batch"}},
+        .isList = true};
+    for (std::size_t i = 0; i < state.surfaces.size(); ++i) {
+        const SurfaceState& of = *state.surfaces[i];
+        const SurfaceStatus& status = statuses[i];
+        const double diameter_mm = of.project.part->diameter_mm;
+        table.addRow({.text = nameOf(state, i)},
+                     {{.text = nameOf(state, i)},
+                      {.text = printedNumber(diameter_mm), .value = diameter_mm},
+                      minutesCell(timeOf(status)),
+                      {.text = statusText(status), .icon = iconOf(status)},
+                      {.text = worstText(status)},
+                      searchCell(studies, of.id),
+                      batchCell(studies, of.id)});
+    }
+    return table;
+}
+
+ValueTable surfaceComparison(const SetupState& state, const std::vector<SurfaceStatus>& statuses) {
+    ValueTable table{.columns = {{.text = PartTable::tr("Value / limit"), .isText = true}},
+                     .isList = true};
+    std::set<ConstraintKind> kinds;
+    std::vector<ValueCell> times{{.text = PartTable::tr("Cycle time, min")}};
+    for (std::size_t i = 0; i < statuses.size(); ++i) {
+        table.columns.push_back({.text = nameOf(state, i), .isText = true}); // beside the lights
+        times.push_back(minutesCell(timeOf(statuses[i])));
+        for (const ConstraintResult& requirement : statuses[i].requirements) {
+            kinds.insert(requirement.kind);
+        }
+    }
+    table.addRow({.text = times.front().text}, times);
+    for (const ConstraintKind kind : kinds) {
+        std::vector<ValueCell> cells{{.text = requirementName(statuses, kind)}};
+        for (const SurfaceStatus& status : statuses) {
+            cells.push_back(requirementCell(status, kind));
+        }
+        table.addRow({.text = cells.front().text}, cells);
+    }
+    return table;
+}
+
+} // namespace sparkout
