@@ -171,7 +171,7 @@ int statusWithoutAnswer(const SearchOutcome& outcome) {
 /// Searches for the cycle of one surface, and puts it into the set-up.
 int optimise(Project project, std::size_t surface, const std::string& name,
              const OptimiseOptions& options, Setup& answers) {
-    if (!options.resume.empty() && objectiveOf(project) != SearchObjective::time) {
+    if (!options.resume.empty() && !isResumable(project, options.wish.method)) {
         return usageError("--resume is for the objective \"time\": the others are many searches");
     }
     KeptSearch kept(options.resume);

@@ -50,6 +50,10 @@ std::string SearchWording::requirement(ConstraintKind kind) const {
     return requirementOf(kind).key;
 }
 
+std::string SearchWording::method(SearchMethod method) const {
+    return std::string("--method ") + searchMethodName(method);
+}
+
 std::string SearchWording::filled(const char* text,
                                   std::initializer_list<std::string> values) const {
     const std::string sentence = translated(text);
@@ -178,19 +182,20 @@ std::string faultPath(const SearchOutcome& outcome) {
 } // namespace
 
 std::string searchRefusal(const SearchOutcome& outcome) {
-    const std::string sentence = SearchWording().fault(outcome);
+    const SearchWording words;
+    const std::string sentence = words.fault(outcome);
     const std::string method =
         outcome.isOtherOperation || (outcome.isOtherAim && isHeuristic(outcome.method))
-            ? std::string("--method ") + searchMethodName(outcome.method) + ": "
+            ? words.method(outcome.method) + ": "
             : std::string();
     return sentence.empty() ? sentence : faultPath(outcome) + ": " + method + sentence;
 }
 
 std::string SearchWording::fault(const SearchOutcome& outcome) const {
     if (outcome.isOtherOperation) {
-        return translated(SPARKOUT_NOOP(
-            "Search", "This method is for plunge grinding; the exact search takes traverse cycles "
-                      "(--method search)."));
+        return filled(SPARKOUT_NOOP("Search", "This method is for plunge grinding; the exact "
+                                              "search takes traverse cycles (%1)."),
+                      {method(SearchMethod::pruned)});
     }
     if (outcome.isOtherAim) {
         return translated(
@@ -256,10 +261,11 @@ std::string SearchWording::noAnswer(const SearchOutcome& outcome) const {
                           {minutes(outcome.search.bound_s)});
         }
         if (outcome.search.status == SearchStatus::notFound) {
-            return translated(SPARKOUT_NOOP("Search",
-                                            "The heuristic found no cycle that holds every "
-                                            "requirement; there may be one, which the exact search "
-                                            "finds (--method search)."));
+            return filled(SPARKOUT_NOOP("Search",
+                                        "The heuristic found no cycle that holds every "
+                                        "requirement; there may be one, which the exact search "
+                                        "finds (%1)."),
+                          {method(SearchMethod::pruned)});
         }
         return outcome.marginWithin_us
                    ? filled(SPARKOUT_NOOP("Search", "No cycle of the grid that takes at most %1 "
@@ -561,8 +567,9 @@ std::string SearchWording::front(const SearchOutcome& outcome) const {
         return translated(SPARKOUT_NOOP("Search", "The search for margins by time continues."));
     }
     if (isHeuristic(outcome.method)) {
-        return translated(SPARKOUT_NOOP(
-            "Search", "Margins by time are searched by the exact search alone (--method search)."));
+        return filled(
+            SPARKOUT_NOOP("Search", "Margins by time are searched by the exact search alone (%1)."),
+            {method(SearchMethod::pruned)});
     }
     const std::vector<const FoundCycle*> points = outcome.front();
     if (points.empty() && outcome.robust && outcome.best() && !outcome.best()->decided) {

@@ -41,6 +41,8 @@ public:
     [[nodiscard]] std::string noAnswer(const SearchOutcome& outcome) const;
     /// What the margins by time are of, or why there are none.
     [[nodiscard]] std::string front(const SearchOutcome& outcome) const;
+    /// By which a reader asks for a method: "--method search".
+    [[nodiscard]] virtual std::string method(SearchMethod method) const;
 
 protected:
     [[nodiscard]] virtual std::string translated(const char* text) const; ///< context "Search"
