@@ -4,6 +4,7 @@
 #include "core/digits.h"
 #include "core/optimisation/grid.h"
 #include "core/optimisation/search_names.h"
+#include "core/printable.h"
 #include "core/project/optimisation.h"
 #include "core/project/validate.h"
 #include "core/text.h"
@@ -189,6 +190,29 @@ std::string searchRefusal(const SearchOutcome& outcome) {
             ? words.method(outcome.method) + ": "
             : std::string();
     return sentence.empty() ? sentence : faultPath(outcome) + ": " + method + sentence;
+}
+
+std::string searchStateRefusal(const ReadSearchState& read, const SearchQuestion& asked) {
+    switch (read.fault) {
+    case SearchStateFault::none: break;
+    case SearchStateFault::otherFormat: return "is no progress of a search, and stays as it is";
+    case SearchStateFault::otherVersion:
+        return "is the progress of a search by another version of this program";
+    case SearchStateFault::changed:
+        return "is damaged: its checksum is not that of its contents; delete it to begin anew";
+    case SearchStateFault::badValue:
+        return "is damaged: " + printable(read.value.path) + ": " + printable(read.value.found)
+               + "; allowed: " + read.value.least + "…" + read.value.most
+               + "; delete it to begin anew";
+    case SearchStateFault::otherEngine:
+        return "is the progress of a search by another build of this program, "
+               + printable(read.question.engine) + "; this one is " + asked.engine;
+    case SearchStateFault::otherProject: return "is the progress of a search of another project";
+    case SearchStateFault::otherOptions:
+        return "is the progress of a search with other options, " + printable(read.question.options)
+               + "; these are " + asked.options;
+    }
+    return {};
 }
 
 std::string SearchWording::fault(const SearchOutcome& outcome) const {

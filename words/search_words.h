@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/resume/search_state.h"
 #include "core/study/search.h"
 
 #include <cstdint>
@@ -73,5 +74,10 @@ private:
 /// fault() behind the path of its input: "/optimisation: What is to be searched is not given.";
 /// empty likewise.
 [[nodiscard]] std::string searchRefusal(const SearchOutcome& outcome);
+
+/// Why what was read goes on with no search of that question, behind the name of the file: "is the
+/// progress of a search of another project"; empty where it does.
+[[nodiscard]] std::string searchStateRefusal(const ReadSearchState& read,
+                                             const SearchQuestion& asked);
 
 } // namespace sparkout
