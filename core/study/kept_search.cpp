@@ -14,10 +14,8 @@ namespace sparkout {
 
 namespace {
 
-using namespace std::chrono_literals;
-
-constexpr auto interval = 1s;
-constexpr std::size_t mostBytes = std::size_t{1} << 20;
+constexpr std::chrono::seconds betweenWrites(1);
+constexpr std::size_t mostStateBytes = std::size_t{1} << 20;
 
 } // namespace
 
@@ -30,7 +28,7 @@ SearchQuestion searchQuestion(const Project& project, const SearchWish& wish) {
 
 std::optional<KeptSearchFault> KeptSearch::open() {
     SearchRecord record;
-    const auto text = readFile(m_file, mostBytes);
+    const auto text = readFile(m_file, mostStateBytes);
     const auto* const error = std::get_if<FileError>(&text);
     if (error && error->systemError != ENOENT) {
         return *error;
@@ -49,7 +47,7 @@ std::optional<KeptSearchFault> KeptSearch::open() {
     m_written = std::chrono::steady_clock::now();
     m_journal = SearchJournal(std::move(record));
     m_journal.onStep = [this](const SearchRecord& now) {
-        if (std::chrono::steady_clock::now() - m_written >= interval) {
+        if (std::chrono::steady_clock::now() - m_written >= betweenWrites) {
             write(now);
         }
     };
@@ -58,7 +56,7 @@ std::optional<KeptSearchFault> KeptSearch::open() {
 
 void KeptSearch::write(const SearchRecord& record) {
     const std::string text = writeSearchState(m_question, record);
-    const auto error = text.size() > mostBytes // it could not be gone on from
+    const auto error = text.size() > mostStateBytes // it could not be gone on from
                            ? FileError{utf8(m_file), FileStep::content, 0, {}}
                            : writeFileSafely(m_file, text);
     m_written = std::chrono::steady_clock::now();
