@@ -6,15 +6,14 @@
 #include "app/io/cli_surfaces.h"
 #include "app/io/exit_status.h"
 #include "app/io/stop_signals.h"
-#include "app/kept_search.h"
 #include "app/manual/command_line.h"
 #include "app/search_watch.h"
-#include "core/batch/batch_state.h"
-#include "core/build_id.h"
+#include "core/files/file_system.h"
 #include "core/optimisation/search_names.h"
 #include "core/printable.h"
 #include "core/project/optimisation.h"
 #include "core/setup/setup_file.h"
+#include "core/study/kept_search.h"
 #include "core/study/search_json.h"
 #include "words/search_words.h"
 
@@ -22,6 +21,7 @@
 #include <charconv>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 namespace sparkout::cli {
 
@@ -148,16 +148,39 @@ int parseOptimise(const std::vector<std::string>& arguments, OptimiseOptions& op
                : done;
 }
 
-/// What of the options makes another search of a project: not how many threads it has, nor when it
-/// is stopped.
-std::string optionsAsked(const OptimiseOptions& options) {
-    std::string text = std::string("--method ") + searchMethodName(options.wish.method);
-    text += options.wish.phases ? " --robust" : "";
-    text += options.wish.refine ? " --refine" : "";
+SearchQuestion questionOf(const Project& project, const OptimiseOptions& options) {
+    SearchQuestion question = searchQuestion(project, options.wish);
     for (std::size_t i = 0; i < options.stages.size(); ++i) {
-        text += (i == 0 ? " --stages " : ",") + std::to_string(static_cast<int>(options.stages[i]));
+        question.options +=
+            (i == 0 ? " --stages " : ",") + std::to_string(static_cast<int>(options.stages[i]));
     }
-    return text;
+    return question;
+}
+
+int openKept(KeptSearch& kept, const std::string& file) {
+    kept.onFailure = [](const FileError& error) {
+        print(stderr, "the progress is not kept: " + describe(error));
+    };
+    const auto fault = kept.open();
+    if (!fault) {
+        return done;
+    }
+    const auto* const error = std::get_if<FileError>(&*fault);
+    print(stderr, error
+                      ? describe(*error)
+                      : printable(file) + ": "
+                            + searchStateRefusal(std::get<ReadSearchState>(*fault), kept.question())
+                            + '\n');
+    return refused;
+}
+
+void closeKept(KeptSearch& kept, const std::string& file) {
+    if (kept.journal().hasRefused()) {
+        print(stderr, printable(file)
+                          + ": a cycle in it is not of this search, or does not take the time "
+                            "that stands there; that search was made anew\n");
+    }
+    kept.close();
 }
 
 /// A search that was stopped, or that ran out of rounds or ways, decided nothing.
@@ -171,13 +194,13 @@ int statusWithoutAnswer(const SearchOutcome& outcome) {
 /// Searches for the cycle of one surface, and puts it into the set-up.
 int optimise(Project project, std::size_t surface, const std::string& name,
              const OptimiseOptions& options, Setup& answers) {
-    if (!options.resume.empty() && objectiveOf(project) != SearchObjective::time) {
+    if (!options.resume.empty() && !isResumable(project, options.wish.method)) {
         return usageError("--resume is for the objective \"time\": the others are many searches");
     }
-    KeptSearch kept(options.resume);
+    std::optional<KeptSearch> kept;
     if (!options.resume.empty()) {
-        const SearchQuestion question{buildId(), projectDigest(project), optionsAsked(options)};
-        if (const int failed = kept.open(question)) {
+        kept.emplace(pathFromUtf8(options.resume), questionOf(project, options));
+        if (const int failed = openKept(*kept, options.resume)) {
             return failed;
         }
     }
@@ -186,13 +209,15 @@ int optimise(Project project, std::size_t surface, const std::string& name,
     }
     SearchWish wish = options.wish;
     wish.wear = searchWear(answers, surface); // with the cycles found before
-    wish.journal = kept.journal();
+    wish.journal = kept ? &kept->journal() : nullptr;
     const SearchOutcomePtr outcome = [&] {
         SearchWatch watch(options.timeLimit_s); // of everything that follows
         return search(project, wish, watch.token(),
                       {.note = [&watch](const SearchState& state) { watch.note(state); }});
     }();
-    kept.close();
+    if (kept) {
+        closeKept(*kept, options.resume);
+    }
     if (!outcome->ran()) {
         printIssues(name, outcome->issues);
         printIssues(name, outcome->batchIssues);

@@ -31,17 +31,6 @@ std::string lineOf(const Issue& issue) {
     return (issue.path.empty() ? std::string() : issue.path + ": ") + issueSentence(issue);
 }
 
-/// Raises OSError with errno and the path, as Python's own open() does.
-[[noreturn]] void raiseFileError(const FileError& error) {
-    if (error.systemError != 0) {
-        errno = error.systemError;
-        PyErr_SetFromErrnoWithFilename(PyExc_OSError, error.path.c_str());
-    } else {
-        PyErr_SetString(PyExc_OSError, (error.path + ": " + fileStepText(error.step)).c_str());
-    }
-    throw py::error_already_set();
-}
-
 ValidProject readPath(const std::filesystem::path& path) {
     const auto read = readFile(path, limits::fileBytes);
     if (const auto* error = std::get_if<FileError>(&read)) {
@@ -121,6 +110,16 @@ ValidProject withValues(const ValidProject& self, const std::map<std::string, py
 }
 
 } // namespace
+
+void raiseFileError(const FileError& error) {
+    if (error.systemError != 0) {
+        errno = error.systemError;
+        PyErr_SetFromErrnoWithFilename(PyExc_OSError, error.path.c_str());
+    } else {
+        PyErr_SetString(PyExc_OSError, (error.path + ": " + fileStepText(error.step)).c_str());
+    }
+    throw py::error_already_set();
+}
 
 void raiseRefusal(const std::string& sentence, const Issues& issues) {
     const auto type = py::reinterpret_borrow<py::object>(projectError);

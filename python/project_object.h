@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/files/safe_file.h"
 #include "core/issue.h"
 #include "core/project/project.h"
 
@@ -25,6 +26,8 @@ void bindProject(pybind11::module_& module);
 /// A project that was made of another one; raises ProjectError where it is refused.
 [[nodiscard]] ValidProject checkedProject(Project project);
 
+/// Raises OSError with errno and the path, as Python's own open() does.
+[[noreturn]] void raiseFileError(const FileError& error);
 /// Raises ProjectError with these faults.
 [[noreturn]] void raiseFaults(const Issues& issues);
 /// The same with a sentence that is of the project as a whole.

@@ -3,11 +3,13 @@
 
 #include "core/course/work_file.h"
 #include "core/deadline_stop.h"
+#include "core/files/file_step_text.h"
 #include "core/lesson/lesson_file.h"
 #include "core/optimisation/search_names.h"
 #include "core/project/part.h"
 #include "core/quality/result_names.h"
 #include "core/sparkout.h"
+#include "core/study/kept_search.h"
 #include "python/arrays.h"
 #include "python/interruptible.h"
 #include "python/project_object.h"
@@ -18,14 +20,17 @@
 #include "words/search_words.h"
 
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <iterator>
 #include <limits>
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace sparkout::python {
@@ -343,8 +348,21 @@ void bindSweep(py::module_& module) {
 
 // --- search -------------------------------------------------------------------------------------
 
-SearchOutcomePtr runSearchOf(const ValidProject& project, bool robust, bool refine, bool front,
-                             const std::string& method, std::optional<double> timeLimit_s) {
+/// Raises OSError, or ValueError where the file is of something else.
+void openKept(KeptSearch& kept, const std::filesystem::path& file) {
+    if (const auto fault = kept.open()) {
+        if (const auto* error = std::get_if<FileError>(&*fault)) {
+            raiseFileError(*error);
+        }
+        throw py::value_error(
+            "resume: " + file.string() + ": "
+            + searchStateRefusal(std::get<ReadSearchState>(*fault), kept.question()));
+    }
+}
+
+SearchOutcomePtr runSearchOf(const ValidProject& project, SearchWish wish,
+                             const std::string& method, std::optional<double> timeLimit_s,
+                             const std::optional<std::filesystem::path>& resume) {
     if (timeLimit_s && !(*timeLimit_s >= 0)) {
         throw py::value_error("time_limit_s: " + std::to_string(*timeLimit_s)
                               + " s; allowed: ≥ 0 s");
@@ -353,13 +371,34 @@ SearchOutcomePtr runSearchOf(const ValidProject& project, bool robust, bool refi
     if (!named) {
         throw py::value_error("method: " + method + "; allowed: search, full, dp or labels");
     }
+    wish.method = *named;
+    if (resume && !isResumable(project.project, wish.method)) {
+        throw py::value_error("resume needs the method full and the objective time");
+    }
+    std::optional<KeptSearch> kept;
+    std::optional<FileError> lost;
+    if (resume) {
+        kept.emplace(*resume, searchQuestion(project.project, wish));
+        kept->onFailure = [&lost](const FileError& error) { lost = error; };
+        openKept(*kept, *resume);
+        wish.journal = &kept->journal();
+    }
     SearchOutcomePtr outcome = interruptible([&](const std::stop_token& stop) {
         const DeadlineStop limit(
             stop, timeLimit_s ? std::optional<DeadlineStop::Duration>(*timeLimit_s) : std::nullopt);
-        return search(project.project,
-                      {.method = *named, .phases = robust, .refine = refine, .front = front},
-                      limit.token());
+        SearchOutcomePtr found = search(project.project, wish, limit.token());
+        if (kept) { // also where it is interrupted
+            kept->close();
+        }
+        return found;
     });
+    if (lost) { // its answer stands
+        const std::string text =
+            "the progress is not kept: " + lost->path + ": " + fileStepText(lost->step);
+        if (PyErr_WarnEx(PyExc_RuntimeWarning, text.c_str(), 1) != 0) {
+            throw py::error_already_set();
+        }
+    }
     if (!outcome->ran()) {
         Issues issues = outcome->issues;
         issues.insert(issues.end(), outcome->batchIssues.begin(), outcome->batchIssues.end());
@@ -440,17 +479,21 @@ void bindSearch(py::module_& module) {
     module.def(
         "search",
         [](const ValidProject& project, bool robust, bool refine, bool front,
-           const std::string& method, std::optional<double> timeLimit_s) {
+           const std::string& method, std::optional<double> timeLimit_s,
+           const std::optional<std::filesystem::path>& resume) {
             return std::const_pointer_cast<SearchOutcome>(
-                runSearchOf(project, robust, refine, front, method, timeLimit_s));
+                runSearchOf(project, {.phases = robust, .refine = refine, .front = front}, method,
+                            timeLimit_s, resume));
         },
         py::arg("project"), py::kw_only(), py::arg("robust") = false, py::arg("refine") = false,
         py::arg("front") = false, py::arg("method") = "search",
-        py::arg("time_limit_s") = py::none(),
+        py::arg("time_limit_s") = py::none(), py::arg("resume") = py::none(),
         "Finds the quickest cycle of the project's grid that holds every requirement, or where "
         "margin_within_min is given the one of the maximum margin within that time. `front`: the "
         "best cycle of each number of stages and margins by time, too, in to_dict(). `method`: "
-        "search, full, dp or labels. A project has no wear of the wheel: an objective of cost or "
+        "search, full, dp or labels. `resume`: a file in which the search of the method full keeps "
+        "its progress, every second and at a stop, and from which it is continued, as with "
+        "--resume of the command line. A project has no wear of the wheel: an objective of cost or "
         "wheel life has the quickest cycle as its answer.");
 }
 

@@ -7410,8 +7410,8 @@ With another name both versions stay as they are.</source>
             <translation>%1 с</translation>
         </message>
         <message>
-            <source>This method is for plunge grinding; the exact search takes traverse cycles (--method search).</source>
-            <translation>Этот метод — для врезного шлифования; циклы с продольной подачей ищет точный поиск (--method search).</translation>
+            <source>This method is for plunge grinding; the exact search takes traverse cycles (%1).</source>
+            <translation>Этот метод — для врезного шлифования; циклы с продольной подачей ищет точный поиск (%1).</translation>
         </message>
         <message>
             <source>This method looks for the minimum time alone.</source>
@@ -7470,8 +7470,8 @@ With another name both versions stay as they are.</source>
             <translation>Не найдено цикла, годного во всех сценариях, и ни один не короче %1 мин; каждый испытанный не выдержал ещё одного сценария.</translation>
         </message>
         <message>
-            <source>The heuristic found no cycle that holds every requirement; there may be one, which the exact search finds (--method search).</source>
-            <translation>Эвристика не нашла цикла, который выполняет все требования; он может быть, его найдёт точный поиск (--method search).</translation>
+            <source>The heuristic found no cycle that holds every requirement; there may be one, which the exact search finds (%1).</source>
+            <translation>Эвристика не нашла цикла, который выполняет все требования; он может быть, его найдёт точный поиск (%1).</translation>
         </message>
         <message>
             <source>No cycle of the grid that takes at most %1 min holds every requirement.</source>
@@ -7674,8 +7674,8 @@ With another name both versions stay as they are.</source>
             <translation>Запас по времени ищется с целью «наименьшее время» или для наибольшего запаса; этот поиск — по деталям между правками.</translation>
         </message>
         <message>
-            <source>Margins by time are searched by the exact search alone (--method search).</source>
-            <translation>Запасы по времени ищет только точный поиск (--method search).</translation>
+            <source>Margins by time are searched by the exact search alone (%1).</source>
+            <translation>Запасы по времени ищет только точный поиск (%1).</translation>
         </message>
         <message>
             <source>The search for margins by time continues.</source>
@@ -7747,6 +7747,42 @@ With another name both versions stay as they are.</source>
         <message>
             <source>“Search” finds the cycle of the grid that holds for the most parts from one dressing to the next, the quickest of these.</source>
             <translation>«Найти» ищет цикл сетки, который годен для наибольшего числа деталей от правки до правки, из таких самый быстрый.</translation>
+        </message>
+        <message>
+            <source>“%1”</source>
+            <translation>«%1»</translation>
+        </message>
+        <message>
+            <source>Pruned search</source>
+            <translation>Поиск с отсечением</translation>
+        </message>
+        <message>
+            <source>Full enumeration</source>
+            <translation>Полный перебор</translation>
+        </message>
+        <message>
+            <source>Dynamic programming</source>
+            <translation>Динамическое программирование</translation>
+        </message>
+        <message>
+            <source>Label-setting search</source>
+            <translation>Метод меток</translation>
+        </message>
+        <message>
+            <source>Proves from few runs that no cycle of the grid is better: what cannot hold or be quicker is not run</source>
+            <translation>Доказывает немногими расчётами, что лучшего цикла в сетке нет: то, что не может выдержать требования или быть быстрее, не рассчитывается</translation>
+        </message>
+        <message>
+            <source>Runs every cycle of the grid, and proves the same answer without pruning. A large grid takes hours or days; for the minimum time and the maximum margin it can be stopped and continued</source>
+            <translation>Рассчитывает все циклы сетки и доказывает тот же ответ без отсечения. Большая сетка занимает часы и дни; при поиске наименьшего времени и наибольшего запаса его можно остановить и продолжить</translation>
+        </message>
+        <message>
+            <source>A heuristic for plunge grinding, as published: of all ways to a level of stock with a feed only the quickest is kept. It is quick, but proves nothing and may find no cycle where there is one</source>
+            <translation>Эвристика для врезного шлифования, как опубликовано: из всех путей к уровню припуска с данной подачей остаётся только самый быстрый. Работает быстро, но ничего не доказывает и может не найти существующего цикла</translation>
+        </message>
+        <message>
+            <source>A heuristic for plunge grinding: all ways to a level of stock are kept that no other beats in both time and stored deflection. It takes longer with many levels, proves nothing and may find no cycle where there is one</source>
+            <translation>Эвристика для врезного шлифования: остаются все пути к уровню припуска, которые никакой другой не превосходит сразу и по времени, и по накопленному отжатию. При многих уровнях работает дольше, ничего не доказывает и может не найти существующего цикла</translation>
         </message>
     </context>
     <context>
@@ -14250,10 +14286,6 @@ target, µm</source>
             <translation>Исходные данные не приняты; сетка — по последним принятым.</translation>
         </message>
         <message>
-            <source>Dynamic programming</source>
-            <translation>Динамическое программирование</translation>
-        </message>
-        <message>
             <source>Grid of dynamic programming</source>
             <translation>Сетка динамического программирования</translation>
         </message>
@@ -14276,6 +14308,18 @@ target, µm</source>
         <message>
             <source>A click or the arrow keys choose a cycle, “Take this cycle” or Enter takes it.</source>
             <translation>Щелчок или стрелки выбирают цикл, «Взять этот цикл» или Enter берёт его.</translation>
+        </message>
+        <message>
+            <source>Method of the search</source>
+            <translation>Метод поиска</translation>
+        </message>
+        <message>
+            <source>Continue</source>
+            <translation>Продолжить</translation>
+        </message>
+        <message>
+            <source>Continue the search where it was stopped; its answer is that of one that was not</source>
+            <translation>Продолжить поиск с места остановки; ответ тот же, что и у поиска без остановки</translation>
         </message>
     </context>
     <context>

@@ -4,6 +4,7 @@
 #include "core/digits.h"
 #include "core/optimisation/grid.h"
 #include "core/optimisation/search_names.h"
+#include "core/printable.h"
 #include "core/project/optimisation.h"
 #include "core/project/validate.h"
 #include "core/text.h"
@@ -48,6 +49,10 @@ std::string SearchWording::feed(const StageFeed& feed) const {
 
 std::string SearchWording::requirement(ConstraintKind kind) const {
     return requirementOf(kind).key;
+}
+
+std::string SearchWording::method(SearchMethod method) const {
+    return std::string("--method ") + searchMethodName(method);
 }
 
 std::string SearchWording::filled(const char* text,
@@ -178,19 +183,43 @@ std::string faultPath(const SearchOutcome& outcome) {
 } // namespace
 
 std::string searchRefusal(const SearchOutcome& outcome) {
-    const std::string sentence = SearchWording().fault(outcome);
+    const SearchWording words;
+    const std::string sentence = words.fault(outcome);
     const std::string method =
         outcome.isOtherOperation || (outcome.isOtherAim && isHeuristic(outcome.method))
-            ? std::string("--method ") + searchMethodName(outcome.method) + ": "
+            ? words.method(outcome.method) + ": "
             : std::string();
     return sentence.empty() ? sentence : faultPath(outcome) + ": " + method + sentence;
 }
 
+std::string searchStateRefusal(const ReadSearchState& read, const SearchQuestion& asked) {
+    switch (read.fault) {
+    case SearchStateFault::none: break;
+    case SearchStateFault::otherFormat: return "is no progress of a search, and stays as it is";
+    case SearchStateFault::otherVersion:
+        return "is the progress of a search by another version of this program";
+    case SearchStateFault::changed:
+        return "is damaged: its checksum is not that of its contents; delete it to begin anew";
+    case SearchStateFault::badValue:
+        return "is damaged: " + printable(read.value.path) + ": " + printable(read.value.found)
+               + "; allowed: " + read.value.least + "…" + read.value.most
+               + "; delete it to begin anew";
+    case SearchStateFault::otherEngine:
+        return "is the progress of a search by another build of this program, "
+               + printable(read.question.engine) + "; this one is " + asked.engine;
+    case SearchStateFault::otherProject: return "is the progress of a search of another project";
+    case SearchStateFault::otherOptions:
+        return "is the progress of a search with other options, " + printable(read.question.options)
+               + "; these are " + asked.options;
+    }
+    return {};
+}
+
 std::string SearchWording::fault(const SearchOutcome& outcome) const {
     if (outcome.isOtherOperation) {
-        return translated(SPARKOUT_NOOP(
-            "Search", "This method is for plunge grinding; the exact search takes traverse cycles "
-                      "(--method search)."));
+        return filled(SPARKOUT_NOOP("Search", "This method is for plunge grinding; the exact "
+                                              "search takes traverse cycles (%1)."),
+                      {method(SearchMethod::pruned)});
     }
     if (outcome.isOtherAim) {
         return translated(
@@ -256,10 +285,11 @@ std::string SearchWording::noAnswer(const SearchOutcome& outcome) const {
                           {minutes(outcome.search.bound_s)});
         }
         if (outcome.search.status == SearchStatus::notFound) {
-            return translated(SPARKOUT_NOOP("Search",
-                                            "The heuristic found no cycle that holds every "
-                                            "requirement; there may be one, which the exact search "
-                                            "finds (--method search)."));
+            return filled(SPARKOUT_NOOP("Search",
+                                        "The heuristic found no cycle that holds every "
+                                        "requirement; there may be one, which the exact search "
+                                        "finds (%1)."),
+                          {method(SearchMethod::pruned)});
         }
         return outcome.marginWithin_us
                    ? filled(SPARKOUT_NOOP("Search", "No cycle of the grid that takes at most %1 "
@@ -561,8 +591,9 @@ std::string SearchWording::front(const SearchOutcome& outcome) const {
         return translated(SPARKOUT_NOOP("Search", "The search for margins by time continues."));
     }
     if (isHeuristic(outcome.method)) {
-        return translated(SPARKOUT_NOOP(
-            "Search", "Margins by time are searched by the exact search alone (--method search)."));
+        return filled(
+            SPARKOUT_NOOP("Search", "Margins by time are searched by the exact search alone (%1)."),
+            {method(SearchMethod::pruned)});
     }
     const std::vector<const FoundCycle*> points = outcome.front();
     if (points.empty() && outcome.robust && outcome.best() && !outcome.best()->decided) {

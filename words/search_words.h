@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/resume/search_state.h"
 #include "core/study/search.h"
 
 #include <cstdint>
@@ -41,6 +42,8 @@ public:
     [[nodiscard]] std::string noAnswer(const SearchOutcome& outcome) const;
     /// What the margins by time are of, or why there are none.
     [[nodiscard]] std::string front(const SearchOutcome& outcome) const;
+    /// By which a reader asks for a method: "--method search".
+    [[nodiscard]] virtual std::string method(SearchMethod method) const;
 
 protected:
     [[nodiscard]] virtual std::string translated(const char* text) const; ///< context "Search"
@@ -71,5 +74,10 @@ private:
 /// fault() behind the path of its input: "/optimisation: What is to be searched is not given.";
 /// empty likewise.
 [[nodiscard]] std::string searchRefusal(const SearchOutcome& outcome);
+
+/// Why what was read goes on with no search of that question, behind the name of the file: "is the
+/// progress of a search of another project"; empty where it does.
+[[nodiscard]] std::string searchStateRefusal(const ReadSearchState& read,
+                                             const SearchQuestion& asked);
 
 } // namespace sparkout

@@ -117,6 +117,8 @@ SearchSummary SearchJournal::search(const Project& project, const SearchOptions&
     const SearchCheckpoint before = m_record.begun.value_or(SearchCheckpoint());
     own.onProgress = [&](SearchProgress progress) {
         progress.evaluations += before.evaluations;
+        progress.share =
+            static_cast<double>(progress.evaluations) / static_cast<double>(variants.size());
         if (progress.checkpoint) {
             m_record.begun = sumOf(*std::move(progress.checkpoint), before);
             progress.checkpoint = m_record.begun;

@@ -141,6 +141,7 @@ private:
         options.method = m_wish.method;
         options.threads = m_wish.threads;
         options.stop = m_stop;
+        options.journal = m_wish.journal;
         options.marginWithin_us = m_outcome->marginWithin_us;
         options.onProgress = [this, stages](const SearchProgress& progress) {
             if (progress.best && !m_robust && !m_outcome->wear) {
@@ -172,9 +173,7 @@ private:
     }
 
     void searchRound() {
-        SearchOptions options = optionsFor(0);
-        options.journal = m_wish.journal;
-        m_now.grid = searchGrid(m_now.searched, options);
+        m_now.grid = searchGrid(m_now.searched, optionsFor(0));
         if (m_now.grid.hasBest()) {
             Noted& answer = noteBest(m_now.grid, 0);
             answer.isAnswer = true;
@@ -456,6 +455,10 @@ private:
 };
 
 } // namespace
+
+bool isResumable(const Project& project, SearchMethod method) {
+    return method == SearchMethod::full && objectiveOf(project) == SearchObjective::time;
+}
 
 std::optional<SurfaceWear> searchWear(const Setup& setup, std::size_t surface) {
     return setup.wear.isGiven() ? std::optional(SurfaceWear(setup, surface)) : std::nullopt;

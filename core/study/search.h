@@ -38,8 +38,12 @@ struct SearchWish {
     bool front = false;   ///< the best of each number of stages too, and margins by time
     /// For the objectives between dressings; not given: the wheel does not wear.
     std::optional<SurfaceWear> wear{};
-    SearchJournal* journal = nullptr; ///< of the full search
+    SearchJournal* journal = nullptr; ///< of a search that isResumable()
 };
+
+/// Whether a search that was stopped can be gone on with by its journal: a full one, and not
+/// between dressings, where it is many.
+[[nodiscard]] bool isResumable(const Project& project, SearchMethod method);
 
 /// The wear of one surface of a set-up; nothing: it is not stated.
 [[nodiscard]] std::optional<SurfaceWear> searchWear(const Setup& setup, std::size_t surface);

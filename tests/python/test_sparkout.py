@@ -234,6 +234,27 @@ class Studies(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "method: best; allowed: search"):
             sparkout.search(project, method="best")
 
+    def test_a_full_search_is_continued_from_the_file_of_the_command_line(self):
+        project = sparkout.Project.read(EXAMPLES / "plunge-shaft-two-stage.sparkout").with_values(
+            {"/optimisation/stages": [1, 2], "/optimisation/radial_feed_mm_min": [0.1, 0.3, 0.6]})
+        with tempfile.TemporaryDirectory() as folder:
+            path, kept = (pathlib.Path(folder) / name for name in ("small.sparkout", "kept.json"))
+            project.write(path)
+            sparkout.search(project, method="full", time_limit_s=0, resume=kept)
+            search = sparkout.search(project, method="full", resume=kept)
+            pruned = sparkout.search(project)
+            self.assertEqual((search.status, search.time_s), (pruned.status, pruned.time_s))
+            before = kept.read_bytes()
+            stated = cli("optimize", path, "--method", "full", "--resume", kept, "--json")
+            self.assertEqual(search.to_dict(), stated)
+            self.assertEqual(kept.read_bytes(), before)
+            with self.assertRaisesRegex(ValueError, "other options, --method full; these are"):
+                sparkout.search(project, method="full", robust=True, resume=kept)
+            with self.assertRaisesRegex(ValueError, "resume needs the method full"):
+                sparkout.search(project, resume=kept)
+            with self.assertRaises(OSError):
+                sparkout.search(project, method="full", resume=path.parent / "no" / "kept.json")
+
     def test_what_was_measured_is_that_of_the_command_line(self):
         file = EXAMPLES / "shaft-30h6-measured.sparkout"
         project = sparkout.Project.read(file)

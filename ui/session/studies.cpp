@@ -11,21 +11,42 @@ namespace sparkout {
 
 SearchStudy::SearchStudy() : StudyOf(sameSearch) {}
 
-void SearchStudy::start(const Project& project, SearchWish wish) {
+void SearchStudy::start(const Project& project, const SearchWish& wish) {
     endAnswer();
-    m_shared = std::make_shared<Shared>();
-    StudyOf::start(
-        project, 0,
-        [this, project, wish = std::move(wish), shared = m_shared](const Job::Means& means) {
-            const auto note = [&shared](const SearchState& state) {
-                const std::lock_guard lock(shared->mutex);
-                shared->state = state;
-            };
-            const auto answer = [this, &means](const SearchOutcomePtr& outcome) {
-                means.post([this, outcome] { take(outcome); });
-            };
-            return search(project, wish, means.stop, {.note = note, .answer = answer});
-        });
+    auto shared = std::make_shared<Shared>();
+    shared->wish = wish;
+    const SearchRecord begun = isContinued(project, wish) ? m_shared->record : SearchRecord();
+    m_shared = shared;
+    StudyOf::start(project, 0, [this, project, shared, wish, begun](const Job::Means& means) {
+        const auto note = [&shared](const SearchState& state) {
+            const std::lock_guard lock(shared->mutex);
+            shared->state = state;
+        };
+        const auto answer = [this, &means](const SearchOutcomePtr& outcome) {
+            means.post([this, outcome] { take(outcome); });
+        };
+        SearchJournal journal(begun);
+        SearchWish own = wish;
+        own.threads = static_cast<unsigned>(means.threads);
+        own.journal = isResumable(project, wish.method) ? &journal : nullptr;
+        SearchOutcomePtr outcome =
+            search(project, own, means.stop, {.note = note, .answer = answer});
+        const SearchRecord& record = journal.record();
+        if (means.stop.stop_requested() && (record.begun || !record.finished.empty())) {
+            const std::lock_guard lock(shared->mutex);
+            shared->stopped = outcome;
+            shared->record = record;
+        }
+        return outcome;
+    });
+}
+
+/// A refinement and margins by time come after what is recorded.
+bool SearchStudy::isContinued(const Project& project, const SearchWish& wish) const {
+    const std::lock_guard lock(m_shared->mutex);
+    return m_shared->stopped && m_shared->stopped == result() && !running()
+           && wish.method == m_shared->wish.method && wish.phases == m_shared->wish.phases
+           && isOf(project);
 }
 
 void SearchStudy::follow(const Project* present) {

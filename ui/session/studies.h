@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/optimisation/search_journal.h"
 #include "core/study/search.h"
 #include "core/study/whole_batch.h"
 #include "core/sweep/sweep_run.h"
@@ -91,12 +92,16 @@ private:
     Job m_job; ///< last: ended before what it gives its result to is gone
 };
 
-/// The search, whose answer stands before it ends, and of which one knows how far it is.
+/// The search, whose answer stands before it ends, and of which one knows how far it is. One that
+/// was stopped is continued, where that can be.
 class SearchStudy : public StudyOf<SearchOutcome> {
 public:
     SearchStudy();
 
-    void start(const Project& project, SearchWish wish);
+    void start(const Project& project, const SearchWish& wish);
+    /// The result is of this search, which was stopped: started again it is continued, and gives
+    /// the answer of one that was not.
+    [[nodiscard]] bool isContinued(const Project& project, const SearchWish& wish) const;
     [[nodiscard]] SearchState state() const; ///< of the one that is running
     /// The answer of what is running stands; its front is still looked for.
     [[nodiscard]] bool isAnswered() const { return result() && result()->isFrontComing; }
@@ -108,6 +113,9 @@ private:
     struct Shared {
         std::mutex mutex;
         SearchState state;
+        SearchWish wish;
+        SearchOutcomePtr stopped; ///< what it gave, where the record says how to continue it
+        SearchRecord record;
     };
     std::shared_ptr<Shared> m_shared = std::make_shared<Shared>();
 };

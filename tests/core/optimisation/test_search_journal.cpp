@@ -12,6 +12,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <string>
 
 namespace test_search_journal {
@@ -99,6 +100,32 @@ private slots:
         }
         QVERIFY2(cut > 2 && found > samples::sized(2, 0, 8),
                  qPrintable(QString("%1 %2").arg(cut).arg(found)));
+    }
+
+    void theShareOfTheGridGoesOnFromWhereItWas() {
+        int cut = 0;
+        for (unsigned seed = 0; seed < static_cast<unsigned>(samples::sized(20, 6, 20)); ++seed) {
+            Project p = smallCase(seed);
+            p.optimisation->adaptive = false;
+            SearchJournal first;
+            std::stop_source stop;
+            first.onStep = [&stop](const SearchRecord&) { stop.request_stop(); };
+            (void)sparkout::search(p, full(first, 1), stop.get_token());
+            if (!first.record().begun || !first.record().finished.empty()) {
+                continue;
+            }
+            ++cut;
+            const double done =
+                double(first.record().begun->evaluations) / double(sparkout::gridSize(p));
+            SearchJournal second(first.record());
+            double least = 1, most = 0;
+            (void)sparkout::search(p, full(second, 1), {}, {.note = [&](const SearchState& state) {
+                                       least = std::min(least, state.share);
+                                       most = std::max(most, state.share);
+                                   }});
+            QVERIFY2(done > 0 && least >= done && most <= 1, std::to_string(seed).c_str());
+        }
+        QVERIFY(cut > 0);
     }
 
     void aRobustSearchGoesOnToo() {

@@ -279,6 +279,76 @@ private slots:
         QVERIFY(!heard.study().running());
     }
 
+    /// Stopped and started again it has the answer of one in a piece; a pruned one begins anew.
+    void aFullSearchThatWasStoppedIsContinued() {
+        Project project = fixtures::searchedShaft();
+        project.part->radii_per_section = 360; // long enough to be stopped
+        const SearchWish wish{.method = SearchMethod::full, .front = true};
+        const SearchOutcomePtr whole = searched(project, wish);
+        QVERIFY(whole && whole->proved());
+        Heard heard;
+        SearchStudy& study = heard.study();
+        int continued = 0;
+        for (int piece = 0; piece < 4; ++piece) { // the last to its end
+            heard.outcomes.clear();
+            study.start(project, wish);
+            QVERIFY(!study.isContinued(project, wish)); // while it runs
+            if (piece < 3) {
+                QVERIFY(QTest::qWaitFor(
+                    [&] { return study.state().evaluations > 0 || !study.running(); },
+                    patience_ms));
+                study.job().stop();
+            }
+            QTRY_VERIFY_WITH_TIMEOUT(!study.running(), patience_ms);
+            continued += study.isContinued(project, wish) ? 1 : 0;
+        }
+        QVERIFY2(continued > 0, qPrintable(QString::number(continued)));
+        QVERIFY(!study.isContinued(project, wish));
+        const SearchOutcome& again = *study.result();
+        QVERIFY(again.proved() && again.method == SearchMethod::full);
+        QCOMPARE(again.search.evaluations, whole->search.evaluations);
+        QCOMPARE(again.search.gridSize, whole->search.gridSize);
+        QCOMPARE(again.best()->time_s, whole->best()->time_s);
+        QCOMPARE(again.best()->leastRelativeMargin, whole->best()->leastRelativeMargin);
+        QVERIFY(sameCycle(again.best()->cycle, whole->best()->cycle));
+        QVERIFY(again.binding == whole->binding);
+        QVERIFY(std::ranges::equal(again.numbers, whole->numbers, [](const auto& a, const auto& b) {
+            return a.stages == b.stages && a.status == b.status && a.best_s == b.best_s
+                   && a.bound_s == b.bound_s;
+        }));
+    }
+
+    void onlyWhatWasAskedIsContinued() {
+        const Project project = fixtures::endlessSearch();
+        const SearchWish wish{.method = SearchMethod::full};
+        Heard heard;
+        SearchStudy& study = heard.study();
+        const auto stopped = [&](const SearchWish& asked) {
+            study.start(project, asked);
+            const bool begun = QTest::qWaitFor(
+                [&] { return study.state().evaluations > 0 || study.state().best_s; }, patience_ms);
+            study.job().stop();
+            return begun && QTest::qWaitFor([&] { return !study.running(); }, patience_ms);
+        };
+        QVERIFY(stopped({}));
+        QVERIFY(!study.isContinued(project, {}));
+        QVERIFY(stopped(wish));
+        QVERIFY(study.isContinued(project, wish));
+        QVERIFY(study.isContinued(project, {.method = SearchMethod::full, .refine = true}));
+        QVERIFY(!study.isContinued(project, {}));
+        QVERIFY(!study.isContinued(project, {.method = SearchMethod::full, .phases = true}));
+        Project other = project;
+        other.cycle->stages.pop_back();
+        QVERIFY(study.isContinued(other, wish)); // its own cycle is no part of the grid
+        other.wheel->dullness *= 1.01;
+        QVERIFY(!study.isContinued(other, wish));
+        const long long before = study.result()->search.evaluations;
+        QVERIFY(stopped(wish));
+        QVERIFY(study.result()->search.evaluations >= before);
+        study.forget();
+        QVERIFY(!study.isContinued(project, wish));
+    }
+
     void theNewestSearchWinsAndADroppedOneSaysNothing() {
         Heard heard;
         heard.study().start(fixtures::endlessSearch(), {});

@@ -42,6 +42,11 @@ protected:
     [[nodiscard]] std::string requirement(ConstraintKind kind) const override {
         return Names::inSentence(Names::constraint(kind)).toStdString();
     }
+
+public:
+    [[nodiscard]] std::string method(SearchMethod method) const override {
+        return OptimiseText::tr("“%1”").arg(OptimiseText::method(method)).toStdString();
+    }
 };
 
 } // namespace
@@ -64,6 +69,37 @@ QString OptimiseText::parts(const PartsHeld& held) {
 
 QString OptimiseText::cost(double cost) {
     return QString::fromStdString(SearchText().cost(cost));
+}
+
+QString OptimiseText::method(SearchMethod method) {
+    switch (method) {
+    case SearchMethod::pruned: return tr("Pruned search");
+    case SearchMethod::full: return tr("Full enumeration");
+    case SearchMethod::published: return tr("Dynamic programming");
+    case SearchMethod::labels: return tr("Label-setting search");
+    }
+    return {};
+}
+
+QString OptimiseText::methodHint(SearchMethod method) {
+    switch (method) {
+    case SearchMethod::pruned:
+        return tr("Proves from few runs that no cycle of the grid is better: what cannot hold or "
+                  "be quicker is not run");
+    case SearchMethod::full:
+        return tr("Runs every cycle of the grid, and proves the same answer without pruning. A "
+                  "large grid takes hours or days; for the minimum time and the maximum margin it "
+                  "can be stopped and continued");
+    case SearchMethod::published:
+        return tr("A heuristic for plunge grinding, as published: of all ways to a level of stock "
+                  "with a feed only the quickest is kept. It is quick, but proves nothing and may "
+                  "find no cycle where there is one");
+    case SearchMethod::labels:
+        return tr("A heuristic for plunge grinding: all ways to a level of stock are kept that no "
+                  "other beats in both time and stored deflection. It takes longer with many "
+                  "levels, proves nothing and may find no cycle where there is one");
+    }
+    return {};
 }
 
 QString OptimiseText::state(const SearchState& state) {

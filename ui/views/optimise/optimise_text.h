@@ -25,6 +25,8 @@ public:
     static QString state(const SearchState& state);
     static QString parts(const PartsHeld& held); ///< "636", "at least 10 000", "any number"
     static QString cost(double cost);
+    static QString method(SearchMethod method);     ///< "Pruned search"
+    static QString methodHint(SearchMethod method); ///< what it proves, and when it is slow
     /// What a search between dressings would find.
     static QString offer(SearchObjective objective);
     static QString fault(const SearchOutcome& outcome); ///< why nothing could be searched

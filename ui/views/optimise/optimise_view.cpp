@@ -33,6 +33,8 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -40,6 +42,9 @@ namespace sparkout {
 
 namespace {
 constexpr int curvesShare = 260, foundShare = 140; ///< of the height at first
+/// As they are offered, the first at first.
+constexpr std::array methods{SearchMethod::pruned, SearchMethod::full, SearchMethod::published,
+                             SearchMethod::labels};
 } // namespace
 
 OptimiseView::OptimiseView(QWidget* parent, Settings* settings, Studies* studies)
@@ -55,6 +60,7 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings, Studies* studies
     , m_bar(new RunBar(QStringLiteral("optimise"), this))
     , m_take(new QPushButton(this))
     , m_add(new QPushButton(this))
+    , m_method(new QComboBox(this))
     , m_phases(new QCheckBox(this))
     , m_refine(new QCheckBox(this))
     , m_trials(new RunController(this)) {
@@ -63,7 +69,7 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings, Studies* studies
         addPage(*plot);
     }
     m_bar->takeTurns();
-    m_bar->layOut({m_phases, m_refine}, {m_take});
+    m_bar->layOut({m_method, m_phases, m_refine}, {m_take});
     share(*m_splitter, {{pages(), curvesShare}, {buildTable(), foundShare}});
     QVBoxLayout* const column =
         addColumn({m_bar, m_gridBar, notice(), m_add, m_choice = pageTools<ToolRow>({m_zone}),
@@ -78,6 +84,7 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings, Studies* studies
                  {m_zone, "optimiseZone"},
                  {m_take, "optimiseTake"},
                  {m_add, "optimiseAdd"},
+                 {m_method, "optimiseMethod"},
                  {m_phases, "optimisePhases"},
                  {m_refine, "optimiseRefine"},
                  {m_table, "optimiseFound"}});
@@ -100,6 +107,8 @@ void OptimiseView::connectParts() {
     connect(content(), &QComboBox::currentIndexChanged, this, &OptimiseView::chooseContent);
     connect(m_zone, &QComboBox::currentIndexChanged, this, &OptimiseView::chooseZone);
     connect(m_bar->run(), &QPushButton::clicked, this, &OptimiseView::runSearch);
+    connect(m_method, &QComboBox::currentIndexChanged, this, &OptimiseView::showState);
+    connect(m_phases, &QCheckBox::toggled, this, &OptimiseView::showState);
     connect(m_bar->stop(), &QPushButton::clicked, &studies().search.job(), &Job::stop);
     connect(m_take, &QPushButton::clicked, this, &OptimiseView::takeCycle);
     connect(m_table, &CopyTable::rowEntered, this, &OptimiseView::takeCycle);
@@ -202,19 +211,25 @@ bool OptimiseView::stale() const {
                             *search()->wear));
 }
 
+SearchWish OptimiseView::wish() const {
+    const int method = std::max(m_method->currentIndex(), 0);
+    return {.method = methods[static_cast<std::size_t>(method)],
+            .phases = m_phases->isChecked() && m_phases->isEnabled(),
+            .refine = m_refine->isChecked() && m_refine->isEnabled(),
+            .front = true};
+}
+
 void OptimiseView::runSearch() {
     if (!good()) {
         return;
     }
     m_bar->showProgress(0, OptimiseText::state({}));
-    SearchWish wish{.phases = m_phases->isChecked() && m_phases->isEnabled(),
-                    .refine = m_refine->isChecked() && m_refine->isEnabled(),
-                    .front = true};
+    SearchWish asked = wish();
     if (m_document) {
-        wish.wear = searchWear(m_document->setup(), m_document->surface());
+        asked.wear = searchWear(m_document->setup(), m_document->surface());
     }
     m_goesOn = false;
-    studies().search.start(good()->result.project, wish);
+    studies().search.start(good()->result.project, asked);
     showState();
 }
 
@@ -427,6 +442,7 @@ bool OptimiseView::isFaint(const ViewPlot& plot) const {
 }
 
 void OptimiseView::showState() {
+    nameRun(); // by which the notice asks for it
     PlotView::showState();
     tools()->setEnabled(hasCurves());
     m_add->setVisible(good() && !isGiven());
@@ -436,9 +452,9 @@ void OptimiseView::showState() {
     m_gridBar->setVisible(grid && isGiven());
     m_gridBar->showState(!refused());
     m_bar->showRunning(searching, isGiven() && !refused());
-    for (QCheckBox* wish : {m_phases, m_refine}) { // the progress takes their room
-        wish->setVisible(!searching);
-        wish->setEnabled(isGiven());
+    for (QWidget* part : std::initializer_list<QWidget*>{m_method, m_phases, m_refine}) {
+        part->setVisible(!searching); // the progress takes their room
+        part->setEnabled(isGiven());
     }
     const bool betweenDressings =
         isGiven() && objectiveOf(good()->result.project) != SearchObjective::time;
@@ -499,7 +515,8 @@ QString OptimiseView::remark() const {
     if (showsGrid()) {
         return m_gridBar->remark();
     }
-    if (const SearchOutcomePtr& refusal = studies().search.refusal()) {
+    const SearchOutcomePtr& refusal = studies().search.refusal();
+    if (refusal && refusal->method == wish().method) {
         return OptimiseText::fault(*refusal);
     }
     if (!search()) {
@@ -527,7 +544,8 @@ const Project* OptimiseView::shownProject() const {
 
 QStringList OptimiseView::subheading() const {
     if (showsGrid()) {
-        return QStringList{tr("Dynamic programming")} + m_gridBar->remark().split(u'\n');
+        return QStringList{OptimiseText::method(SearchMethod::published)}
+               + m_gridBar->remark().split(u'\n');
     }
     return &front() == m_curves ? QStringList(m_zone->currentText()) : QStringList();
 }
@@ -544,7 +562,10 @@ void OptimiseView::nameParts() {
     m_bar->progress()->setAccessibleName(tr("Progress of the search"));
     m_table->setAccessibleName(tr("The best cycles found"));
     fillChoice(*content(), {tr("Before and after"), tr("Time by stages"), tr("Margin by time"),
-                            tr("Dynamic programming")});
+                            OptimiseText::method(SearchMethod::published)});
+    QStringList names;
+    std::ranges::transform(methods, std::back_inserter(names), &OptimiseText::method);
+    fillChoice(*m_method, names);
     tell(*content(), tr("What is shown of the search"));
     tell(*m_zone, tr("Zone or section of the curves"));
     nameButtons();
@@ -555,9 +576,20 @@ void OptimiseView::nameParts() {
     showCurves();
 }
 
+void OptimiseView::nameRun() {
+    const SearchMethod method = wish().method;
+    tell(*m_method, tr("Method of the search"), OptimiseText::methodHint(method));
+    if (good() && studies().search.isContinued(good()->result.project, wish())) {
+        tellButton(*m_bar->run(), tr("Continue"),
+                   tr("Continue the search where it was stopped; its answer is that of one that "
+                      "was not"));
+    } else {
+        tellButton(*m_bar->run(), tr("Search"),
+                   tr("Find the quickest cycle of the grid that holds every requirement"));
+    }
+}
+
 void OptimiseView::nameButtons() {
-    tellButton(*m_bar->run(), tr("Search"),
-               tr("Find the quickest cycle of the grid that holds every requirement"));
     tellButton(*m_bar->stop(), tr("Stop"), tr("End the search; the best so far is kept and shown"));
     tellButton(*m_take, tr("Take this cycle"),
                tr("Put the chosen cycle in the place of the present one; undo brings yours back"));

@@ -72,6 +72,7 @@ private:
     void listFound();
     void connectParts();
     void nameButtons();
+    void nameRun(); ///< the button that searches, or continues
 
     [[nodiscard]] bool showsGrid() const; ///< of states, else of the search
     void followGrid();                    ///< where it is shown
@@ -80,6 +81,7 @@ private:
     void chooseContent();
     void chooseZone();
     void fillZones();
+    [[nodiscard]] SearchWish wish() const; ///< what is asked for in the row above, and the front
     void runSearch();
     void takeSearch();
     void addToAnswer(); ///< what the search found since
@@ -113,6 +115,7 @@ private:
     RunBar* m_bar;
     QPushButton* m_take;
     QPushButton* m_add;
+    QComboBox* m_method;
     QCheckBox* m_phases;
     QCheckBox* m_refine;
     OutcomePtr m_own;         ///< what a cycle found took the place of

@@ -28,6 +28,7 @@
 #include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QStatusBar>
 #include <QTest>
@@ -69,6 +70,16 @@ struct Desk {
                 return view->search() && !view->busy() && view->curves()->runs().size() == 2;
             },
             patience_ms);
+    }
+    /// Chooses the method that is the so many-th of the list, by keys.
+    void choose(int method) const {
+        auto& box = part<QComboBox>("optimiseMethod");
+        box.setFocus();
+        QTest::keyClick(&box, Qt::Key_Home);
+        for (int i = 0; i < method; ++i) {
+            QTest::keyClick(&box, Qt::Key_Down);
+        }
+        QCOMPARE(box.currentIndex(), method);
     }
     [[nodiscard]] QString cell(int row, FoundColumn column) const {
         const QAbstractItemModel* model = part<CopyTable>("optimiseFound").model();
@@ -112,6 +123,84 @@ private slots:
         const BarChart& times = desk.view->times()->chart();
         QCOMPARE(times.categories.size(), 2);
         QCOMPARE(times.value(0, 1), engine.best->time_s / 60);
+    }
+
+    void everyMethodIsSearchedByOrRefusedWithASentence() {
+        const Project project = fixtures::searchedShaft();
+        const SearchSummary engine = optimise(project);
+        const Desk desk(project);
+        const auto& method = desk.part<QComboBox>("optimiseMethod");
+        const QString proves = method.toolTip();
+        desk.choose(3); // for plunge grinding
+        QVERIFY(!method.toolTip().isEmpty() && method.toolTip() != proves);
+        desk.click("optimiseRun");
+        QTRY_VERIFY_WITH_TIMEOUT(!desk.view->busy(), patience_ms);
+        QTRY_VERIFY2(desk.told().contains(QStringLiteral("traverse cycles (“Pruned search”)")),
+                     qPrintable(desk.told()));
+        desk.choose(1);
+        QVERIFY2(desk.told().contains(QStringLiteral("finds the quickest cycle")),
+                 qPrintable(desk.told()));
+        QVERIFY(desk.searched());
+        QVERIFY(desk.view->search()->method == SearchMethod::full && desk.view->search()->proved());
+        QCOMPARE(desk.cell(0, FoundColumn::cycle), OptimiseText::cycle(engine.cycle));
+        QCOMPARE(desk.part<QPushButton>("optimiseRun").text(), QStringLiteral("Search"));
+    }
+
+    void whatAHeuristicFoundIsNotCalledProved() {
+        Project project = fixtures::plunge();
+        project.optimisation = Optimisation{};
+        project.optimisation->stages = {1, 2};
+        project.optimisation->stock_step_mm = 0.05;
+        project.optimisation->radial_feed_mm_min = std::vector<double>{0.1, 0.3, 0.9};
+        const Desk desk(project);
+        for (const int method : {2, 3}) {
+            desk.choose(method);
+            desk.click("optimiseRun");
+            QTRY_VERIFY_WITH_TIMEOUT(!desk.view->busy() && desk.view->search(), patience_ms);
+            QVERIFY(isHeuristic(desk.view->search()->method) && !desk.view->search()->proved());
+            QVERIFY2(desk.told().contains(QStringLiteral("heuristic")), qPrintable(desk.told()));
+        }
+    }
+
+    void aFullSearchThatWasStoppedIsContinuedByItsButton() {
+        const Desk desk(fixtures::endlessSearch());
+        const auto& run = desk.part<QPushButton>("optimiseRun");
+        const auto stopped = [&desk] {
+            desk.click("optimiseRun");
+            const auto judged = [&desk] {
+                return desk.part<QProgressBar>("optimiseProgress")
+                    .format()
+                    .contains(QStringLiteral("judged"));
+            };
+            const bool begun = QTest::qWaitFor(judged, patience_ms);
+            desk.click("optimiseStop");
+            return begun && QTest::qWaitFor([&desk] { return !desk.view->busy(); }, patience_ms);
+        };
+        desk.choose(1);
+        QCOMPARE(run.text(), QStringLiteral("Search"));
+        QVERIFY(stopped());
+        QCOMPARE(run.text(), QStringLiteral("Continue"));
+        const long long before = desk.view->search()->search.evaluations;
+        QVERIFY(before > 0);
+        desk.choose(0);
+        QCOMPARE(run.text(), QStringLiteral("Search"));
+        desk.choose(1);
+        QCOMPARE(run.text(), QStringLiteral("Continue"));
+        QTest::keyClick(&desk.part<QCheckBox>("optimisePhases"), Qt::Key_Space);
+        QCOMPARE(run.text(), QStringLiteral("Search"));
+        QTest::keyClick(&desk.part<QCheckBox>("optimisePhases"), Qt::Key_Space);
+        QCOMPARE(run.text(), QStringLiteral("Continue"));
+        QVERIFY(stopped());
+        QVERIFY(desk.view->search()->search.evaluations >= before);
+        Project edited = desk.project();
+        edited.wheel->dullness *= 1.5;
+        desk.bench.window->document().edit(edited, {"Edit", ""});
+        desk.bench.settle();
+        QTRY_COMPARE(run.text(), QStringLiteral("Search"));
+        QVERIFY(desk.told().contains(QStringLiteral("Press “Search”")));
+        desk.bench.window->document().undo();
+        desk.bench.settle();
+        QTRY_COMPARE(run.text(), QStringLiteral("Continue"));
     }
 
     /// The margins by time are the engine's; a click chooses a cycle.
