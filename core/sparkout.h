@@ -39,7 +39,7 @@
 #include "core/quality/result_json.h"
 #include "core/quality/shop_numbers.h"
 #include "core/quality/shop_outputs.h"
-#include "core/remedies/remedies.h"
+#include "core/remedies/remedies_json.h"
 #include "core/setup/setup_file.h"
 #include "core/setup/setup_json.h"
 #include "core/setup/setup_run.h"

@@ -10,6 +10,7 @@
 #include "core/sparkout.h"
 #include "python/arrays.h"
 #include "python/interruptible.h"
+#include "python/output_attributes.h"
 #include "python/project_object.h"
 #include "python/requirement_list.h"
 #include "words/course_json.h"
@@ -35,10 +36,6 @@ namespace py = pybind11;
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-py::object fromJson(const std::string& text) {
-    return py::module_::import("json").attr("loads")(text);
-}
 
 // --- one cycle ----------------------------------------------------------------------------------
 
@@ -371,10 +368,6 @@ SearchOutcomePtr runSearchOf(const ValidProject& project, bool robust, bool refi
     return outcome;
 }
 
-std::string searchStatusOf(const SearchOutcome& self) {
-    return searchStatusName(self.refined() ? SearchStatus::found : self.search.status);
-}
-
 std::optional<double> searchTime_s(const SearchOutcome& self) {
     return self.answer() ? std::optional(self.answer()->time_s) : std::nullopt;
 }
@@ -400,11 +393,10 @@ std::optional<std::vector<std::string>> bindingOf(const SearchOutcome& self) {
 }
 
 void bindSearch(py::module_& module) {
-    py::class_<SearchOutcome, std::shared_ptr<SearchOutcome>>(module, "Search",
-                                                              "What a search found.")
-        .def_property_readonly("status", &searchStatusOf,
-                               "proved, found, stopped, infeasible or not_found")
-        .def_property_readonly("time_s", &searchTime_s, "of the cycle found; None without one")
+    py::class_<SearchOutcome, std::shared_ptr<SearchOutcome>> found(module, "Search",
+                                                                    "What a search found.");
+    bindOutputs(found, searchOutputs());
+    found.def_property_readonly("time_s", &searchTime_s, "of the cycle found; None without one")
         .def_property_readonly("project", &projectFound, "with the cycle found; None without one")
         .def_property_readonly(
             "bound_s", [](const SearchOutcome& self) { return self.search.bound_s; },

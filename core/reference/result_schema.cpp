@@ -6,11 +6,16 @@
 #include "core/quality/form_outputs.h"
 #include "core/quality/requirement_outputs.h"
 #include "core/quality/shop_outputs.h"
+#include "core/remedies/remedies_json.h"
 #include "core/study/search_outputs.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <map>
 #include <span>
+#include <sstream>
+#include <utility>
 
 namespace sparkout {
 
@@ -42,7 +47,9 @@ ordered_json typeOf(OutputKind kind) {
     case OutputKind::number: return {{"type", "number"}};
     case OutputKind::optionalNumber: return orNull({{"type", "number"}});
     case OutputKind::whole: return {{"type", "integer"}};
-    case OutputKind::truth: return orNull({{"type", "boolean"}});
+    case OutputKind::optionalWhole: return orNull({{"type", "integer"}});
+    case OutputKind::truth: return {{"type", "boolean"}};
+    case OutputKind::optionalTruth: return orNull({{"type", "boolean"}});
     case OutputKind::text: return {{"type", "string"}};
     case OutputKind::optionalText: return orNull({{"type", "string"}});
     case OutputKind::interval: return orNull(interval());
@@ -53,14 +60,6 @@ ordered_json typeOf(OutputKind kind) {
     return orNull(objectOf({{"count", {{"type", "integer"}}},
                             {"share", {{"type", "number"}}},
                             {"interval_95", orNull(interval())}}));
-}
-
-/// "Stepless limit [min]. What it is."
-std::string descriptionOf(const OutputRow& row) {
-    std::string text = row.label;
-    text += *row.unit ? " [" + std::string(row.unit) + "]" : "";
-    text += text.empty() ? "" : ".";
-    return *row.hint ? text + (text.empty() ? "" : " ") + row.hint : text;
 }
 
 template <class Owner>
@@ -84,26 +83,80 @@ ordered_json tableSchema(const char* title, std::span<const Output<Owner>> rows)
             {"required", std::move(required)}};
 }
 
+/// A schema for each table of outputs.
+ordered_json tableSchemas() {
+    return {
+        {"stage",
+         tableSchema("simulate: a stage of shop/stages, and the cycle", shopColumnOutputs())},
+        {"shop", tableSchema("simulate: shop", shopOutputs())},
+        {"requirement", tableSchema("simulate and remedies: a requirement", requirementOutputs())},
+        {"zone_form", tableSchema("simulate: a zone of several sections, beside the worst of them",
+                                  zoneFormOutputs())},
+        {"characteristic", tableSchema("batch: one of characteristics", characteristicOutputs())},
+        {"search", tableSchema("optimize", searchOutputs())},
+        {"remedies", tableSchema("remedies", remedyResultOutputs())},
+        {"remedy", tableSchema("remedies: one of remedies", remedyOutputs())},
+        {"remedy_phases",
+         tableSchema("remedies: phases of one of remedies", remedyPhasesOutputs())},
+        {"remedy_conflict", tableSchema("remedies: conflict", remedyConflictOutputs())},
+    };
+}
+
+/// Of the schema of an output: "Optional[float]".
+std::string stubType(const ordered_json& schema, bool isRequired) {
+    static const std::map<std::string, std::string> types{{"number", "float"},
+                                                          {"integer", "int"},
+                                                          {"boolean", "bool"},
+                                                          {"string", "str"},
+                                                          {"array", "tuple[float, float]"},
+                                                          {"object", "tuple[Any, ...]"}};
+    const ordered_json& type = schema["type"];
+    const std::string& known = types.at(type.is_array() ? type[0] : type);
+    return isRequired && !type.is_array() ? known : "Optional[" + known + ']';
+}
+
+/// The attributes of a table.
+std::string attributeStubs(const ordered_json& table) {
+    std::string text;
+    const ordered_json& required = table["required"];
+    for (const auto& [key, schema] : table["properties"].items()) {
+        const bool isRequired = std::find(required.begin(), required.end(), key) != required.end();
+        text += "    @property\n    def " + key + "(self) -> " + stubType(schema, isRequired) + ':';
+        text += schema.contains("description")
+                    ? "\n        \"\"\"" + schema["description"].get<std::string>() + "\"\"\"\n"
+                    : " ...\n";
+    }
+    return text;
+}
+
 } // namespace
 
+std::string descriptionOf(const OutputRow& row) {
+    std::string text = *row.label ? row.label : row.hint;
+    if (*row.unit) {
+        text += (text.empty() ? "[" : " [") + std::string(row.unit) + ']';
+    }
+    return *row.label ? text + '.' + (*row.hint ? " " : "") + row.hint : text;
+}
+
 std::string resultSchema() {
-    const ordered_json schema = {
-        {"$schema", "https://json-schema.org/draft/2020-12/schema"},
-        {"title", "Results of Sparkout"},
-        {"description", "What the command line states with --json, table by table. Objects may "
-                        "have more keys than these."},
-        {"$defs",
-         {{"stage",
-           tableSchema("simulate: a stage of shop/stages, and the cycle", shopColumnOutputs())},
-          {"shop", tableSchema("simulate: shop", shopOutputs())},
-          {"requirement",
-           tableSchema("simulate and remedies: a requirement", requirementOutputs())},
-          {"zone_form",
-           tableSchema("simulate: a zone of several sections, beside the worst of them",
-                       zoneFormOutputs())},
-          {"characteristic", tableSchema("batch: one of characteristics", characteristicOutputs())},
-          {"search", tableSchema("optimize", searchOutputs())}}}};
-    return printJson(schema);
+    return printJson({{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                      {"title", "Results of Sparkout"},
+                      {"description", "What the command line states with --json, table by table. "
+                                      "Objects may have more keys than these."},
+                      {"$defs", tableSchemas()}});
+}
+
+std::string resultStubs(const std::string& byHand) {
+    const std::string mark = "    # outputs: ";
+    const ordered_json tables = tableSchemas();
+    std::string text;
+    std::istringstream lines(byHand);
+    for (std::string line; std::getline(lines, line);) {
+        text += line.starts_with(mark) ? attributeStubs(tables.at(line.substr(mark.size())))
+                                       : line + '\n';
+    }
+    return text;
 }
 
 } // namespace sparkout

@@ -11,6 +11,7 @@
 #include "core/reference/lesson_schema.h"
 #include "core/reference/reference_page.h"
 #include "core/reference/result_schema.h"
+#include "core/remedies/remedies_json.h"
 #include "core/simulation/simulate.h"
 #include "core/study/search.h"
 #include "core/study/search_json.h"
@@ -134,7 +135,7 @@ Project example(const std::string& name) {
 }
 
 const char* refresh = "not up to date: cmake --build build/release --target sparkout-reference && "
-                      "build/release/app/sparkout-reference resources/help";
+                      "build/release/app/sparkout-reference resources/help python/sparkout.pyi";
 
 } // namespace
 
@@ -153,6 +154,9 @@ private slots:
         QVERIFY2(readText(sourcePath("resources/help/lesson.schema.json")) == lessonSchema(),
                  refresh);
         QVERIFY2(readText(sourcePath("resources/help/results.schema.json")) == resultSchema(),
+                 refresh);
+        QVERIFY2(readText(sourcePath("python/sparkout.pyi"))
+                     == resultStubs(readText(sourcePath("python/sparkout.pyi.in"))),
                  refresh);
     }
 
@@ -183,6 +187,14 @@ private slots:
             QCOMPARE(faultOf("search", wrong), std::string("/grid_size: type"));
             wrong.erase("grid_size");
             QVERIFY(!faultOf("search", wrong).empty());
+        }
+        const SimulationResult slender = simulate(example("slender-shaft"));
+        const json remedies = json::parse(
+            remediesJson(slender.project, findRemedies(slender, evaluateConstraints(slender))));
+        QCOMPARE(faultOf("remedies", remedies), std::string());
+        QVERIFY(!remedies.at("remedies").empty());
+        for (const json& remedy : remedies.at("remedies")) {
+            QCOMPARE(faultOf("remedy", remedy), std::string());
         }
         Project batched = example("shaft-30h6-factory");
         batched.batch->parts = 20;
