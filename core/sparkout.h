@@ -50,4 +50,4 @@
 #include "core/study/search_json.h"
 #include "core/study/search_outputs.h"
 #include "core/study/whole_batch.h"
-#include "core/sweep/sweep_run.h"
+#include "core/sweep/sweep_json.h"

@@ -209,6 +209,9 @@ class Sweep:
     """The points of a sweep."""
 
     @property
+    def status(self) -> str:
+        """completed or stopped"""
+    @property
     def inputs(self) -> dict[str, Floats]: ...
     @property
     def points(self) -> Floats: ...
@@ -220,6 +223,7 @@ class Sweep:
     def margins(self) -> Floats: ...
     @property
     def statuses(self) -> list[str]: ...
+    def to_dict(self) -> dict[str, Any]: ...
 
 class Search:
     """What a search found."""

@@ -21,7 +21,6 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -275,8 +274,6 @@ SweepResult runSweepOf(const ValidProject& project, int threads) {
     });
 }
 
-constexpr std::array sweepStates{"not_run", "refused", "cannot_reach_size", "completed"};
-
 /// A row a point, a column a quantity.
 Array sweepMatrix(const SweepResult& sweep, double SweepValue::*which) {
     std::vector<double> values;
@@ -289,7 +286,9 @@ Array sweepMatrix(const SweepResult& sweep, double SweepValue::*which) {
 }
 
 void bindSweep(py::module_& module) {
-    py::class_<SweepResult>(module, "Sweep", "The points of a sweep.")
+    py::class_<SweepResult> found(module, "Sweep", "The points of a sweep.");
+    bindOutputs(found, sweepOutputs());
+    found
         .def_property_readonly(
             "inputs",
             [](const SweepResult& self) {
@@ -327,13 +326,18 @@ void bindSweep(py::module_& module) {
         .def_property_readonly(
             "margins",
             [](const SweepResult& self) { return sweepMatrix(self, &SweepValue::margin); })
-        .def_property_readonly("statuses", [](const SweepResult& self) {
-            std::vector<std::string> names;
-            for (const SweepPoint& point : self.points) {
-                names.emplace_back(sweepStates[static_cast<std::size_t>(point.status)]);
-            }
-            return names;
-        });
+        .def_property_readonly("statuses",
+                               [](const SweepResult& self) {
+                                   std::vector<std::string> names;
+                                   for (const SweepPoint& point : self.points) {
+                                       names.emplace_back(sweepStatusKey(point.status));
+                                   }
+                                   return names;
+                               })
+        .def(
+            "to_dict",
+            [](const SweepResult& self) { return fromJson(sweepJson(self, issueSentence)); },
+            "All that `sparkout-cli sweep --json` states.");
     module.def("sweep", &runSweepOf, py::arg("project"), py::arg("threads") = 0,
                "Runs the sweep of the project, the same for any number of threads.");
 }

@@ -8,6 +8,7 @@
 #include "core/quality/shop_outputs.h"
 #include "core/remedies/remedies_json.h"
 #include "core/study/search_outputs.h"
+#include "core/sweep/sweep_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -99,6 +100,10 @@ ordered_json tableSchemas() {
         {"remedy_phases",
          tableSchema("remedies: phases of one of remedies", remedyPhasesOutputs())},
         {"remedy_conflict", tableSchema("remedies: conflict", remedyConflictOutputs())},
+        {"sweep", tableSchema("sweep", sweepOutputs())},
+        {"swept_input", tableSchema("sweep: one of inputs", sweptInputOutputs())},
+        {"sweep_point", tableSchema("sweep: one of points", sweepPointOutputs())},
+        {"sweep_result", tableSchema("sweep: one of results of a point", sweepFigureOutputs())},
     };
 }
 

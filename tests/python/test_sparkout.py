@@ -200,7 +200,10 @@ class Studies(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "sweep.sparkout"
             project.write(path)
-            points = cli("sweep", path, "--json")["points"]
+            stated = cli("sweep", path, "--json")
+        points = stated["points"]
+        self.assertEqual(sweep.status, "completed")
+        self.assertEqual(sweep.to_dict(), stated)
         time_column = sweep.quantities.index("time part [s]")
         for row, point in zip(sweep.values, points):
             stated = next(each for each in point["results"] if each["name"] == "time")
