@@ -3,6 +3,7 @@
 
 #include "core/batch/batch_outputs.h"
 #include "core/format/strict_json.h"
+#include "core/phases/phases_json.h"
 #include "core/quality/form_outputs.h"
 #include "core/quality/requirement_outputs.h"
 #include "core/quality/shop_outputs.h"
@@ -100,6 +101,11 @@ ordered_json tableSchemas() {
         {"remedy_phases",
          tableSchema("remedies: phases of one of remedies", remedyPhasesOutputs())},
         {"remedy_conflict", tableSchema("remedies: conflict", remedyConflictOutputs())},
+        {"phases", tableSchema("phases", phasesOutputs())},
+        {"phase_piece", tableSchema("phases: one of pieces", phasePieceOutputs())},
+        {"failing_stocks", tableSchema("phases: one of failing", failingStocksOutputs())},
+        {"phase_worst",
+         tableSchema("phases: worst of a piece, or of failing", phaseWorstOutputs())},
         {"sweep", tableSchema("sweep", sweepOutputs())},
         {"swept_input", tableSchema("sweep: one of inputs", sweptInputOutputs())},
         {"sweep_point", tableSchema("sweep: one of points", sweepPointOutputs())},
