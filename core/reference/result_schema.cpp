@@ -2,6 +2,7 @@
 #include "core/reference/result_schema.h"
 
 #include "core/batch/batch_outputs.h"
+#include "core/dressing/dressing_json.h"
 #include "core/format/strict_json.h"
 #include "core/phases/phases_json.h"
 #include "core/quality/form_outputs.h"
@@ -101,6 +102,10 @@ ordered_json tableSchemas() {
         {"remedy_phases",
          tableSchema("remedies: phases of one of remedies", remedyPhasesOutputs())},
         {"remedy_conflict", tableSchema("remedies: conflict", remedyConflictOutputs())},
+        {"dressing", tableSchema("dressing", dressingOutputs())},
+        {"worn_failure", tableSchema("dressing: ends_by", wornFailureOutputs())},
+        {"quickest_interval", tableSchema("dressing: quickest", quickestIntervalOutputs())},
+        {"cheapest_interval", tableSchema("dressing: cheapest", cheapestIntervalOutputs())},
         {"phases", tableSchema("phases", phasesOutputs())},
         {"phase_piece", tableSchema("phases: one of pieces", phasePieceOutputs())},
         {"failing_stocks", tableSchema("phases: one of failing", failingStocksOutputs())},
