@@ -9,6 +9,7 @@
 #include "core/quality/requirement_outputs.h"
 #include "core/quality/shop_outputs.h"
 #include "core/remedies/remedies_json.h"
+#include "core/setup/setup_json.h"
 #include "core/study/search_outputs.h"
 #include "core/sweep/sweep_json.h"
 
@@ -102,6 +103,7 @@ ordered_json tableSchemas() {
         {"remedy_phases",
          tableSchema("remedies: phases of one of remedies", remedyPhasesOutputs())},
         {"remedy_conflict", tableSchema("remedies: conflict", remedyConflictOutputs())},
+        {"part", tableSchema("simulate: part of a file of several surfaces", setupOutputs())},
         {"dressing", tableSchema("dressing", dressingOutputs())},
         {"worn_failure", tableSchema("dressing: ends_by", wornFailureOutputs())},
         {"quickest_interval", tableSchema("dressing: quickest", quickestIntervalOutputs())},
