@@ -6,7 +6,7 @@
 // search; what was measured, read, judged and fitted, and the trials to measure next; and the
 // surfaces of a part that are ground in one set-up.
 
-#include "core/adequacy/adequacy.h"
+#include "core/adequacy/adequacy_outputs.h"
 #include "core/batch/batch_check.h"
 #include "core/batch/batch_json.h"
 #include "core/batch/batch_outputs.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/reference/result_schema.h"
+#include "words/result_schema.h"
 
 #include <pybind11/pybind11.h>
 

@@ -7,7 +7,7 @@
 #include "core/reference/lesson_page.h"
 #include "core/reference/lesson_schema.h"
 #include "core/reference/reference_page.h"
-#include "core/reference/result_schema.h"
+#include "words/result_schema.h"
 
 #include <cstdio>
 #include <string>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/reference/result_schema.h"
+#include "words/result_schema.h"
 
+#include "core/adequacy/adequacy_outputs.h"
 #include "core/batch/batch_outputs.h"
 #include "core/dressing/dressing_json.h"
 #include "core/format/strict_json.h"
@@ -12,6 +13,7 @@
 #include "core/setup/setup_json.h"
 #include "core/study/search_outputs.h"
 #include "core/sweep/sweep_json.h"
+#include "words/measured_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -103,6 +105,14 @@ ordered_json tableSchemas() {
         {"remedy_phases",
          tableSchema("remedies: phases of one of remedies", remedyPhasesOutputs())},
         {"remedy_conflict", tableSchema("remedies: conflict", remedyConflictOutputs())},
+        {"adequacy", tableSchema("measured: one of adequacy", adequacyOutputs())},
+        {"predicted", tableSchema("measured: predicted", predictedOutputs())},
+        {"variance_ratio", tableSchema("measured: variance_ratio", varianceRatioOutputs())},
+        {"inside", tableSchema("measured: inside", insideShareOutputs())},
+        {"identification", tableSchema("measured: identification", identificationOutputs())},
+        {"fitted_value", tableSchema("measured: one of values", fittedValueOutputs())},
+        {"residuals", tableSchema("measured: one of residuals", fitResidualsOutputs())},
+        {"out_of_step", tableSchema("measured: one of out_of_step", outOfStepOutputs())},
         {"part", tableSchema("simulate: part of a file of several surfaces", setupOutputs())},
         {"dressing", tableSchema("dressing", dressingOutputs())},
         {"worn_failure", tableSchema("dressing: ends_by", wornFailureOutputs())},
