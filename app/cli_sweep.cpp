@@ -8,76 +8,18 @@
 #include "app/io/stop_signals.h"
 #include "core/project/validate.h"
 #include "core/quality/result_names.h"
-#include "core/sweep/sweep_run.h"
+#include "core/sweep/sweep_json.h"
 #include "core/tables/csv_line.h"
 #include "words/issue_words.h"
 
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <string>
 
 namespace sparkout::cli {
 
 namespace {
 
-using nlohmann::ordered_json;
-
-constexpr std::array sweepStates{"not_run", "refused", "cannot_reach_size", "completed"};
-
-const char* stateOf(const SweepPoint& point) {
-    return sweepStates[static_cast<std::size_t>(point.status)];
-}
-
 std::string placeOf(const SweepQuantity& quantity) {
     return sectionOrPart(quantity.zone, quantity.section);
-}
-
-ordered_json valueJson(const SweepQuantity& quantity, const SweepValue& value) {
-    ordered_json json = {{"name", quantity.name},
-                         {"where", placeOf(quantity)},
-                         {"unit", quantity.unit},
-                         {"value", value.value}};
-    for (const auto& [key, number] : {std::pair("low", value.low), std::pair("high", value.high),
-                                      std::pair("margin", value.margin)}) {
-        if (!std::isnan(number)) {
-            json[key] = number;
-        }
-    }
-    return json;
-}
-
-ordered_json pointJson(const SweepResult& sweep, std::size_t index) {
-    const SweepPoint& point = sweep.points[index];
-    ordered_json json = {{"values", sweep.valuesAt(index)},
-                         {"status", stateOf(point)},
-                         {"ok", point.good},
-                         {"results", ordered_json::array()}};
-    for (const Issue& issue : point.issues) {
-        json["refused"].push_back(issue.path + ": " + issueSentence(issue));
-    }
-    for (std::size_t q = 0; q < point.values.size(); ++q) {
-        if (!std::isnan(point.values[q].value)) {
-            json["results"].push_back(valueJson(sweep.quantities[q], point.values[q]));
-        }
-    }
-    return json;
-}
-
-std::string sweepJson(const SweepResult& sweep) {
-    ordered_json json = {{"status", sweep.stopped ? "stopped" : "completed"},
-                         {"inputs", ordered_json::array()},
-                         {"points", ordered_json::array()}};
-    for (const SweptInput& input : sweep.inputs) {
-        json["inputs"].push_back(
-            {{"input", input.axis.input}, {"unit", input.unit}, {"values", input.values}});
-    }
-    for (std::size_t i = 0; i < sweep.points.size(); ++i) {
-        json["points"].push_back(pointJson(sweep, i));
-    }
-    return json.dump(2) + '\n';
 }
 
 /// A row a point; of every result its value and its margin.
@@ -101,7 +43,7 @@ std::string sweepCsv(const SweepResult& sweep) {
         for (const double value : sweep.valuesAt(i)) {
             line.number(value);
         }
-        line.text(stateOf(point)).text(point.good ? "true" : "false");
+        line.text(sweepStatusKey(point.status)).text(point.good ? "true" : "false");
         for (std::size_t q = 0; q < sweep.quantities.size(); ++q) {
             const SweepValue value = point.values.empty() ? SweepValue{} : point.values[q];
             line.number(value.value).number(value.margin);
@@ -123,7 +65,7 @@ std::string sweepText(const SweepResult& sweep) {
         for (const double value : sweep.valuesAt(i)) {
             text += numberText(value) + "  ";
         }
-        text += stateOf(point);
+        text += sweepStatusKey(point.status);
         for (std::size_t q = 0; q < point.values.size(); ++q) {
             const std::string& name = sweep.quantities[q].name;
             if (name == "time" || name == "least_margin") {
@@ -150,7 +92,7 @@ int runSweepOf(const Project& project, const std::string& name, const Options& o
         run.done = watch.done();
         sweep = runSweep(project, run);
     }
-    print(stdout, options.json  ? sweepJson(sweep)
+    print(stdout, options.json  ? sweepJson(sweep, issueSentence)
                   : options.csv ? sweepCsv(sweep)
                                 : sweepText(sweep));
     return caughtSignal() == 0 ? done : interrupted + caughtSignal();

@@ -44,7 +44,9 @@ enum class OutputKind {
     number,
     optionalNumber,
     whole,
+    optionalWhole,
     truth,
+    optionalTruth,
     text,
     optionalText,
     interval,
@@ -81,6 +83,7 @@ struct Output : OutputRow {
     using From = Value (*)(const Owner&);
     /// In the order of OutputKind; what may be missing is optional.
     using Getter = std::variant<From<double>, From<std::optional<double>>, From<std::int64_t>,
+                                From<std::optional<std::int64_t>>, From<bool>,
                                 From<std::optional<bool>>, From<std::string>,
                                 From<std::optional<std::string>>, From<std::optional<Interval>>,
                                 From<std::optional<Estimate>>, From<std::optional<Share>>>;

@@ -6,7 +6,7 @@
 // search; what was measured, read, judged and fitted, and the trials to measure next; and the
 // surfaces of a part that are ground in one set-up.
 
-#include "core/adequacy/adequacy.h"
+#include "core/adequacy/adequacy_outputs.h"
 #include "core/batch/batch_check.h"
 #include "core/batch/batch_json.h"
 #include "core/batch/batch_outputs.h"
@@ -39,7 +39,7 @@
 #include "core/quality/result_json.h"
 #include "core/quality/shop_numbers.h"
 #include "core/quality/shop_outputs.h"
-#include "core/remedies/remedies.h"
+#include "core/remedies/remedies_json.h"
 #include "core/setup/setup_file.h"
 #include "core/setup/setup_json.h"
 #include "core/setup/setup_run.h"
@@ -50,4 +50,4 @@
 #include "core/study/search_json.h"
 #include "core/study/search_outputs.h"
 #include "core/study/whole_batch.h"
-#include "core/sweep/sweep_run.h"
+#include "core/sweep/sweep_json.h"

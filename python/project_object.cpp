@@ -5,6 +5,7 @@
 #include "core/files/safe_file.h"
 #include "core/format/project_file.h"
 #include "core/project/validate.h"
+#include "python/output_attributes.h"
 #include "words/issue_words.h"
 
 #include <nlohmann/json.hpp>
@@ -45,10 +46,6 @@ void writePath(const ValidProject& self, const std::filesystem::path& path) {
     }
 }
 
-py::object toPython(const nlohmann::ordered_json& json) {
-    return py::module_::import("json").attr("loads")(json.dump());
-}
-
 /// Numbers and arrays of NumPy as Python's own.
 py::object plainOf(const py::object& value) {
     if (!py::hasattr(value, "tolist")) {
@@ -80,7 +77,7 @@ py::object valueAt(const ValidProject& self, const std::string& path) {
     if (!json.contains(pointer)) {
         throw py::key_error(path);
     }
-    return toPython(json.at(pointer));
+    return fromJson(json.at(pointer).dump());
 }
 
 /// Puts a value where there is one, beside another key or at the end of a list.
@@ -185,9 +182,7 @@ void bindProject(py::module_& module) {
         .def("to_text", [](const ValidProject& self) { return writeProject(self.project); })
         .def(
             "to_dict",
-            [](const ValidProject& self) {
-                return toPython(nlohmann::ordered_json::parse(writeProject(self.project)));
-            },
+            [](const ValidProject& self) { return fromJson(writeProject(self.project)); },
             "As the project file has it.")
         .def("__getitem__", &valueAt, py::arg("path"),
              "The value at a JSON pointer: project[\"/wheel/dullness\"].")

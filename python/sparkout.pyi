@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# sparkout-reference writes sparkout.pyi from sparkout.pyi.in and the tables of outputs.
 """Cylindrical grinding cycles, computed pass by pass."""
 
 import os
@@ -100,21 +101,33 @@ class Remedy:
     """A change of one setting that helps."""
 
     @property
-    def path(self) -> str: ...
+    def path(self) -> str:
+        """JSON pointer of the input; of a stage more, the stage"""
     @property
-    def before(self) -> Optional[float]: ...
+    def before(self) -> Optional[float]:
+        """its value as it is; none for a stage more"""
     @property
-    def value(self) -> float: ...
+    def value(self) -> float:
+        """the value that helps"""
     @property
-    def failing(self) -> Optional[float]: ...
+    def failing(self) -> Optional[float]:
+        """the next value towards the present one, which was run and fails"""
     @property
-    def holds_beyond(self) -> bool: ...
+    def holds_beyond(self) -> bool:
+        """whether the next value farther off that was tried helps, too"""
+    @property
+    def time_min(self) -> float:
+        """time of the cycle [min]"""
+    @property
+    def time_change_min(self) -> Optional[float]:
+        """time of the cycle less that of the cycle as it is; none where that one does not end by itself [min]"""
+    @property
+    def stock_mm(self) -> Optional[tuple[float, float]]:
+        """stocks per side, for each of which it holds; none under position control, where it holds for stocks drawn at random [mm]"""
     @property
     def time_s(self) -> float: ...
     @property
     def time_change_s(self) -> Optional[float]: ...
-    @property
-    def stock_mm(self) -> Optional[tuple[float, float]]: ...
     @property
     def phases(self) -> int: ...
     @property
@@ -128,37 +141,52 @@ class RemedyConflict:
     """Why none of the values that were tried helps."""
 
     @property
-    def kind(self) -> str: ...
+    def kind(self) -> str:
+        """stocks, warned, idle, opposed, several or unmended"""
     @property
-    def first(self) -> Optional[str]: ...
+    def first(self) -> Optional[str]:
+        """the requirement that fails most; none where the cycle does not end by itself"""
     @property
-    def second(self) -> Optional[str]: ...
+    def second(self) -> Optional[str]:
+        """the requirement that fails with the setting"""
     @property
-    def path(self) -> Optional[str]: ...
+    def path(self) -> Optional[str]:
+        """JSON pointer of the setting that comes nearest"""
     @property
-    def value(self) -> Optional[float]: ...
+    def value(self) -> Optional[float]:
+        """value of that setting"""
     @property
-    def stock_mm(self) -> Optional[float]: ...
+    def stock_mm(self) -> Optional[float]:
+        """stock per side for which the cycle fails with it; none unless the kind is stocks [mm]"""
 
 class Remedies:
     """What would help."""
 
     @property
-    def goal(self) -> str: ...
+    def goal(self) -> str:
+        """holds, room or none"""
+    @property
+    def status(self) -> str:
+        """completed or stopped"""
+    @property
+    def settings(self) -> int:
+        """settings that there are to try"""
+    @property
+    def tried(self) -> int:
+        """settings that were tried"""
+    @property
+    def runs(self) -> int:
+        """cycles that were run"""
+    @property
+    def found(self) -> int:
+        """settings that help"""
     @property
     def remedies(self) -> list[Remedy]: ...
     @property
     def conflict(self) -> Optional[RemedyConflict]: ...
     @property
-    def settings(self) -> int: ...
-    @property
-    def tried(self) -> int: ...
-    @property
-    def found(self) -> int: ...
-    @property
-    def runs(self) -> int: ...
-    @property
     def text(self) -> str: ...
+    def to_dict(self) -> dict[str, Any]: ...
 
 class Batch:
     """The parts of a batch."""
@@ -181,6 +209,9 @@ class Sweep:
     """The points of a sweep."""
 
     @property
+    def status(self) -> str:
+        """completed or stopped"""
+    @property
     def inputs(self) -> dict[str, Floats]: ...
     @property
     def points(self) -> Floats: ...
@@ -192,12 +223,66 @@ class Sweep:
     def margins(self) -> Floats: ...
     @property
     def statuses(self) -> list[str]: ...
+    def to_dict(self) -> dict[str, Any]: ...
 
 class Search:
     """What a search found."""
 
     @property
-    def status(self) -> str: ...
+    def status(self) -> str:
+        """proved, found, stopped, infeasible or not_found"""
+    @property
+    def method(self) -> str: ...
+    @property
+    def heuristic(self) -> bool: ...
+    @property
+    def aim(self) -> str: ...
+    @property
+    def margin_within_min(self) -> Optional[float]: ...
+    @property
+    def cycle_time_min(self) -> Optional[float]:
+        """Time of the cycle found [min]."""
+    @property
+    def least_relative_margin(self) -> Optional[float]:
+        """Minimum margin of all requirements, of its limit."""
+    @property
+    def cost_per_part(self) -> Optional[float]:
+        """Cost of a part with its share of the dressing."""
+    @property
+    def limit_time_min(self) -> Optional[float]:
+        """Stepless limit [min]."""
+    @property
+    def gap(self) -> Optional[float]:
+        """Gap to the stepless limit."""
+    @property
+    def limit_by(self) -> str: ...
+    @property
+    def bound_time_min(self) -> float:
+        """No cycle of the grid is quicker than [min]."""
+    @property
+    def grid_size(self) -> int:
+        """Cycles in the grid."""
+    @property
+    def level_rounds(self) -> int:
+        """Rounds of levels."""
+    @property
+    def evaluations(self) -> int:
+        """Cycles judged."""
+    @property
+    def visits(self) -> int:
+        """Radii under the wheel in all runs."""
+    @property
+    def scenarios_added(self) -> int:
+        """Scenarios added to hold in."""
+    @property
+    def rounds(self) -> Optional[int]: ...
+    @property
+    def holds_in_sample(self) -> Optional[bool]: ...
+    @property
+    def decided_stock_mm(self) -> Optional[tuple[float, float]]: ...
+    @property
+    def nominal_time_min(self) -> Optional[float]:
+        """Time of the quickest for the part alone [min]."""
     @property
     def time_s(self) -> Optional[float]: ...
     @property

@@ -12,6 +12,7 @@
 #include "core/study/kept_search.h"
 #include "python/arrays.h"
 #include "python/interruptible.h"
+#include "python/output_attributes.h"
 #include "python/project_object.h"
 #include "python/requirement_list.h"
 #include "words/course_json.h"
@@ -23,7 +24,6 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <iterator>
 #include <limits>
@@ -40,10 +40,6 @@ namespace py = pybind11;
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-py::object fromJson(const std::string& text) {
-    return py::module_::import("json").attr("loads")(text);
-}
 
 // --- one cycle ----------------------------------------------------------------------------------
 
@@ -283,8 +279,6 @@ SweepResult runSweepOf(const ValidProject& project, int threads) {
     });
 }
 
-constexpr std::array sweepStates{"not_run", "refused", "cannot_reach_size", "completed"};
-
 /// A row a point, a column a quantity.
 Array sweepMatrix(const SweepResult& sweep, double SweepValue::*which) {
     std::vector<double> values;
@@ -297,7 +291,9 @@ Array sweepMatrix(const SweepResult& sweep, double SweepValue::*which) {
 }
 
 void bindSweep(py::module_& module) {
-    py::class_<SweepResult>(module, "Sweep", "The points of a sweep.")
+    py::class_<SweepResult> found(module, "Sweep", "The points of a sweep.");
+    bindOutputs(found, sweepOutputs());
+    found
         .def_property_readonly(
             "inputs",
             [](const SweepResult& self) {
@@ -335,13 +331,18 @@ void bindSweep(py::module_& module) {
         .def_property_readonly(
             "margins",
             [](const SweepResult& self) { return sweepMatrix(self, &SweepValue::margin); })
-        .def_property_readonly("statuses", [](const SweepResult& self) {
-            std::vector<std::string> names;
-            for (const SweepPoint& point : self.points) {
-                names.emplace_back(sweepStates[static_cast<std::size_t>(point.status)]);
-            }
-            return names;
-        });
+        .def_property_readonly("statuses",
+                               [](const SweepResult& self) {
+                                   std::vector<std::string> names;
+                                   for (const SweepPoint& point : self.points) {
+                                       names.emplace_back(sweepStatusKey(point.status));
+                                   }
+                                   return names;
+                               })
+        .def(
+            "to_dict",
+            [](const SweepResult& self) { return fromJson(sweepJson(self, issueSentence)); },
+            "All that `sparkout-cli sweep --json` states.");
     module.def("sweep", &runSweepOf, py::arg("project"), py::arg("threads") = 0,
                "Runs the sweep of the project, the same for any number of threads.");
 }
@@ -410,10 +411,6 @@ SearchOutcomePtr runSearchOf(const ValidProject& project, SearchWish wish,
     return outcome;
 }
 
-std::string searchStatusOf(const SearchOutcome& self) {
-    return searchStatusName(self.refined() ? SearchStatus::found : self.search.status);
-}
-
 std::optional<double> searchTime_s(const SearchOutcome& self) {
     return self.answer() ? std::optional(self.answer()->time_s) : std::nullopt;
 }
@@ -439,11 +436,10 @@ std::optional<std::vector<std::string>> bindingOf(const SearchOutcome& self) {
 }
 
 void bindSearch(py::module_& module) {
-    py::class_<SearchOutcome, std::shared_ptr<SearchOutcome>>(module, "Search",
-                                                              "What a search found.")
-        .def_property_readonly("status", &searchStatusOf,
-                               "proved, found, stopped, infeasible or not_found")
-        .def_property_readonly("time_s", &searchTime_s, "of the cycle found; None without one")
+    py::class_<SearchOutcome, std::shared_ptr<SearchOutcome>> found(module, "Search",
+                                                                    "What a search found.");
+    bindOutputs(found, searchOutputs());
+    found.def_property_readonly("time_s", &searchTime_s, "of the cycle found; None without one")
         .def_property_readonly("project", &projectFound, "with the cycle found; None without one")
         .def_property_readonly(
             "bound_s", [](const SearchOutcome& self) { return self.search.bound_s; },

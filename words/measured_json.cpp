@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "words/measured_json.h"
 
-#include "core/project/part.h"
-#include "core/quality/result_names.h"
+#include "core/adequacy/adequacy_outputs.h"
+#include "core/format/output_json.h"
 #include "words/measured_words.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace sparkout {
@@ -18,86 +17,73 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json limitsJson(const std::optional<Interval>& interval) {
-    return interval ? ordered_json{interval->low, interval->high} : ordered_json(nullptr);
-}
+constexpr Output<Identification> identificationRows[] = {
+    {{.key = "status"}, [](const Identification& i) { return std::string(wordsOf(i.status).key); }},
+    {{.key = "condition", .hint = "of the derivatives; none where they depend on each other"},
+     [](const Identification& i) {
+         return std::isfinite(i.condition) ? std::optional(i.condition) : std::nullopt;
+     }},
+    {{.key = "normality_probability", .hint = "of the residuals, if they are normal"},
+     [](const Identification& i) {
+         return i.normality ? std::optional(i.normality->probability) : std::nullopt;
+     }},
+    {{.key = "in_doubt", .hint = "the residuals of a trace are more than its noise"},
+     [](const Identification& i) { return i.isInDoubt(); }},
+    {{.key = "measured_values"}, [](const Identification& i) { return std::int64_t(i.count); }},
+};
+
+constexpr Output<FittedValue> valueRows[] = {
+    {{.key = "parameter"}, [](const FittedValue& v) { return parameterName(v.parameter); }},
+    {{.key = "value"}, [](const FittedValue& v) { return v.value; }},
+    {{.key = "unit", .hint = "empty for a factor"},
+     [](const FittedValue& v) { return std::string(unitOf(v.parameter.kind)); }},
+    {{.key = "interval_95"}, [](const FittedValue& v) { return std::optional(v.interval95); }},
+};
+
+constexpr Output<FitResiduals> residualsRows[] = {
+    {{.key = "source"}, [](const FitResiduals& r) { return std::string(wordsOf(r.source).key); }},
+    {{.key = "trace", .hint = "its number in the project; −1: parts"},
+     [](const FitResiduals& r) { return std::int64_t{r.trace}; }},
+    {{.key = "count"}, [](const FitResiduals& r) { return std::int64_t(r.values.size()); }},
+    {{.key = "rms"}, [](const FitResiduals& r) { return r.rms; }},
+    {{.key = "noise", .hint = "of a trace, from the trace itself"},
+     [](const FitResiduals& r) { return r.noise; }},
+    {{.key = "in_doubt", .hint = "more is left than the noise"},
+     [](const FitResiduals& r) { return r.isInDoubt(); }},
+    {{.key = "unit"}, [](const FitResiduals& r) { return std::string(unitOf(r.source)); }},
+};
+
+constexpr Output<OutOfStepOf> outOfStepRows[] = {
+    {{.key = "parameter", .hint = "a time that was not fitted"},
+     [](const OutOfStepOf& o) { return std::string(keyOf(o.time.kind)); }},
+    {{.key = "value", .hint = "with it fitted too"},
+     [](const OutOfStepOf& o) { return o.time.delay_s; }},
+    {{.key = "error", .hint = "standard error"},
+     [](const OutOfStepOf& o) { return o.time.error_s; }},
+    {{.key = "unit"}, [](const OutOfStepOf& o) { return std::string(unitOf(o.time.kind)); }},
+    {{.key = "moves", .hint = "the parameter that it moves most"},
+     [](const OutOfStepOf& o) { return parameterName(o.parameters[o.time.parameter]); }},
+    {{.key = "to", .hint = "what that one would be"},
+     [](const OutOfStepOf& o) { return o.time.value; }},
+};
 
 ordered_json rowJson(const Project& project, const AdequacyRow& row) {
-    const MeasuredStatistics& parts = row.measured;
-    ordered_json json = {{"quantity", keyOf(parts.quantity)},
-                         {"where", placeName(project, parts.place)},
-                         {"summary", parts.isSummary},
-                         {"count", parts.count},
-                         {"mean_um", parts.mean},
-                         {"mean_95_um", limitsJson(row.mean95)},
-                         {"deviation_um", nullptr},
-                         {"predicted", nullptr},
-                         {"bias_95_um", limitsJson(row.bias95)},
-                         {"variance_ratio", nullptr},
-                         {"inside", nullptr},
-                         {"verdict", wordsOf(row.verdict).key}};
-    if (parts.deviation) {
-        json["deviation_um"] = *parts.deviation;
-    }
-    if (row.predicted) {
-        json["predicted"] = {{"count", row.predicted->count},
-                             {"mean_um", row.predicted->mean},
-                             {"low_um", row.predicted->low},
-                             {"high_um", row.predicted->high}};
-        if (row.predicted->deviation) {
-            json["predicted"]["deviation_um"] = *row.predicted->deviation;
-        }
-    }
-    if (row.scatter) {
-        json["variance_ratio"] = {{"value", row.scatter->ratio},
-                                  {"low", row.scatter->low},
-                                  {"high", row.scatter->high},
-                                  {"probability", row.scatter->probability}};
-    }
-    if (row.share) {
-        json["inside"] = {{"count", row.share->inside},
-                          {"of", row.share->count},
-                          {"interval_95", limitsJson(row.share->interval)}};
-    }
+    ordered_json json = outputsJson(adequacyOutputs(), {project, row});
+    json["predicted"] = outputsJson(predictedOutputs(), row.predicted);
+    json["variance_ratio"] = outputsJson(varianceRatioOutputs(), row.scatter);
+    json["inside"] = outputsJson(insideShareOutputs(), row.share);
     return json;
 }
 
 ordered_json fitJson(const Identification& found, const std::vector<FittedParameter>& requested) {
-    ordered_json json = {
-        {"status", wordsOf(found.status).key},  {"values", ordered_json::array()},
-        {"correlation", found.correlation},     {"condition", nullptr},
-        {"residuals", ordered_json::array()},   {"normality_probability", nullptr},
-        {"in_doubt", found.isInDoubt()},        {"out_of_step", ordered_json::array()},
-        {"cannot_tell", ordered_json::array()}, {"measured_values", found.count}};
-    for (const FittedValue& value : found.values) {
-        json["values"].push_back({{"parameter", parameterName(value.parameter)},
-                                  {"value", value.value},
-                                  {"unit", unitOf(value.parameter.kind)},
-                                  {"interval_95", limitsJson(value.interval95)}});
-    }
-    if (std::isfinite(found.condition)) {
-        json["condition"] = found.condition;
-    }
-    for (const FitResiduals& group : found.residuals) {
-        json["residuals"].push_back(
-            {{"source", wordsOf(group.source).key},
-             {"trace", group.trace},
-             {"count", group.values.size()},
-             {"rms", group.rms},
-             {"noise", group.noise ? ordered_json(*group.noise) : ordered_json(nullptr)},
-             {"in_doubt", group.isInDoubt()},
-             {"unit", unitOf(group.source)}});
-    }
-    if (found.normality) {
-        json["normality_probability"] = found.normality->probability;
-    }
+    ordered_json json = outputsJson(identificationOutputs(), found);
+    json["values"] = outputsJsonOfEach(fittedValueOutputs(), found.values);
+    json["correlation"] = found.correlation;
+    json["residuals"] = outputsJsonOfEach(fitResidualsOutputs(), found.residuals);
+    json["out_of_step"] = ordered_json::array();
+    json["cannot_tell"] = ordered_json::array();
     for (const OutOfStep& one : found.outOfStep) {
-        json["out_of_step"].push_back({{"parameter", wordsOf(one.kind).key},
-                                       {"value", one.delay_s},
-                                       {"error", one.error_s},
-                                       {"unit", unitOf(one.kind)},
-                                       {"moves", parameterName(requested[one.parameter])},
-                                       {"to", one.value}});
+        json["out_of_step"].push_back(outputsJson(outOfStepOutputs(), {requested, one}));
     }
     for (const Unidentified& one : found.unidentified) {
         ordered_json names = ordered_json::array();
@@ -155,14 +141,20 @@ std::string knownParameters() {
     return known;
 }
 
-const char* keyOf(MeasuredQuantity quantity) {
-    return choicesOf<MeasuredQuantity>()[static_cast<std::size_t>(quantity)].key;
+std::span<const Output<Identification>> identificationOutputs() {
+    return identificationRows;
 }
 
-std::string placeName(const Project& project, int place) {
-    return sectionOrPart(project.operation->hasZones && place >= 0 ? static_cast<Zone>(place)
-                                                                   : Zone::section,
-                         place);
+std::span<const Output<FittedValue>> fittedValueOutputs() {
+    return valueRows;
+}
+
+std::span<const Output<FitResiduals>> fitResidualsOutputs() {
+    return residualsRows;
+}
+
+std::span<const Output<OutOfStepOf>> outOfStepOutputs() {
+    return outOfStepRows;
 }
 
 std::string measuredJson(const Project& project, const MeasuredAnswer& answer) {

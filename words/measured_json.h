@@ -3,8 +3,10 @@
 
 #include "core/adequacy/adequacy.h"
 #include "core/identification/identification.h"
+#include "core/result.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,16 +18,23 @@ fittedParametersOf(const std::string& text);
 [[nodiscard]] std::string parameterName(const FittedParameter& parameter); ///< "compliance:2"
 [[nodiscard]] std::string knownParameters();                               ///< "compliance, alpha"
 
-[[nodiscard]] const char* keyOf(MeasuredQuantity quantity);
-/// A zone or section by its name in JSON, or the part.
-[[nodiscard]] std::string placeName(const Project& project, int place);
-
 /// What was measured held against the prediction and, where asked for, fitted to.
 struct MeasuredAnswer {
     std::vector<AdequacyRow> rows;
     std::optional<Identification> fit;
     std::vector<FittedParameter> parameters; ///< of the fit
 };
+
+/// A time left out of a fit of these parameters.
+struct OutOfStepOf {
+    const std::vector<FittedParameter>& parameters;
+    const OutOfStep& time;
+};
+
+[[nodiscard]] std::span<const Output<Identification>> identificationOutputs();
+[[nodiscard]] std::span<const Output<FittedValue>> fittedValueOutputs();
+[[nodiscard]] std::span<const Output<FitResiduals>> fitResidualsOutputs();
+[[nodiscard]] std::span<const Output<OutOfStepOf>> outOfStepOutputs();
 
 /// The object of `measured --json`.
 [[nodiscard]] std::string measuredJson(const Project& project, const MeasuredAnswer& answer);

@@ -5,25 +5,21 @@
 
 namespace sparkout {
 
-MeasuredWords wordsOf(AdequacyVerdict verdict) {
+const char* textOf(AdequacyVerdict verdict) {
     switch (verdict) {
     case AdequacyVerdict::adequate:
-        return {"adequate", SPARKOUT_NOOP("Measured", "the model agrees with the parts")};
+        return SPARKOUT_NOOP("Measured", "the model agrees with the parts");
     case AdequacyVerdict::biased:
-        return {"biased", SPARKOUT_NOOP("Measured", "the mean lies outside the predicted range")};
+        return SPARKOUT_NOOP("Measured", "the mean lies outside the predicted range");
     case AdequacyVerdict::scatterDiffers:
-        return {"scatter_differs",
-                SPARKOUT_NOOP("Measured", "the parts scatter otherwise than predicted")};
+        return SPARKOUT_NOOP("Measured", "the parts scatter otherwise than predicted");
     case AdequacyVerdict::biasedAndScatters:
-        return {"biased_and_scatter_differs",
-                SPARKOUT_NOOP("Measured",
-                              "the mean lies outside the predicted range, and the parts "
-                              "scatter otherwise")};
-    case AdequacyVerdict::tooFewParts:
-        return {"too_few_parts", SPARKOUT_NOOP("Measured", "too few parts to tell")};
+        return SPARKOUT_NOOP("Measured", "the mean lies outside the predicted range, and the parts "
+                                         "scatter otherwise");
+    case AdequacyVerdict::tooFewParts: return SPARKOUT_NOOP("Measured", "too few parts to tell");
     case AdequacyVerdict::notPredicted: break;
     }
-    return {"not_predicted", SPARKOUT_NOOP("Measured", "not predicted by this cycle")};
+    return SPARKOUT_NOOP("Measured", "not predicted by this cycle");
 }
 
 MeasuredWords wordsOf(IdentificationStatus status) {

@@ -13,7 +13,6 @@ struct MeasuredWords {
     const char* text;
 };
 
-[[nodiscard]] MeasuredWords wordsOf(AdequacyVerdict verdict);
 [[nodiscard]] MeasuredWords wordsOf(IdentificationStatus status);
 /// What to measure.
 [[nodiscard]] MeasuredWords wordsOf(Advice advice);
@@ -21,6 +20,9 @@ struct MeasuredWords {
 [[nodiscard]] MeasuredWords wordsOf(FitSource source);
 /// What a fit that leaves more than the noise of a trace is in doubt for.
 [[nodiscard]] const char* doubtText();
+
+/// In English, as the others.
+[[nodiscard]] const char* textOf(AdequacyVerdict verdict);
 
 /// The unit of a parameter's value; empty for a factor.
 [[nodiscard]] const char* unitOf(FittedKind kind);

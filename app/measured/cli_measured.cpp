@@ -9,7 +9,7 @@
 #include "app/measured/cli_roundness.h"
 #include "app/measured/cli_stiffness.h"
 #include "app/measured/cli_trial.h"
-#include "core/adequacy/adequacy.h"
+#include "core/adequacy/adequacy_outputs.h"
 #include "core/batch/batch_check.h"
 #include "core/files/file_system.h"
 #include "core/identification/identification.h"
@@ -54,7 +54,7 @@ bool readInto(Project& project, const std::string& file) {
 
 std::string rowText(const Project& project, const AdequacyRow& row) {
     const MeasuredStatistics& parts = row.measured;
-    std::string text = placeName(project, parts.place) + ", " + keyOf(parts.quantity)
+    std::string text = placeKey(project, parts.place) + ", " + keyOf(parts.quantity)
                        + ": n = " + std::to_string(parts.count) + ", mean " + fixed(parts.mean, 2);
     if (row.mean95) {
         text += " ± " + fixed((row.mean95->high - row.mean95->low) / 2, 2);
@@ -75,7 +75,7 @@ std::string rowText(const Project& project, const AdequacyRow& row) {
                 + " inside (" + fixed(perCent * row.share->interval.low, 0) + "…"
                 + fixed(perCent * row.share->interval.high, 0) + " %)";
     }
-    return text + ": " + wordsOf(row.verdict).text + '\n';
+    return text + ": " + textOf(row.verdict) + '\n';
 }
 
 std::string fitText(const Identification& found, const std::vector<FittedParameter>& requested) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dressing/dressing_json.h"
 
+#include "core/format/output_json.h"
 #include "core/project/optimisation.h"
 #include "core/quality/result_names.h"
-
-#include <nlohmann/json.hpp>
 
 namespace sparkout {
 
@@ -12,32 +11,63 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json bestJson(const std::optional<BestInterval>& best, const char* value) {
-    return best ? ordered_json{{"parts", best->parts}, {value, best->value}}
-                : ordered_json(nullptr);
+constexpr Output<DressingInterval> intervalRows[] = {
+    {{.key = "parts", .hint = "parts of one dressing that hold every requirement"},
+     [](const DressingInterval& d) { return d.parts; }},
+    {{.key = "endless", .hint = "no part fails however many there are"},
+     [](const DressingInterval& d) { return d.isEndless; }},
+    {{.key = "at_least", .hint = "as many were tried, and none fails"},
+     [](const DressingInterval& d) { return !d.end && !d.isEndless; }},
+    {{.key = "part_volume_mm3", .unit = "mm³", .hint = "metal that a part loses"},
+     [](const DressingInterval& d) { return d.partVolume_mm3; }},
+    {{.key = "runs", .hint = "cycles that were run"},
+     [](const DressingInterval& d) { return d.tried; }},
+};
+
+/// Nothing where the part was not judged.
+template <class Value>
+std::optional<Value> ofWorst(const WornFailureOf& f, Value (*value)(const ConstraintResult&)) {
+    return f.failure.worst ? std::optional(value(*f.failure.worst)) : std::nullopt;
 }
 
-ordered_json endJson(const Setup& setup, const DressingInterval& interval) {
-    if (!interval.end) {
-        return nullptr;
-    }
-    const WornFailure& end = *interval.end;
-    ordered_json json = {{"part", end.part},
-                         {"surface", setup.surfaces[end.surface].name},
-                         {"scenario", end.scenario ? ordered_json(*end.scenario) : nullptr},
-                         {"status", end.issues.empty() ? statusKey(end.status) : "refused"},
-                         {"requirement", nullptr},
-                         {"where", nullptr},
-                         {"value", nullptr},
-                         {"limit", nullptr}};
-    if (end.worst) {
-        json["requirement"] = requirementOf(end.worst->kind).key;
-        json["where"] = whereText(*end.worst);
-        json["value"] = end.worst->value;
-        json["limit"] = end.worst->limit;
-    }
-    return json;
-}
+constexpr Output<WornFailureOf> failureRows[] = {
+    {{.key = "part", .hint = "the first part that fails, from 1"},
+     [](const WornFailureOf& f) { return f.failure.part; }},
+    {{.key = "surface"},
+     [](const WornFailureOf& f) { return f.setup.surfaces[f.failure.surface].name; }},
+    {{.key = "scenario", .hint = "part of the batch of the surface, from 0; none: as it stands"},
+     [](const WornFailureOf& f) { return f.failure.scenario; }},
+    {{.key = "status", .hint = "refused, or how its cycle ends"},
+     [](const WornFailureOf& f) {
+         const WornFailure& failure = f.failure;
+         return std::string(failure.issues.empty() ? statusKey(failure.status) : "refused");
+     }},
+    {{.key = "requirement", .hint = "the one that fails by most"},
+     [](const WornFailureOf& f) {
+         return ofWorst<std::string>(
+             f, [](auto& c) { return std::string(requirementOf(c.kind).key); });
+     }},
+    {{.key = "where"}, [](const WornFailureOf& f) { return ofWorst<std::string>(f, whereText); }},
+    {{.key = "value", .hint = "in the unit of the requirement"},
+     [](const WornFailureOf& f) { return ofWorst<double>(f, [](auto& c) { return c.value; }); }},
+    {{.key = "limit", .hint = "in the unit of the requirement"},
+     [](const WornFailureOf& f) { return ofWorst<double>(f, [](auto& c) { return c.limit; }); }},
+};
+
+constexpr Output<BestInterval> partsRow = {{.key = "parts", .hint = "parts between two dressings"},
+                                           [](const BestInterval& b) { return b.parts; }};
+
+constexpr Output<BestInterval> quickestRows[] = {
+    partsRow,
+    {{.key = "time_s", .unit = "s", .hint = "time of a part with its share of the dressing"},
+     [](const BestInterval& b) { return b.value; }},
+};
+
+constexpr Output<BestInterval> cheapestRows[] = {
+    partsRow,
+    {{.key = "cost", .hint = "of a part with its share of the dressing"},
+     [](const BestInterval& b) { return b.value; }},
+};
 
 } // namespace
 
@@ -49,16 +79,29 @@ BestIntervals bestIntervals(const Setup& setup, const DressingInterval& interval
     return {quickestInterval(interval, rates->dressing_s), cheapestInterval(interval, *rates)};
 }
 
+std::span<const Output<DressingInterval>> dressingOutputs() {
+    return intervalRows;
+}
+
+std::span<const Output<WornFailureOf>> wornFailureOutputs() {
+    return failureRows;
+}
+
+std::span<const Output<BestInterval>> quickestIntervalOutputs() {
+    return quickestRows;
+}
+
+std::span<const Output<BestInterval>> cheapestIntervalOutputs() {
+    return cheapestRows;
+}
+
 std::string dressingJson(const Setup& setup, const DressingInterval& interval) {
     const BestIntervals best = bestIntervals(setup, interval);
-    const ordered_json json = {{"parts", interval.parts},
-                               {"endless", interval.isEndless},
-                               {"at_least", !interval.end && !interval.isEndless},
-                               {"part_volume_mm3", interval.partVolume_mm3},
-                               {"runs", interval.tried},
-                               {"ends_by", endJson(setup, interval)},
-                               {"quickest", bestJson(best.quickest, "time_s")},
-                               {"cheapest", bestJson(best.cheapest, "cost")}};
+    ordered_json json = outputsJson(dressingOutputs(), interval);
+    json["ends_by"] =
+        interval.end ? outputsJson(wornFailureOutputs(), {setup, *interval.end}) : ordered_json();
+    json["quickest"] = outputsJson(quickestIntervalOutputs(), best.quickest);
+    json["cheapest"] = outputsJson(cheapestIntervalOutputs(), best.cheapest);
     return json.dump(2) + '\n';
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "core/dressing/dressing_interval.h"
+#include "core/result.h"
 
 #include <optional>
+#include <span>
 #include <string>
 
 namespace sparkout {
@@ -13,6 +15,17 @@ struct BestIntervals {
     std::optional<BestInterval> quickest, cheapest;
 };
 [[nodiscard]] BestIntervals bestIntervals(const Setup& setup, const DressingInterval& interval);
+
+/// The part that ends an interval.
+struct WornFailureOf {
+    const Setup& setup;
+    const WornFailure& failure;
+};
+
+[[nodiscard]] std::span<const Output<DressingInterval>> dressingOutputs();
+[[nodiscard]] std::span<const Output<WornFailureOf>> wornFailureOutputs();
+[[nodiscard]] std::span<const Output<BestInterval>> quickestIntervalOutputs();
+[[nodiscard]] std::span<const Output<BestInterval>> cheapestIntervalOutputs();
 
 /// The object of `dressing --json`.
 [[nodiscard]] std::string dressingJson(const Setup& setup, const DressingInterval& interval);

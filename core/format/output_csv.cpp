@@ -36,8 +36,14 @@ void addCsvCells(CsvLine& line, OutputKind kind, const OutputValue& value) {
         line.number(number ? *number : emptyCell);
         break;
     }
-    case OutputKind::whole: line.whole(std::get<std::int64_t>(value)); break;
-    case OutputKind::truth: {
+    case OutputKind::whole:
+    case OutputKind::optionalWhole: {
+        const auto* whole = std::get_if<std::int64_t>(&value);
+        whole ? line.whole(*whole) : line.empty();
+        break;
+    }
+    case OutputKind::truth:
+    case OutputKind::optionalTruth: {
         const auto* truth = std::get_if<bool>(&value);
         line.text(!truth ? "" : *truth ? "true" : "false");
         break;

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <span>
 
 namespace sparkout {
@@ -23,6 +24,24 @@ template <class Owner>
         }
     }
     return json;
+}
+
+/// The same of an owner that may be missing: null then.
+template <class Owner>
+[[nodiscard]] nlohmann::ordered_json outputsJson(std::span<const Output<Owner>> rows,
+                                                 const std::optional<Owner>& owner) {
+    return owner ? outputsJson(rows, *owner) : nlohmann::ordered_json();
+}
+
+/// A list of them.
+template <class Owner, class Owners>
+[[nodiscard]] nlohmann::ordered_json outputsJsonOfEach(std::span<const Output<Owner>> rows,
+                                                       const Owners& owners) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const Owner& owner : owners) {
+        list.push_back(outputsJson(rows, owner));
+    }
+    return list;
 }
 
 } // namespace sparkout

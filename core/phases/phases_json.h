@@ -2,10 +2,18 @@
 #pragma once
 
 #include "core/phases/phase_decision.h"
+#include "core/result.h"
 
+#include <span>
 #include <string>
 
 namespace sparkout {
+
+[[nodiscard]] std::span<const Output<PhaseDecision>> phasesOutputs();
+[[nodiscard]] std::span<const Output<DecidedPiece>> phasePieceOutputs();
+[[nodiscard]] std::span<const Output<FailingStocks>> failingStocksOutputs();
+/// The requirement that a piece or the stocks that fail are nearest to.
+[[nodiscard]] std::span<const Output<ConstraintResult>> phaseWorstOutputs();
 
 /// The object of `phases --json`: the pieces of the range, and the stocks for which the cycle
 /// fails.

@@ -26,7 +26,7 @@ constexpr Output<ConstraintResult> requirementTable[] = {
       .hint = "the margin over the width of the field or range, or over the limit"},
      [](const ConstraintResult& c) { return ofWhole(c, c.relativeMargin); }},
     {{.key = "where"}, [](const ConstraintResult& c) { return whereText(c); }},
-    {{.key = "ok"}, [](const ConstraintResult& c) { return std::optional(c.holds); }},
+    {{.key = "ok"}, [](const ConstraintResult& c) { return c.holds; }},
 };
 
 } // namespace

@@ -76,14 +76,6 @@ ordered_json burnJson(const BurnState& burn) {
             {"rise_at_stock_left_k", burn.rise_k}};
 }
 
-ordered_json constraintsJson(const std::vector<ConstraintResult>& constraints) {
-    ordered_json list = ordered_json::array();
-    for (const ConstraintResult& constraint : worstByKind(constraints)) {
-        list.push_back(outputsJson(requirementOutputs(), constraint));
-    }
-    return list;
-}
-
 /// What a zone with several sections has beside the worst of them; null where strips stay uncut.
 void addZoneSections(ordered_json& zone, const SimulationResult& result, std::size_t index,
                      const PartAccuracy& accuracy) {
@@ -125,11 +117,7 @@ ordered_json sectionsJson(const SimulationResult& result, const PartAccuracy& ac
 }
 
 ordered_json shopJson(const ShopNumbers& shop) {
-    ordered_json stages = ordered_json::array();
-    for (const ShopColumn& stage : shop.stages) {
-        stages.push_back(outputsJson(shopColumnOutputs(), stage));
-    }
-    ordered_json json = {{"stages", std::move(stages)},
+    ordered_json json = {{"stages", outputsJsonOfEach(shopColumnOutputs(), shop.stages)},
                          {"cycle", outputsJson(shopColumnOutputs(), shop.cycle)}};
     json.update(outputsJson(shopOutputs(), shop));
     return json;
@@ -173,7 +161,7 @@ std::string resultJson(const SimulationResult& result,
     if (const auto burn = burnStateOf(result)) {
         root["burn"] = burnJson(*burn);
     }
-    root["constraints"] = constraintsJson(constraints);
+    root["constraints"] = outputsJsonOfEach(requirementOutputs(), worstByKind(constraints));
     return printJson(root);
 }
 

@@ -148,7 +148,7 @@ constexpr Output<ShopNumbers> shopRows[] = {
          return shop.ratioNearInteger() ? BandSide::above : BandSide::inside;
      }},
     {{.key = "rotation_ratio_near_integer", .detail = true},
-     [](const ShopNumbers& shop) { return std::optional(shop.ratioNearInteger()); }},
+     [](const ShopNumbers& shop) { return shop.ratioNearInteger(); }},
 };
 
 // The hints above state them in words.

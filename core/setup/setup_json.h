@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/result.h"
 #include "core/setup/setup_run.h"
 
+#include <span>
 #include <string>
 
 namespace sparkout {
+
+/// A run of the surfaces of a set-up.
+struct SetupRunOf {
+    const Setup& setup;
+    const SetupRun& run;
+};
+
+/// What is stated of the part as a whole.
+[[nodiscard]] std::span<const Output<SetupRunOf>> setupOutputs();
 
 /// One JSON object: "surfaces", each with its name and the keys of resultJson(), and "part" with
 /// completed, holds and the times, which are null unless every surface is completed.

@@ -40,12 +40,12 @@ std::optional<PhaseCases> decidedBy(const Found& f) {
 }
 
 constexpr Output<Found> searchRows[] = {
-    {{.key = "status"},
+    {{.key = "status", .hint = "proved, found, stopped, infeasible or not_found"},
      [](const Found& f) {
          return std::string(searchStatusName(f.refined() ? SearchStatus::found : f.search.status));
      }},
     {{.key = "method"}, [](const Found& f) { return std::string(searchMethodName(f.method)); }},
-    {{.key = "heuristic"}, [](const Found& f) { return std::optional(isHeuristic(f.method)); }},
+    {{.key = "heuristic"}, [](const Found& f) { return isHeuristic(f.method); }},
     {{.key = "aim"}, [](const Found& f) { return std::string(aimKey(f)); }},
     {{.key = "margin_within_min"},
      [](const Found& f) {

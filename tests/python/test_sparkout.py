@@ -200,7 +200,10 @@ class Studies(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "sweep.sparkout"
             project.write(path)
-            points = cli("sweep", path, "--json")["points"]
+            stated = cli("sweep", path, "--json")
+        points = stated["points"]
+        self.assertEqual(sweep.status, "completed")
+        self.assertEqual(sweep.to_dict(), stated)
         time_column = sweep.quantities.index("time part [s]")
         for row, point in zip(sweep.values, points):
             stated = next(each for each in point["results"] if each["name"] == "time")
@@ -210,7 +213,9 @@ class Studies(unittest.TestCase):
         file = EXAMPLES / "shaft-30h6-optimal.sparkout"
         search = sparkout.search(sparkout.Project.read(file))
         stated = cli("optimize", file, "--json")
-        self.assertEqual(search.status, stated["status"])
+        for member in ("status", "method", "heuristic", "cycle_time_min", "gap", "grid_size"):
+            self.assertEqual(getattr(search, member), stated[member], member)
+        self.assertIsNone(search.rounds)  # of a robust search alone
         self.assertEqual(search.time_s / 60, stated["cycle_time_min"])
         self.assertEqual(search.binding, stated["binding"])
         found = sparkout.evaluate(search.project)
@@ -280,17 +285,20 @@ class Studies(unittest.TestCase):
         file = EXAMPLES / "slender-shaft.sparkout"
         found = sparkout.remedies(sparkout.Project.read(file))
         stated = cli("remedies", file, "--json")
-        self.assertEqual(found.goal, stated["goal"])
+        self.assertEqual(found.to_dict(), stated)
         self.assertIsNone(found.conflict)
-        for member in ("settings", "tried", "found", "runs"):
+        for member in ("goal", "status", "settings", "tried", "found", "runs"):
             self.assertEqual(getattr(found, member), stated[member], member)
         self.assertGreater(len(found.remedies), 0)
         self.assertEqual(len(found.remedies), len(stated["remedies"]))
         added = [each.before for each in found.remedies if "stages/2" in each.path]
         self.assertEqual(added, [None]) # a stage more has no value before
         for each, line in zip(found.remedies, stated["remedies"]):
-            for member in ("path", "before", "value", "failing", "holds_beyond"):
+            for member in ("path", "before", "value", "failing", "holds_beyond", "time_min",
+                           "time_change_min"):
                 self.assertEqual(getattr(each, member), line[member], member)
+            self.assertEqual(each.stock_mm, tuple(line["stock_mm"]))
+            self.assertEqual(type(each).time_min.__doc__, "time of the cycle [min]")
             self.assertEqual(each.time_s / 60, line["time_min"])
             self.assertEqual(each.time_change_s / 60, line["time_change_min"])
             for one, other in zip(each.requirements, line["requirements"], strict=True):

@@ -168,7 +168,7 @@ QString MeasuredText::share(const AdequacyRow& row) {
 }
 
 QString MeasuredText::verdict(AdequacyVerdict verdict) {
-    return QCoreApplication::translate("Measured", wordsOf(verdict).text);
+    return QCoreApplication::translate("Measured", textOf(verdict));
 }
 
 QString MeasuredText::consequence(AdequacyVerdict verdict) {

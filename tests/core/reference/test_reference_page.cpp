@@ -3,6 +3,7 @@
 #include "core/batch/batch_run.h"
 #include "core/course/work_file.h"
 #include "core/format/project_file.h"
+#include "core/phases/phases_json.h"
 #include "core/project/batch.h"
 #include "core/quality/constraints.h"
 #include "core/quality/result_json.h"
@@ -10,7 +11,7 @@
 #include "core/reference/lesson_page.h"
 #include "core/reference/lesson_schema.h"
 #include "core/reference/reference_page.h"
-#include "core/reference/result_schema.h"
+#include "core/remedies/remedies_json.h"
 #include "core/simulation/simulate.h"
 #include "core/study/search.h"
 #include "core/study/search_json.h"
@@ -18,9 +19,14 @@
 #include "tests/core/setup/setup_samples.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
+#include "words/measured_json.h"
+#include "words/result_schema.h"
 
 #include <QRegularExpression>
 #include <QTest>
+
+#include <tuple>
+#include <vector>
 
 namespace test_reference_page {
 
@@ -134,7 +140,7 @@ Project example(const std::string& name) {
 }
 
 const char* refresh = "not up to date: cmake --build build/release --target sparkout-reference && "
-                      "build/release/app/sparkout-reference resources/help";
+                      "build/release/app/sparkout-reference resources/help python/sparkout.pyi";
 
 } // namespace
 
@@ -153,6 +159,9 @@ private slots:
         QVERIFY2(readText(sourcePath("resources/help/lesson.schema.json")) == lessonSchema(),
                  refresh);
         QVERIFY2(readText(sourcePath("resources/help/results.schema.json")) == resultSchema(),
+                 refresh);
+        QVERIFY2(readText(sourcePath("python/sparkout.pyi"))
+                     == resultStubs(readText(sourcePath("python/sparkout.pyi.in"))),
                  refresh);
     }
 
@@ -184,11 +193,51 @@ private slots:
             wrong.erase("grid_size");
             QVERIFY(!faultOf("search", wrong).empty());
         }
+        const SimulationResult slender = simulate(example("slender-shaft"));
+        const json remedies = json::parse(
+            remediesJson(slender.project, findRemedies(slender, evaluateConstraints(slender))));
+        QCOMPARE(faultOf("remedies", remedies), std::string());
+        QVERIFY(!remedies.at("remedies").empty());
+        for (const json& remedy : remedies.at("remedies")) {
+            QCOMPARE(faultOf("remedy", remedy), std::string());
+        }
         Project batched = example("shaft-30h6-factory");
         batched.batch->parts = 20;
         const json batch = json::parse(batchJson(runBatch(batched), std::nullopt));
         for (const json& characteristic : batch.at("characteristics")) {
             QCOMPARE(faultOf("characteristic", characteristic), std::string());
+        }
+    }
+
+    void theSchemaOfResultsTakesWhatWasMeasuredAndDecided() {
+        const json schema = json::parse(resultSchema());
+        const Project project = example("plunge-shaft-two-stage");
+        MeasuredAnswer answer;
+        MeasuredStatistics parts;
+        parts.count = 3;
+        parts.deviation = 1;
+        parts.values = {-1, 0, 1};
+        const PredictedRange range{.low = -2, .high = 2, .mean = 0, .deviation = 1, .count = 100};
+        answer.rows = {judgeAdequacy(parts, range)};
+        answer.fit.emplace().values.emplace_back();
+        answer.fit->residuals.emplace_back();
+        const json measured = json::parse(measuredJson(project, answer));
+        const json decided = json::parse(phasesJson(decidePhases(project, usualPhases(project))));
+        const std::vector<std::tuple<const char*, const json&, const char*>> stated{
+            {"adequacy", measured, "/adequacy/0"},
+            {"predicted", measured, "/adequacy/0/predicted"},
+            {"variance_ratio", measured, "/adequacy/0/variance_ratio"},
+            {"inside", measured, "/adequacy/0/inside"},
+            {"identification", measured, "/identification"},
+            {"fitted_value", measured, "/identification/values/0"},
+            {"residuals", measured, "/identification/residuals/0"},
+            {"phases", decided, ""},
+            {"phase_piece", decided, "/pieces/0"},
+            {"phase_worst", decided, "/pieces/0/worst"}};
+        for (const auto& [table, whole, place] : stated) {
+            const auto& object = whole.at(json::json_pointer(place));
+            QVERIFY2(object.is_object(), place);
+            QCOMPARE(SchemaCheck::faultOf(schema.at("$defs").at(table), object), std::string());
         }
     }
 

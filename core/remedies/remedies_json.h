@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/remedies/remedies.h"
+#include "core/result.h"
+
+#include <span>
+#include <string>
+
+namespace sparkout {
+
+/// A remedy of a project.
+struct RemedyOf {
+    const Project& project;
+    const Remedy& remedy;
+};
+
+/// Why nothing helps a project.
+struct RemedyConflictOf {
+    const Project& project;
+    const RemedyConflict& conflict;
+};
+
+[[nodiscard]] std::span<const Output<RemedyOf>> remedyOutputs();
+/// The stocks drawn at random that a remedy holds for.
+[[nodiscard]] std::span<const Output<Remedy>> remedyPhasesOutputs();
+[[nodiscard]] std::span<const Output<RemedyConflictOf>> remedyConflictOutputs();
+[[nodiscard]] std::span<const Output<RemedyResult>> remedyResultOutputs();
+
+/// The object of `remedies --json`.
+[[nodiscard]] std::string remediesJson(const Project& project, const RemedyResult& found);
+
+} // namespace sparkout
