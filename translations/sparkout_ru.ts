@@ -18817,80 +18817,8 @@ The size alone gives α and β, that is the compliance with the force together; 
             <translation>Заключение</translation>
         </message>
         <message>
-            <source>Number of measured parts</source>
-            <translation>Число измеренных деталей</translation>
-        </message>
-        <message>
-            <source>Mean of the measured parts with Student&apos;s interval: the mean of endlessly many such parts lies in it with 95 %</source>
-            <translation>Среднее измеренных деталей с интервалом Стьюдента: в нём с вероятностью 95 % лежит среднее бесконечно многих таких деталей</translation>
-        </message>
-        <message>
-            <source>Range that 95 % of the parts of the batch lie in; of corners, all of them</source>
-            <translation>Диапазон, в котором лежат 95 % деталей партии; у крайних сочетаний — все</translation>
-        </message>
-        <message>
-            <source>Variance of the measured parts over that of the batch, with what it stays between by chance with 95 %: Fisher&apos;s test</source>
-            <translation>Дисперсия измеренных деталей к дисперсии партии и границы, в которых отношение с вероятностью 95 % бывает случайно: критерий Фишера</translation>
-        </message>
-        <message>
-            <source>Measured parts within the predicted range, as a share with the 95 % bounds of Clopper and Pearson</source>
-            <translation>Измеренные детали в прогнозном диапазоне, доля с 95 %-ными границами Клоппера и Пирсона</translation>
-        </message>
-        <message>
             <source>Where</source>
             <translation>Где</translation>
-        </message>
-        <message>
-            <source>Mean</source>
-            <translation>Среднее</translation>
-        </message>
-        <message>
-            <source>Mean, 95 % from</source>
-            <translation>Среднее, 95 % от</translation>
-        </message>
-        <message>
-            <source>Mean, 95 % to</source>
-            <translation>Среднее, 95 % до</translation>
-        </message>
-        <message>
-            <source>s</source>
-            <translation>s</translation>
-        </message>
-        <message>
-            <source>Predicted from</source>
-            <translation>Прогноз от</translation>
-        </message>
-        <message>
-            <source>Predicted to</source>
-            <translation>Прогноз до</translation>
-        </message>
-        <message>
-            <source>Predicted mean</source>
-            <translation>Прогноз, среднее</translation>
-        </message>
-        <message>
-            <source>Predicted s</source>
-            <translation>Прогноз, s</translation>
-        </message>
-        <message>
-            <source>F, 95 % from</source>
-            <translation>F, 95 % от</translation>
-        </message>
-        <message>
-            <source>F, 95 % to</source>
-            <translation>F, 95 % до</translation>
-        </message>
-        <message>
-            <source>Parts inside</source>
-            <translation>Деталей внутри</translation>
-        </message>
-        <message>
-            <source>Share inside, 95 % from</source>
-            <translation>Доля внутри, 95 % от</translation>
-        </message>
-        <message>
-            <source>Share inside, 95 % to</source>
-            <translation>Доля внутри, 95 % до</translation>
         </message>
     </context>
     <context>

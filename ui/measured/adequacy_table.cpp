@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/measured/adequacy_table.h"
 
+#include "core/adequacy/adequacy_outputs.h"
 #include "ui/measured/measured_text.h"
-#include "ui/text/texts.h"
+#include "ui/tables/output_cells.h"
+#include "ui/text/output_text.h"
 
 #include <QCoreApplication>
 
-#include <utility>
+#include <algorithm>
+#include <span>
+#include <string_view>
 
 namespace sparkout {
 
@@ -16,79 +20,50 @@ struct AdequacyTable {
     Q_DECLARE_TR_FUNCTIONS(AdequacyTable)
 };
 
-CsvCell optionalCell(const std::optional<double>& value) {
-    return value ? CsvCell(*value) : CsvCell();
-}
-
-void addEnds(std::vector<CsvCell>& row, const std::optional<Interval>& interval) {
-    row.push_back(interval ? CsvCell(interval->low) : CsvCell());
-    row.push_back(interval ? CsvCell(interval->high) : CsvCell());
+template <class Owner>
+QString hintOf(std::span<const Output<Owner>> rows, std::string_view key) {
+    return outputHint(*std::ranges::find(rows, key, &Output<Owner>::key));
 }
 
 std::vector<ValueHead> headsOf() {
     return {
         {.text = AdequacyTable::tr("Quantity"), .key = "quantity", .isText = true},
         {.text = AdequacyTable::tr("Verdict"), .key = "verdict", .isText = true},
-        {.text = AdequacyTable::tr("n"),
-         .tip = AdequacyTable::tr("Number of measured parts"),
-         .key = "count"},
+        {.text = AdequacyTable::tr("n"), .tip = hintOf(adequacyOutputs(), "count"), .key = "count"},
         {.text = AdequacyTable::tr("Mean ± 95 %, µm"),
-         .tip = AdequacyTable::tr("Mean of the measured parts with Student's interval: the mean of "
-                                  "endlessly many such parts lies in it with 95 %"),
+         .tip = hintOf(adequacyOutputs(), "mean_95_um"),
          .key = "mean"},
         {.text = AdequacyTable::tr("Predicted, µm"),
-         .tip = AdequacyTable::tr(
-             "Range that 95 % of the parts of the batch lie in; of corners, all of them"),
+         .tip = hintOf(predictedOutputs(), "low_um"),
          .key = "predicted"},
         {.text = AdequacyTable::tr("F"),
-         .tip = AdequacyTable::tr(
-             "Variance of the measured parts over that of the batch, with what it stays between by "
-             "chance with 95 %: Fisher's test"),
+         .tip = hintOf(varianceRatioOutputs(), "value"),
          .key = "scatter"},
         {.text = AdequacyTable::tr("Inside"),
-         .tip = AdequacyTable::tr("Measured parts within the predicted range, as a share with the "
-                                  "95 % bounds of Clopper and Pearson"),
-         .key = "inside"},
-    };
+         .tip = hintOf(insideShareOutputs(), "interval_95"),
+         .key = "inside"}};
 }
 
 /// With all its numbers and their digits.
 CsvTable sheetOf(const Project& project, const std::vector<AdequacyRow>& rows) {
     CsvTable table;
-    const QString unit = unitText("µm");
-    const auto inUnit = [&unit](const QString& name) {
-        return QStringLiteral("%1, %2").arg(name, unit);
-    };
-    table.header << AdequacyTable::tr("Quantity") << AdequacyTable::tr("Where")
-                 << AdequacyTable::tr("n") << inUnit(AdequacyTable::tr("Mean"))
-                 << inUnit(AdequacyTable::tr("Mean, 95 % from"))
-                 << inUnit(AdequacyTable::tr("Mean, 95 % to")) << inUnit(AdequacyTable::tr("s"))
-                 << inUnit(AdequacyTable::tr("Predicted from"))
-                 << inUnit(AdequacyTable::tr("Predicted to"))
-                 << inUnit(AdequacyTable::tr("Predicted mean"))
-                 << inUnit(AdequacyTable::tr("Predicted s")) << AdequacyTable::tr("F")
-                 << AdequacyTable::tr("F, 95 % from") << AdequacyTable::tr("F, 95 % to")
-                 << AdequacyTable::tr("Parts inside")
-                 << AdequacyTable::tr("Share inside, 95 % from")
-                 << AdequacyTable::tr("Share inside, 95 % to") << AdequacyTable::tr("Verdict");
-    for (const AdequacyRow& of : rows) {
-        const MeasuredStatistics& parts = of.measured;
-        std::vector<CsvCell> row{MeasuredText::quantity(parts.quantity),
-                                 MeasuredText::place(project, parts.place),
-                                 static_cast<double>(parts.count), parts.mean};
-        addEnds(row, of.mean95);
-        row.push_back(optionalCell(parts.deviation));
-        addEnds(row, of.predicted ? std::optional(Interval{of.predicted->low, of.predicted->high})
-                                  : std::nullopt);
-        row.push_back(of.predicted ? CsvCell(of.predicted->mean) : CsvCell());
-        row.push_back(of.predicted ? optionalCell(of.predicted->deviation) : CsvCell());
-        row.push_back(of.scatter ? CsvCell(of.scatter->ratio) : CsvCell());
-        addEnds(row, of.scatter ? std::optional(Interval{of.scatter->low, of.scatter->high})
-                                : std::nullopt);
-        row.push_back(of.share ? CsvCell(static_cast<double>(of.share->inside)) : CsvCell());
-        addEnds(row, of.share ? std::optional(of.share->interval) : std::nullopt);
-        row.emplace_back(MeasuredText::verdict(of.verdict));
-        table.rows.push_back(std::move(row));
+    table.header << AdequacyTable::tr("Quantity") << AdequacyTable::tr("Where");
+    addOutputHeads(table.header, adequacyOutputs());
+    addOutputHeads(table.header, predictedOutputs());
+    addOutputHeads(table.header, varianceRatioOutputs());
+    addOutputHeads(table.header, insideShareOutputs());
+    table.header << AdequacyTable::tr("Verdict");
+    for (const AdequacyRow& row : rows) {
+        const auto ownerOf = [](const auto& part) { return part ? &*part : nullptr; };
+        const AdequacyOf of{project, row};
+        std::vector<CsvCell>& cells = table.rows.emplace_back();
+        cells = {MeasuredText::quantity(row.measured.quantity),
+                 MeasuredText::place(project, row.measured.place)};
+        addOutputCells(cells, adequacyOutputs(), &of);
+        addOutputCells(cells, predictedOutputs(), ownerOf(row.predicted));
+        addOutputCells(cells, varianceRatioOutputs(), ownerOf(row.scatter));
+        addOutputCells(cells, insideShareOutputs(), ownerOf(row.share));
+        cells.emplace_back(MeasuredText::verdict(row.verdict));
     }
     return table;
 }
