@@ -2,10 +2,7 @@
 // The cycle of two stages that many tests grind.
 #pragma once
 
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/project.h"
+#include "tests/whole_project.h"
 
 #include <vector>
 

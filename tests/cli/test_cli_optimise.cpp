@@ -15,7 +15,6 @@
 
 #include <QElapsedTimer>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <clocale>
 #include <cmath>

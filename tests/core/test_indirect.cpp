@@ -3,15 +3,9 @@
 #include "core/format/difference.h"
 #include "core/indirect.h"
 #include "core/optional_indirect.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/project.h"
 #include "tests/core/support/allocation_counter.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <stdexcept>
 #include <type_traits>

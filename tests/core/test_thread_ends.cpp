@@ -2,8 +2,6 @@
 // What a thread keeps for itself goes with it, in the right order (cmake/thread_keys.cpp).
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <array>
 #include <atomic>
 #include <memory>

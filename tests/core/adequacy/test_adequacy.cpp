@@ -2,10 +2,9 @@
 // Student's and Fisher's tests against tables, verdicts on parts that agree with the prediction and
 // on parts that do not, the published comparison.
 #include "core/adequacy/adequacy.h"
+#include "tests/whole_project.h"
 
 #include "core/measured/measured_table.h"
-#include "core/project/batch.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/statistics/philox.h"
 #include "tests/check_line.h"
@@ -13,7 +12,6 @@
 #include "tests/registry.h"
 
 #include <QElapsedTimer>
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

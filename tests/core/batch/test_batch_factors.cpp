@@ -5,16 +5,9 @@
 #include "core/batch/factor_law.h"
 #include "core/format/blanks_csv.h"
 #include "core/process/system_compliance.h"
-#include "core/project/batch.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <cmath>
 #include <map>

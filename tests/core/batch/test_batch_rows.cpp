@@ -4,14 +4,9 @@
 #include "core/batch/moments.h"
 #include "core/batch/part_queue.h"
 #include "core/batch/part_table.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/part.h"
 
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <array>

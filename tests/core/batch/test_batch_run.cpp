@@ -5,18 +5,11 @@
 #include "core/batch/batch_state_reader.h"
 #include "core/batch/batch_summary.h"
 #include "core/batch/sensitivity.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
 
 #include "tests/check_line.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <atomic>

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_check.h"
 #include "core/batch/scenario_source.h"
-#include "core/project/batch.h"
-#include "core/project/machine.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "core/statistics/intervals.h"
 #include "core/statistics/permutation.h"
 #include "core/statistics/sobol_sequence.h"
@@ -14,8 +11,6 @@
 #include "tests/registry.h"
 
 #include <boost/random/sobol.hpp>
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

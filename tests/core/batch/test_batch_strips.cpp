@@ -3,18 +3,12 @@
 // batch, whose parts fail by the overlap alone.
 #include "core/batch/batch_summary.h"
 #include "core/batch/batch_verdict.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/finished_surface.h"
 #include "core/quality/result_json.h"
 #include "core/sweep/sweep_point.h"
 
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <cmath>
 

@@ -11,19 +11,11 @@
 #include "core/batch/sensitivity.h"
 #include "core/format/project_file.h"
 #include "core/optimisation/robust.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
 #include "core/simulation/simulate.h"
 #include "core/study/operation.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Catalogues: read strictly, used in a project, saved as one's own.
 #include "core/catalogue/catalogue.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/wheel.h"
 
 #include "tests/core/catalogue/shipped_catalogues.h"
 #include "tests/core/support/project_fixtures.h"
@@ -12,7 +9,6 @@
 
 #include <QFile>
 #include <QTemporaryDir>
-#include <QTest>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

@@ -2,8 +2,6 @@
 #include "core/natural_order.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <cstring>
 #include <random>
 #include <string>

@@ -10,8 +10,6 @@
 #include "tests/processor_time.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <set>
 
 namespace test_grading {

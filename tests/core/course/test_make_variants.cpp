@@ -6,16 +6,14 @@
 #include "core/course/work.h"
 #include "core/lesson/goal_check.h"
 #include "core/optimisation/optimise.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/setup/setup_file.h"
 #include "core/statistics/philox.h"
 #include "tests/core/lesson/lesson_samples.h"
 #include "tests/registry.h"
+#include "tests/whole_project.h"
 
 #include <QElapsedTimer>
-#include <QTest>
 
 #include <set>
 

@@ -6,16 +6,11 @@
 #include "core/course/variant_check.h"
 #include "core/course/work_file.h"
 #include "core/lesson/goal_check.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/constraints.h"
 #include "core/setup/setup_file.h"
 #include "tests/core/course/class_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
+#include "tests/whole_project.h"
 
 #include <cmath>
 #include <numeric>

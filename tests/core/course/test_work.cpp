@@ -6,8 +6,6 @@
 #include "tests/core/support/project_mutator.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <algorithm>
 
 namespace test_work {

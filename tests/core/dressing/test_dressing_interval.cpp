@@ -3,13 +3,6 @@
 #include "core/dressing/dressing_interval.h"
 #include "core/dressing/part_cost.h"
 #include "core/process/force.h"
-#include "core/project/batch.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/shop_numbers.h"
 #include "core/setup/surface_wear.h"
 #include "core/simulation/simulate.h"
@@ -18,8 +11,6 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

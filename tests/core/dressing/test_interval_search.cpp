@@ -5,14 +5,11 @@
 #include "core/dressing/interval_search.h"
 #include "core/dressing/part_cost.h"
 #include "core/process/force.h"
-#include "core/project/wheel.h"
 #include "core/quality/shop_numbers.h"
 #include "core/study/search.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 #include "words/search_words.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -5,19 +5,12 @@
 #include "core/dynamic_programming/exact_answer.h"
 #include "core/dynamic_programming/state_grid.h"
 #include "core/optimisation/cycle_runner.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 
 #include <QElapsedTimer>
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

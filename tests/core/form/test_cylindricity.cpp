@@ -2,8 +2,6 @@
 #include "tests/core/form/ground_bodies.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 namespace test_cylindricity {
 
 using namespace sparkout;

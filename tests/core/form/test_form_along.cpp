@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Total runout, the form along the length, and the harmonics of sections.
-#include "core/project/machine.h"
 #include "tests/core/form/ground_bodies.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 namespace test_form_along {
 

@@ -7,8 +7,6 @@
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>

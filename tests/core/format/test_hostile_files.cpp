@@ -10,7 +10,6 @@
 #include "words/issue_words.h"
 
 #include <QElapsedTimer>
-#include <QTest>
 
 #include <cstddef>
 

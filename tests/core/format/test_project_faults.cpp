@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is wrong with a project file is named, all at once, with path, value and what is allowed.
-#include "core/project/cycle.h"
-#include "core/project/part.h"
 #include "core/project/range_check.h"
-#include "core/project/wheel.h"
 #include "tests/check_line.h"
 #include "tests/core/project/project_places.h"
 #include "tests/core/support/project_fixtures.h"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is written is read again, to the last bit and byte.
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "tests/check_line.h"
 #include "tests/core/project/project_places.h"
 #include "tests/registry.h"
+#include "tests/whole_project.h"
 
 #include <algorithm>
 

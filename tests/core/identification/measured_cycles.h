@@ -3,13 +3,10 @@
 
 #include "core/process/force.h"
 #include "core/process/profile.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/measured.h"
-#include "core/project/part.h"
 #include "core/simulation/simulate.h"
 #include "core/statistics/intervals.h"
 #include "core/statistics/philox.h"
+#include "tests/whole_project.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,10 +6,7 @@
 #include "core/identification/calibration.h"
 #include "core/identification/cycle_response.h"
 #include "core/identification/scaled_project.h"
-#include "core/project/cycle.h"
-#include "core/project/material.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "tests/check_line.h"
 #include "tests/core/identification/measured_cycles.h"
 #include "tests/core/support/project_samples.h"
@@ -17,7 +14,6 @@
 #include "tests/registry.h"
 
 #include <QElapsedTimer>
-#include <QTest>
 
 #include <chrono>
 #include <random>

@@ -2,19 +2,15 @@
 // Stiffness of the units from loads and deflections: the truth from exact readings, intervals that
 // cover it with noise, and a refusal of readings that no shaft can give.
 #include "core/identification/stiffness_trial.h"
+#include "tests/whole_project.h"
 
 #include "core/process/system_compliance.h"
-#include "core/project/machine.h"
-#include "core/project/measured.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/statistics/intervals.h"
 #include "core/statistics/philox.h"
 #include "tests/check_line.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,6 @@
 #include "tests/registry.h"
 #include "tests/ui/support/traced_project.h"
 
-#include <QTest>
-
 #include <algorithm>
 #include <cmath>
 

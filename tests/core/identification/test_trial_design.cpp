@@ -3,14 +3,12 @@
 // The choice of a short trial: what it expects is what fits of simulated trials scatter by, and it
 // knows what each kind of record cannot tell.
 #include "core/identification/trial_design.h"
+#include "tests/whole_project.h"
 
 #include "core/identification/fit_problem.h"
 #include "core/identification/identifiability.h"
 #include "core/identification/levenberg_marquardt.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "core/statistics/intervals.h"
 #include "core/statistics/philox.h"
 #include "tests/check_line.h"
@@ -18,7 +16,6 @@
 #include "tests/registry.h"
 
 #include <QElapsedTimer>
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The wheel's factor of Ra and its strengths from measurements.
 #include "core/identification/wheel_calibration.h"
+#include "tests/whole_project.h"
 
 #include "core/process/force.h"
-#include "core/project/machine.h"
-#include "core/project/measured.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "core/quality/constraints.h"
 #include "core/quality/roughness.h"
 #include "core/quality/self_sharpening.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -5,15 +5,10 @@
 #include "core/lesson/figure_value.h"
 #include "core/limits/burn.h"
 #include "core/process/force.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/statistics/intervals.h"
 #include "tests/core/lesson/lesson_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
+#include "tests/whole_project.h"
 
 #include <cmath>
 

@@ -2,18 +2,13 @@
 // Goals against the engine: figures are those of the run, a goal passes up to its tolerance and not
 // beyond, and what is not free stays as it was given.
 #include "core/lesson/goal_check.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/run_summary.h"
 #include "core/setup/setup_file.h"
 #include "core/simulation/simulate.h"
 #include "core/units.h"
 #include "tests/core/lesson/lesson_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
+#include "tests/whole_project.h"
 
 #include <cmath>
 

@@ -8,8 +8,6 @@
 #include "tests/core/support/project_mutator.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 namespace test_lesson_file {
 
 using namespace sparkout;

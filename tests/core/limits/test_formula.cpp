@@ -2,7 +2,6 @@
 // What a formula sheet says must be what the engine computed: every equation is read back, worked
 // out from its numbers and held against its result, units included.
 #include "core/limits/formula.h"
-#include "core/project/wheel.h"
 
 #include "core/form/accuracy.h"
 #include "core/limits/burn.h"
@@ -16,7 +15,6 @@
 #include "tests/registry.h"
 
 #include <QFile>
-#include <QTest>
 
 #include <cmath>
 #include <functional>

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which inputs rest on a calibration: those that still have the value that was found.
 #include "core/measured/calibrated_inputs.h"
+#include "tests/whole_project.h"
 
 #include "core/identification/calibration.h"
-#include "core/project/machine.h"
 #include "core/project/member.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 namespace test_calibrated_inputs {
 

@@ -6,8 +6,6 @@
 #include "tests/check_line.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <cmath>
 #include <numbers>
 #include <string>

@@ -8,7 +8,6 @@
 #include "tests/registry.h"
 
 #include <QElapsedTimer>
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

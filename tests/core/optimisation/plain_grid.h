@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/optimisation/variants.h"
-#include "core/project/cycle.h"
-#include "core/project/part.h"
+#include "tests/whole_project.h"
 
 #include <algorithm>
 #include <cmath>

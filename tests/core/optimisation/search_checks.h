@@ -2,11 +2,6 @@
 #pragma once
 
 #include "core/optimisation/optimise.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
 #include "tests/core/optimisation/plain_grid.h"
 #include "tests/core/optimisation/search_cases.h"
 #include "tests/core/support/project_samples.h"

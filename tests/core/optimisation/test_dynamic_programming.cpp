@@ -3,17 +3,9 @@
 // Dynamic programming for plunge cycles against the full search: what it finds holds and is never
 // quicker than the proven best, and how often it is wrong, as it says of itself.
 #include "core/optimisation/optimise.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <array>

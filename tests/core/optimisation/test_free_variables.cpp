@@ -6,17 +6,10 @@
 #include "core/optimisation/limit.h"
 #include "core/optimisation/refine.h"
 #include "core/optimisation/robust.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/optimisation.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <map>
 #include <string>

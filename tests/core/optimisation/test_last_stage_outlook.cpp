@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What three radii tell of a last stage is true of the whole part.
 #include "core/optimisation/last_stage_outlook.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/simulation/plunge.h"
 #include "core/simulation/traverse.h"
 
 #include "tests/core/optimisation/followed_cases.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -7,16 +7,11 @@
 #include "core/optimisation/phase_cases.h"
 #include "core/optimisation/robust.h"
 #include "core/optimisation/trade_off.h"
-#include "core/project/batch.h"
-#include "core/project/gauge.h"
-#include "core/project/wheel.h"
 #include "core/study/search.h"
 #include "core/units.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 #include "words/search_words.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <vector>

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The search for the quickest cycle: the pruned search and the full one against plain runs.
 #include "core/optimisation/optimise.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 
 #include "core/format/project_file.h"
 #include "tests/check_line.h"
@@ -15,8 +9,6 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/reference_simulation.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <array>
 #include <map>

@@ -4,13 +4,10 @@
 #include "core/optimisation/phase_outlook.h"
 #include "core/optimisation/robust.h"
 #include "core/phases/failing_stock.h"
-#include "core/project/batch.h"
 #include "core/simulation/stage_control.h"
 #include "tests/core/optimisation/search_cases.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

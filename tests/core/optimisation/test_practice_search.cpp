@@ -5,16 +5,9 @@
 #include "core/optimisation/optimise.h"
 #include "core/optimisation/robust.h"
 #include "core/optimisation/time_bound.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/optimisation.h"
-#include "core/project/wheel.h"
 
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <array>
 #include <vector>

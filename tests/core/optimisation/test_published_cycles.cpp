@@ -5,14 +5,9 @@
 // the table prints feeds and stocks, not lengths, wheel or compliance, so what is held here is what
 // the program finds for ordinary ones, beside the gains that the table states.
 #include "core/optimisation/optimise.h"
-#include "core/project/cycle.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
 
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 namespace test_published_cycles {
 

@@ -3,17 +3,10 @@
 // Off the grid: what is found holds, can be set, lies between the levels and is never slower than
 // the best of the grid.
 #include "core/optimisation/refine.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 
 #include "core/quality/ranges.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <array>

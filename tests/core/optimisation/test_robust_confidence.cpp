@@ -3,16 +3,12 @@
 // What a robust answer states of the phases it was not tried on, and what a stop leaves unsaid.
 #include "core/optimisation/binding.h"
 #include "core/optimisation/robust.h"
-#include "core/project/machine.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
 #include <QElapsedTimer>
-#include <QTest>
 
 #include <chrono>
 #include <cmath>

@@ -4,13 +4,10 @@
 #include "core/optimisation/search_journal.h"
 
 #include "core/batch/state_seal.h"
-#include "core/project/optimisation.h"
 #include "core/resume/search_state.h"
 #include "core/study/search.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <string>
 

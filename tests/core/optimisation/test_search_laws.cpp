@@ -8,20 +8,11 @@
 #include "core/optimisation/limit.h"
 #include "core/optimisation/refine.h"
 #include "core/optimisation/robust.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/simulation/stage_control.h"
 
 #include "tests/check_line.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <numbers>
 #include <set>

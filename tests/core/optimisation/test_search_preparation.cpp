@@ -2,14 +2,11 @@
 // What comes before and after a search: it is short, and a stop ends it.
 #include "core/optimisation/limit.h"
 #include "core/optimisation/refine.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
 #include "tests/core/optimisation/search_cases.h"
 #include "tests/processor_time.h"
 #include "tests/registry.h"
 
 #include <QElapsedTimer>
-#include <QTest>
 
 #include <chrono>
 #include <limits>

@@ -9,10 +9,6 @@
 #include "core/process/compliance.h"
 #include "core/process/coupled_sections.h"
 #include "core/process/system_compliance.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
 #include "core/simulation/simulate.h"
 #include "core/study/search.h"
 #include "tests/core/optimisation/search_cases.h"
@@ -21,7 +17,6 @@
 #include "tests/registry.h"
 
 #include <QElapsedTimer>
-#include <QTest>
 
 #include <algorithm>
 #include <chrono>

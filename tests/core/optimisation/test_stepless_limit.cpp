@@ -4,18 +4,11 @@
 #include "core/optimisation/limit.h"
 
 #include "core/optimisation/levels.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 
 #include "core/limits/burn.h"
 #include "core/process/coupled_sections.h"
 #include "core/process/force.h"
 #include "core/process/system_compliance.h"
-#include "core/project/gauge.h"
 #include "core/quality/accuracy_limit.h"
 #include "core/quality/constraints.h"
 #include "core/quality/power.h"
@@ -25,8 +18,6 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

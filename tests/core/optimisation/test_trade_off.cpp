@@ -9,8 +9,6 @@
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <cstdio>
 #include <map>
 

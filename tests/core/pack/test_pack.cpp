@@ -9,8 +9,6 @@
 #include "tests/core/support/project_mutator.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <string>
 
 namespace test_pack {

@@ -7,18 +7,12 @@
 #include "core/phases/phase_pieces.h"
 #include "core/phases/sampled_phases.h"
 #include "core/process/profile.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/stage_control.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/core/support/random_project.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The compliance of shafts whose numbers are published or have a closed form.
 #include "core/process/compliance.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 
 #include "core/process/system_compliance.h"
 #include "tests/check_line.h"
 #include "tests/core/process/shafts.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

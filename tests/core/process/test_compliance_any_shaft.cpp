@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The compliance of shafts drawn at random: its laws, and a second way to each number.
 #include "core/process/system_compliance.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "tests/core/process/shafts.h"
 #include "tests/core/support/dense.h"
 #include "tests/core/support/project_fixtures.h"
@@ -10,7 +8,6 @@
 #include "tests/processor_time.h"
 #include "tests/registry.h"
 
-#include <QTest>
 #include <rapidcheck.h>
 
 #include <algorithm>

@@ -8,8 +8,6 @@
 #include "tests/core/process/shafts.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -2,20 +2,12 @@
 // Random projects with coupled sections [MODEL-6]: every balance is solved. SPARKOUT_QUICK=1: 200
 // (sanitizers). SPARKOUT_LONG=1: 100,000.
 #include "core/process/compliance.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

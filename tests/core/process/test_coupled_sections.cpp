@@ -8,7 +8,6 @@
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"
 
-#include <QTest>
 #include <rapidcheck.h>
 
 #include <algorithm>

@@ -5,8 +5,6 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>

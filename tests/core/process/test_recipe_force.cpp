@@ -6,12 +6,8 @@
 #include "core/format/project_file.h"
 #include "core/limits/cutting.h"
 #include "core/process/force.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
 #include "core/project/number_input.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/support/formula_reader.h"
 #include "tests/core/support/project_fixtures.h"
@@ -19,8 +15,6 @@
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"
 #include "words/issue_words.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,6 @@
 
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <cmath>
 #include <functional>
 #include <map>

@@ -12,8 +12,6 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <numeric>
 
 namespace test_measured {

@@ -4,8 +4,6 @@
 #include "core/printable.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <string>
 #ifdef __GLIBC__
 #include <gnu/libc-version.h>

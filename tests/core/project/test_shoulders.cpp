@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The room that a shaft's shoulders leave the wheel beside the ground length.
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/project.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
+#include "tests/whole_project.h"
 
 #include <algorithm>
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/wheel.h"
 #include "core/project/wheel_marking.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"
 
-#include <QTest>
 #include <rapidcheck.h>
 
 namespace test_wheel_marking {

@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a requirement says of itself, and the depths of cut that the requirements allow.
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/constraint_sheet.h"
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/depth_limits.h"
@@ -11,8 +7,6 @@
 #include "tests/core/support/demanding_project.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <map>

@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Roughness, self-sharpening and power: what limits the depth of cut beside burn [MODEL-8].
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/depth_limits.h"
 #include "core/quality/power.h"
 #include "core/quality/roughness.h"
@@ -11,8 +7,6 @@
 #include "tests/core/support/random_cutting.h"
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <cmath>
 #include <functional>

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
 #include "core/quality/ranges.h"
 
 #include "core/quality/constraints.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <vector>
 

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What only a run shows to be amiss in the inputs.
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
 #include "core/quality/remarks.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <cmath>
 #include <limits>

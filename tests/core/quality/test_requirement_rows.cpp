@@ -1,10 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/requirement.h"
 
 #include "core/project/member.h"
@@ -15,8 +9,6 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/core/support/random_project.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <set>

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The summary of a kept run: what it holds is the result, it goes through the file unchanged, and
 // what comes out otherwise later is named.
-#include "core/project/part.h"
 #include "core/quality/run_summary.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

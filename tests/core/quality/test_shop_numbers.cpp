@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The shop's own numbers: at the largest depth, of the settings, their bands.
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/shop_numbers.h"
 
 #include "tests/core/quality/shop_cycles.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

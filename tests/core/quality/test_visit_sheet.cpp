@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the sheet of a visit says is what the engine cut, for every radius of every pass.
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/visit_sheet.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/support/formula_reader.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <cmath>
 #include <string>

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: unsanitized
 // Changes of one setting after which all holds: each one is run again by itself.
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/remedies/remedies.h"
 
 #include "core/format/project_file.h"
@@ -29,7 +24,6 @@
 #include "tests/tries.h"
 
 #include <QElapsedTimer>
-#include <QTest>
 
 #include <algorithm>
 #include <array>

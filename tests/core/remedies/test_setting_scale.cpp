@@ -5,8 +5,6 @@
 #include "core/project/validate.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <cmath>
 #include <cstdint>
 #include <string>

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Set-ups of several surfaces against the second implementation: the wheel that goes on from one to
 // the next, and the times. SPARKOUT_QUICK=1: 20 of them (sanitizers). SPARKOUT_LONG=1: 1,000.
-#include "core/project/wheel.h"
 #include "core/setup/setup_run.h"
 #include "tests/core/setup/setup_samples.h"
 #include "tests/core/support/reference_difference.h"
 #include "tests/core/support/reference_setup.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -2,15 +2,13 @@
 // Files of one surface and of several.
 #include "core/format/project_file.h"
 #include "core/format/project_json.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/setup/shared_members.h"
 #include "core/setup/split_project.h"
 #include "tests/check_line.h"
 #include "tests/core/setup/setup_samples.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
+#include "tests/whole_project.h"
 
 #include <algorithm>
 

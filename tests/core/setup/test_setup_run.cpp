@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The surfaces of a set-up one after the other: wheel, times, verdict.
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/result_json.h"
 #include "core/quality/shop_numbers.h"
 #include "core/setup/removed_volumes.h"
@@ -14,8 +10,7 @@
 #include "tests/core/setup/setup_samples.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
+#include "tests/whole_project.h"
 
 #include <chrono>
 #include <cmath>

@@ -3,9 +3,6 @@
 // 12].
 #include "core/batch/scenario_source.h"
 #include "core/dressing/dressing_interval.h"
-#include "core/project/batch.h"
-#include "core/project/gauge.h"
-#include "core/project/sweep.h"
 #include "core/quality/shop_numbers.h"
 #include "core/setup/setup_run.h"
 #include "core/setup/surface_wear.h"
@@ -16,8 +13,6 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -2,13 +2,7 @@
 // The plunge cycle with coupled sections [MODEL-6].
 #include "core/process/compliance.h"
 #include "core/process/system_compliance.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 
 #include "tests/check_line.h"
@@ -16,8 +10,6 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/processor_time.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The laws of MODEL-2…7 and 11 on whole cycles: what each radius, section and stage does by itself,
 // when stages end, and how results add up; held against 10,000 random cycles each.
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "tests/check_line.h"
 #include "tests/core/simulation/random_cycles.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 namespace test_cycle_properties {
 

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/process/system_compliance.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
 #include "core/project/validate.h"
 #include "core/simulation/feed_curves.h"
 #include "core/simulation/simulate.h"
 
 #include "tests/registry.h"
 #include "tests/two_stage_projects.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -2,15 +2,10 @@
 // Wheel and part from the side: what is cut touches the wheel, and gives way by γ·P_y.
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/simulation/grinding_scene.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <cmath>
 

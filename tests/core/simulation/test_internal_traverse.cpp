@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Traverse grinding of a bore, through or blind [MODEL-3, 5].
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "core/quality/shop_numbers.h"
 #include "core/simulation/simulate.h"
 #include "core/study/new_project.h"
@@ -15,8 +10,6 @@
 #include "tests/core/simulation/strokes_by_hand.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <cstddef>
 #include <numbers>

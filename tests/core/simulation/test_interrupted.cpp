@@ -4,12 +4,7 @@
 #include "core/form/harmonics.h"
 #include "core/format/project_file.h"
 #include "core/process/profile.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "core/quality/diameter_shares.h"
 #include "core/quality/drawing_constraints.h"
 #include "core/quality/shop_numbers.h"
@@ -24,8 +19,6 @@
 #include "tests/core/simulation/strokes_by_hand.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -10,8 +10,6 @@
 #include "tests/core/support/reference_simulation.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -2,12 +2,6 @@
 // What a run keeps of its passes for the requirements: held against a search through everything
 // that was recorded, with the formulas written a second time.
 #include "core/limits/burn.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/constraints.h"
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/roughness.h"
@@ -17,8 +11,6 @@
 #include "tests/core/support/demanding_project.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

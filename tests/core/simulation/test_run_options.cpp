@@ -4,18 +4,11 @@
 #include "core/form/harmonics.h"
 #include "core/process/contact_compliance.h"
 #include "core/process/system_compliance.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/simulation/plunge.h"
 #include "core/simulation/traverse.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <cmath>
 #include <memory>

@@ -3,19 +3,13 @@
 // says [MODEL-5].
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/step_shares.h"
 #include "core/simulation/traverse.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <cmath>
 #include <numeric>

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // tests/data/vectors: whole cycles computed by a separate program, and the closed forms of its page
 // (those of MODEL-2…7; the table's lengths are µm).
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 
 #include "core/process/force.h"
@@ -15,7 +10,6 @@
 
 #include <QDir>
 #include <QFile>
-#include <QTest>
 
 #include <cmath>
 #include <map>

@@ -5,17 +5,11 @@
 #include "core/phases/phase_decision.h"
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/core/support/random_project.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

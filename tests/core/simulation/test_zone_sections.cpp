@@ -3,13 +3,7 @@
 #include "core/format/project_file.h"
 #include "core/process/ground_stretch.h"
 #include "core/process/system_compliance.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "core/quality/constraints.h"
 #include "core/quality/drawing_constraints.h"
 #include "core/quality/shop_numbers.h"
@@ -21,8 +15,6 @@
 #include "tests/core/simulation/strokes_by_hand.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cstddef>

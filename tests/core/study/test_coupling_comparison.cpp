@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: unsanitized
 // The same cycle with coupled and with independent sections [MODEL-6].
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
 #include "core/study/coupling_comparison.h"
 
 #include "core/simulation/simulate.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

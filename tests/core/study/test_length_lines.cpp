@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The profiles along the axis: zones, sections, limits and the shaft at their places.
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/study/length_lines.h"
 #include "tests/core/study/profile_series_bench.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The file of all parts of a batch: what it holds, and that there is none unless it is whole.
-#include "core/project/batch.h"
 #include "core/study/part_rows_file.h"
 
 #include "tests/core/support/batch_fixtures.h"
@@ -8,7 +7,6 @@
 #include "tests/registry.h"
 
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <algorithm>
 #include <filesystem>

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The profiles of a moment of the cycle, held against its visits.
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/study/length_lines.h"
 #include "tests/core/study/profile_series_bench.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 

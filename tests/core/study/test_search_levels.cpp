@@ -4,15 +4,12 @@
 
 #include "core/format/project_file.h"
 #include "core/optimisation/levels.h"
-#include "core/project/optimisation.h"
 #include "core/study/new_project.h"
 #include "core/study/search.h"
 #include "core/study/search_edits.h"
 #include "tests/core/optimisation/search_cases.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/cycle.h"
-#include "core/project/part.h"
 #include "core/study/stage_edits.h"
 #include "core/study/stock_edits.h"
+#include "tests/whole_project.h"
 
 #include "core/project/validate.h"
 #include "core/simulation/simulate.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

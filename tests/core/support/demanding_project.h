@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/project.h"
-#include "core/project/wheel.h"
+#include "tests/whole_project.h"
 
 namespace fixtures {
 

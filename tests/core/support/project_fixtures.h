@@ -3,13 +3,8 @@
 
 #include "core/format/project_file.h"
 #include "core/process/profile.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/project.h"
-#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
+#include "tests/whole_project.h"
 #include "words/issue_words.h"
 
 #include <nlohmann/json.hpp>

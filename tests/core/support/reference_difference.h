@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/setting_constraints.h"
 #include "core/quality/shop_numbers.h"
 #include "core/simulation/simulate.h"

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A sweep: every point is the run of the project with its values, whatever the threads; what cannot
 // be run is told and has no numbers; paths and ranges that are refused are named.
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/sweep.h"
-#include "core/project/wheel.h"
 #include "core/sweep/sweep_run.h"
 
 #include "core/project/number_input.h"
@@ -17,7 +12,6 @@
 #include "words/issue_words.h"
 
 #include <QElapsedTimer>
-#include <QTest>
 
 #include <algorithm>
 #include <bit>

@@ -6,8 +6,6 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <algorithm>
 #include <set>
 #include <string>

@@ -8,8 +8,6 @@
 #include "core/measured/stiffness_table.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <cmath>
 #include <random>
 

@@ -9,8 +9,6 @@
 #include "tests/processor_time.h"
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <cmath>
 #include <random>
 

@@ -7,7 +7,6 @@
 #include "tests/registry.h"
 
 #include <QStringConverter>
-#include <QTest>
 
 #include <random>
 

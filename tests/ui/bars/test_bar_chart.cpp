@@ -14,7 +14,6 @@
 #include <QGraphicsScene>
 #include <QImage>
 #include <QPainter>
-#include <QTest>
 #include <QXmlStreamReader>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/part.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/support/xlsx_reader.h"
 #include "ui/export/export_file.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The dialog of an export: what it says, how it is stopped, what it leaves behind.
-#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/ui/export/export_bench.h"
 #include "tests/ui/support/dialog_answers.h"

@@ -2,7 +2,6 @@
 // Labels: numbers
 // Results and traces on their way to other programs: the numbers of the engine, to the last bit.
 #include "core/format/project_file.h"
-#include "core/project/part.h"
 #include "core/simulation/progress.h"
 #include "tests/registry.h"
 #include "tests/ui/export/export_bench.h"

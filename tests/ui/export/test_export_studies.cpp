@@ -4,10 +4,6 @@
 // sparkout --export.
 #include "core/batch/batch_verdict.h"
 #include "core/format/project_file.h"
-#include "core/project/batch.h"
-#include "core/project/part.h"
-#include "core/project/sweep.h"
-#include "core/project/wheel.h"
 #include "core/quality/result_json.h"
 #include "core/setup/setup_run.h"
 #include "core/study/evaluate.h"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // What happens while one types: in the cells of the stages, in the forms, and when it is undone.
-#include "core/project/cycle.h"
-#include "core/project/part.h"
 #include "core/study/evaluate.h"
 #include "core/study/new_project.h"
+#include "tests/whole_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/editors/hint_strip.h"
 #include "ui/inputs/forms/form_row.h"
@@ -23,7 +22,6 @@
 #include <QSignalSpy>
 #include <QStackedWidget>
 #include <QTableView>
-#include <QTest>
 #include <QToolButton>
 
 #include <algorithm>

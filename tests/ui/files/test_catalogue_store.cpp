@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The entries of the catalogues, shipped and of one's own: searched, taken, kept.
-#include "core/project/machine.h"
-#include "core/project/material.h"
 #include "core/project/validate.h"
-#include "core/project/wheel.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"
+#include "tests/whole_project.h"
 #include "ui/files/catalogue_changes.h"
 #include "ui/session/project_io.h"
 #include "ui/text/search_text.h"

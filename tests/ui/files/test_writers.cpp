@@ -20,7 +20,6 @@
 
 #include <QFileInfo>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <functional>
 #include <memory>

@@ -24,7 +24,6 @@
 #include <QLineEdit>
 #include <QRegularExpression>
 #include <QSet>
-#include <QTest>
 #include <QTextBlock>
 #include <QTextBrowser>
 

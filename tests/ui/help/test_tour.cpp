@@ -13,7 +13,6 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QToolBar>
 
 namespace test_tour {

@@ -2,8 +2,6 @@
 // Labels: numbers
 // Calibrate from measurements: fitted by clicks, taken as one edit, marked in the forms.
 #include "core/measured/calibrated_inputs.h"
-#include "core/project/machine.h"
-#include "core/project/measured.h"
 #include "tests/registry.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/traced_project.h"
@@ -29,7 +27,6 @@
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
-#include <QTest>
 #include <QTimer>
 
 #include <algorithm>

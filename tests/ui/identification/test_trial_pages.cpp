@@ -4,9 +4,6 @@
 // one edit, and which trial tells most.
 #include "core/measured/calibrated_inputs.h"
 #include "core/process/system_compliance.h"
-#include "core/project/machine.h"
-#include "core/project/measured.h"
-#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/traced_project.h"
@@ -28,7 +25,6 @@
 #include <QTabWidget>
 #include <QTableView>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QTimer>
 
 #include <cmath>

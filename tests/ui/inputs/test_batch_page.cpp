@@ -5,7 +5,6 @@
 #include "core/batch/batch_check.h"
 #include "core/batch/scenario_source.h"
 #include "core/format/project_file.h"
-#include "core/project/batch.h"
 #include "core/study/new_project.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
@@ -22,7 +21,6 @@
 #include <QFile>
 #include <QPushButton>
 #include <QTemporaryDir>
-#include <QTest>
 
 namespace test_batch_page {
 

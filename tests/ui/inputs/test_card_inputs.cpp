@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // What the operation card needs, typed on the page "Part", and the mass that the shaft offers.
-#include "core/project/card_entries.h"
-#include "core/project/part.h"
 #include "core/setup/setup_run.h"
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"
+#include "tests/whole_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/report/card/operation_card_report.h"
 

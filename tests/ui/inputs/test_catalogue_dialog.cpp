@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // The dialog of a catalogue as a user meets it on the pages of the inputs.
-#include "core/project/machine.h"
-#include "core/project/material.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/text_checks.h"
+#include "tests/whole_project.h"
 #include "ui/inputs/forms/catalogue_dialog.h"
 #include "ui/inputs/forms/entry_name_dialog.h"
 #include "ui/session/settings.h"

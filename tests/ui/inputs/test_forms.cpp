@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
 #include "core/study/search_edits.h"
+#include "tests/whole_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/editors/choice_editor.h"
 #include "ui/inputs/forms/form_page.h"
@@ -34,7 +28,6 @@
 #include <QLocale>
 #include <QPlainTextEdit>
 #include <QPointer>
-#include <QTest>
 #include <QTextDocumentFragment>
 
 #include <clocale>

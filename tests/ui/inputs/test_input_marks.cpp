@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the inputs say of themselves: hints, marks of changes, refused texts and undo.
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/study/new_project.h"
+#include "tests/whole_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/fields/reset_mark.h"
 #include "ui/inputs/forms/form_row.h"
@@ -31,7 +27,6 @@
 #include <QPlainTextEdit>
 #include <QRegularExpression>
 #include <QTableView>
-#include <QTest>
 
 #include <clocale>
 #include <functional>

@@ -11,7 +11,6 @@
 
 #include <QLabel>
 #include <QScrollBar>
-#include <QTest>
 
 #include <algorithm>
 #include <vector>

@@ -2,8 +2,6 @@
 // Labels: numbers
 // Sections and parts are counted from 1 on screen and on paper, from 0 in the file.
 #include "core/format/project_file.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
 #include "core/project/validate.h"
 #include "core/study/evaluate.h"
 #include "core/study/new_project.h"
@@ -24,7 +22,6 @@
 
 #include <QLabel>
 #include <QLocale>
-#include <QTest>
 
 #include <algorithm>
 #include <optional>

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // What the stage table shows: its columns, times and shares, the copy of it.
-#include "core/project/cycle.h"
-#include "core/project/part.h"
 #include "core/study/evaluate.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
+#include "tests/whole_project.h"
 #include "ui/inputs/forms/stage_model.h"
 
 #include <QApplication>

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // The stages of the table: added, removed, moved, made to spark out.
-#include "core/project/cycle.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
+#include "tests/whole_project.h"
 #include "ui/text/language.h"
 
 #include <QApplication>

@@ -2,12 +2,11 @@
 // Labels: numbers
 // The stiffness of a machine from the catalogue is offered, with its effect, not just taken.
 #include "core/format/project_file.h"
-#include "core/project/machine.h"
-#include "core/project/project.h"
 #include "core/study/evaluate.h"
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"
 #include "tests/ui/support/dialog_answers.h"
+#include "tests/whole_project.h"
 #include "ui/text/names.h"
 
 #include <QCheckBox>

@@ -2,13 +2,12 @@
 // Labels: numbers
 // Stock entered per side or on the diameter; the project keeps it per side.
 #include "core/format/project_file.h"
-#include "core/project/cycle.h"
-#include "core/project/part.h"
 #include "core/project/validate.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
 #include "tests/ui/support/window_bench.h"
+#include "tests/whole_project.h"
 #include "ui/inputs/forms/form_page.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/text/hint_text.h"
@@ -20,7 +19,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QTest>
 
 #include <algorithm>
 #include <array>

@@ -21,7 +21,6 @@
 #include <QScopeGuard>
 #include <QScreen>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QTimer>
 #include <QTreeView>
 

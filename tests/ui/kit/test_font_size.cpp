@@ -15,7 +15,6 @@
 #include <QImage>
 #include <QPushButton>
 #include <QTableView>
-#include <QTest>
 #include <qcustomplot.h>
 
 namespace test_font_size {

@@ -28,7 +28,6 @@
 #include <QRegularExpression>
 #include <QSet>
 #include <QShortcut>
-#include <QTest>
 #include <QVBoxLayout>
 
 namespace test_keyboard {

@@ -9,7 +9,6 @@
 #include <QLineEdit>
 #include <QListView>
 #include <QSignalSpy>
-#include <QTest>
 
 namespace test_search_combo {
 

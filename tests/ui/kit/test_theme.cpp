@@ -21,7 +21,6 @@
 #include <QLabel>
 #include <QRegularExpression>
 #include <QTabBar>
-#include <QTest>
 
 #include <algorithm>
 #include <array>

@@ -18,7 +18,6 @@
 #include <QStandardItemModel>
 #include <QTabBar>
 #include <QTableView>
-#include <QTest>
 #include <QTextDocument>
 #include <QToolTip>
 #include <QVBoxLayout>

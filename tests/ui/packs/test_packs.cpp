@@ -25,7 +25,6 @@
 #include <QFileInfo>
 #include <QPlainTextEdit>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QTreeWidget>
 
 #include <algorithm>

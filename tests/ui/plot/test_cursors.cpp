@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The two cursors of a plot: what they read is the engine's, at places dragged, stepped or typed.
 #include "core/process/system_compliance.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
 #include "core/quality/depth_limits.h"
 #include "tests/registry.h"
 #include "tests/ui/support/text_checks.h"
@@ -33,7 +29,6 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QLabel>
-#include <QTest>
 
 #include <clocale>
 #include <cmath>

@@ -3,8 +3,6 @@
 #include "tests/registry.h"
 #include "ui/plot/free_place.h"
 
-#include <QTest>
-
 #include <cmath>
 
 namespace test_free_place {

@@ -12,7 +12,6 @@
 #include <QClipboard>
 #include <QMenu>
 #include <QSignalSpy>
-#include <QTest>
 #include <QTimer>
 #include <QToolButton>
 

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/report/format/report_text.h"
 #include "ui/report/handout/course_handout.h"

@@ -2,11 +2,6 @@
 // Labels: numbers
 // Operation card and sketch sheet: what stands on the sheets, and that all of it has its room.
 #include "core/files/safe_file.h"
-#include "core/project/card_entries.h"
-#include "core/project/cycle.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/setup/setup_file.h"
 #include "core/units.h"
 #include "tests/registry.h"

@@ -2,8 +2,6 @@
 // The papers of the course: their sections, their numbers held against the engine, what no student
 // may find in them, and their pages.
 #include "core/process/recipe_force.h"
-#include "core/project/cycle.h"
-#include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/report/course_bench.h"
 #include "tests/ui/report/handout_bench.h"

@@ -3,10 +3,6 @@
 // The questions of the course hand-out, run again, and the page of their answers.
 #include "core/format/difference.h"
 #include "core/format/project_file.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/simulation/simulate.h"
 #include "tests/registry.h"
 #include "tests/ui/report/handout_bench.h"

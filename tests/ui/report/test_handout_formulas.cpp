@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // The formulas of the course hand-out: their numbers worked out again from the print.
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "tests/core/support/formula_reader.h"
 #include "tests/registry.h"
 #include "tests/ui/report/handout_bench.h"

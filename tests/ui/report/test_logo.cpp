@@ -6,7 +6,6 @@
 #include "ui/report/card/logo.h"
 
 #include <QLocale>
-#include <QTest>
 
 #include <sys/resource.h>
 

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pages of the accuracy passport in its three formats: whole, in one language, whatever the
 // batch and the texts.
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "tests/check_line.h"
 #include "tests/registry.h"
 #include "tests/tries.h"

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // Reports from the window: preview, printing into a file, export, and none without a result.
-#include "core/project/batch.h"
-#include "core/project/part.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/logo_samples.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
+#include "tests/whole_project.h"
 #include "ui/dialogs/notice_bar.h"
 #include "ui/report/course/institution.h"
 #include "ui/report/documents/batch_wait.h"
@@ -29,7 +28,6 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QTimer>
 
 #include <utility>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pages of every document of every example, box by box: what stands where, and whether it has
 // the room that it needs. The texts of the figures, too.
-#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/ui/report/handout_bench.h"
 #include "tests/ui/support/passport_bench.h"

@@ -2,9 +2,6 @@
 // Labels: numbers
 // The numbers of the reports, straight from their tables and figures: those of the outcome, each at
 // its own place.
-#include "core/project/batch.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/study/profile_series.h"
 #include "tests/registry.h"
 #include "tests/ui/support/passport_bench.h"

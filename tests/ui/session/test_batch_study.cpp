@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_state.h"
-#include "core/project/batch.h"
-#include "core/project/part.h"
 #include "core/study/batch_edits.h"
 #include "core/study/new_project.h"
 #include "tests/core/support/batch_fixtures.h"
@@ -10,7 +8,6 @@
 
 #include <QElapsedTimer>
 #include <QSignalSpy>
-#include <QTest>
 
 namespace test_batch_study {
 

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cursor goes through the whole cycle in every unit, and keeps its place in a new run.
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/material.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/study/evaluate.h"
 #include "tests/registry.h"
 #include "tests/two_stage_projects.h"
 #include "ui/session/cycle_cursor.h"
 
 #include <QSignalSpy>
-#include <QTest>
 
 #include <cmath>
 #include <set>

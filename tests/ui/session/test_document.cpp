@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/format/difference.h"
 #include "core/measured/calibrated_inputs.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/measured.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/setup/setup_file.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
+#include "tests/whole_project.h"
 #include "ui/session/document.h"
 
 #include "core/format/project_file.h"
@@ -23,7 +18,6 @@
 #include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
-#include <QTest>
 
 namespace test_document {
 

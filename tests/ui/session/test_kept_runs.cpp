@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Kept runs of a document: edits that can be undone and are saved; computed again aside.
-#include "core/project/cycle.h"
-#include "core/project/measured.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
+#include "tests/whole_project.h"
 #include "ui/session/kept_runs.h"
 
 #include "core/format/project_file.h"
@@ -13,7 +10,6 @@
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
-#include <QTest>
 
 namespace test_kept_runs {
 

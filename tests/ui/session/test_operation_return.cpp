@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Switching the operation and back.
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/study/evaluate.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
 #include "core/study/operation_return.h"
+#include "tests/whole_project.h"
 #include "ui/session/document.h"
 #include "ui/text/operation_changes.h"
 
@@ -25,7 +19,6 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QTest>
 
 #include <algorithm>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/cycle.h"
-#include "core/project/part.h"
+#include "tests/whole_project.h"
 #include "ui/session/run_controller.h"
 
 #include "core/study/new_project.h"
@@ -10,7 +9,6 @@
 
 #include <QElapsedTimer>
 #include <QSignalSpy>
-#include <QTest>
 
 #include <atomic>
 #include <thread>

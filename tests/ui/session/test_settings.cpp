@@ -8,7 +8,6 @@
 #include <QLocale>
 #include <QSignalSpy>
 #include <QTemporaryDir>
-#include <QTest>
 
 namespace test_settings {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // The formulas of the step: those of the radius the cycle stands at, in the zone that was chosen.
-#include "core/project/machine.h"
 #include "core/quality/visit_sheet.h"
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
@@ -17,7 +16,6 @@
 #include <QImage>
 #include <QLabel>
 #include <QPalette>
-#include <QTest>
 #include <QTextEdit>
 #include <QToolButton>
 

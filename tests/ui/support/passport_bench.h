@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/batch.h"
-#include "core/project/part.h"
 #include "tests/ui/support/report_reading.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/report/documents/passport.h"

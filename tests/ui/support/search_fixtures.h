@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
 #include "tests/core/support/project_fixtures.h"
 
 namespace fixtures {

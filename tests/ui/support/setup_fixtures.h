@@ -2,10 +2,9 @@
 // Set-ups of several surfaces for the tests of the window.
 #pragma once
 
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "core/setup/setup_file.h"
 #include "core/study/new_project.h"
+#include "tests/whole_project.h"
 
 #include <QByteArray>
 #include <QFile>

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/cycle.h"
-#include "core/project/material.h"
-#include "core/project/wheel.h"
 #include "tests/core/identification/measured_cycles.h"
 #include "tests/core/support/project_samples.h"
 

@@ -4,8 +4,6 @@
 
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <cmath>
 #include <limits>
 #include <random>

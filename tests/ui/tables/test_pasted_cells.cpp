@@ -10,7 +10,6 @@
 #include <QLocale>
 #include <QMimeData>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QUrl>
 
 #include <cmath>

@@ -4,8 +4,6 @@
 
 #include "tests/registry.h"
 
-#include <QTest>
-
 namespace test_profile_csv {
 
 using namespace sparkout;

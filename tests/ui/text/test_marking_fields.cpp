@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Wheel markings and tolerance classes as a user types them on the pages of the inputs.
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"
+#include "tests/whole_project.h"
 
 #include <QLabel>
 #include <QLineEdit>

@@ -8,8 +8,6 @@
 
 #include "tests/registry.h"
 
-#include <QTest>
-
 #include <bit>
 #include <cmath>
 #include <random>

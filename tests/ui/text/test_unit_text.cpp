@@ -9,7 +9,6 @@
 
 #include <QRegularExpression>
 #include <QSet>
-#include <QTest>
 
 namespace test_unit_text {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One moment of the cycle for all views of the window: the playback bar and each view move it, all
 // others follow.
-#include "core/project/material.h"
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/support/window_bench.h"
@@ -17,7 +16,6 @@
 #include <QComboBox>
 #include <QSlider>
 #include <QSpinBox>
-#include <QTest>
 #include <QToolButton>
 
 #include <algorithm>

@@ -8,7 +8,6 @@
 #include <QClipboard>
 #include <QLabel>
 #include <QTableView>
-#include <QTest>
 
 #include <clocale>
 #include <cmath>

@@ -10,7 +10,6 @@
 #include <QAbstractItemView>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QTest>
 
 namespace test_views_of_before {
 

@@ -8,7 +8,6 @@
 #include "core/batch/batch_run.h"
 #include "core/format/project_file.h"
 #include "core/optimisation/optimise.h"
-#include "core/project/batch.h"
 #include "tests/check_line.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
@@ -25,7 +24,6 @@
 #include <QElapsedTimer>
 #include <QRandomGenerator>
 #include <QSignalSpy>
-#include <QTest>
 
 #include <algorithm>
 #include <chrono>

@@ -2,10 +2,6 @@
 // Labels: numbers
 // The parts between dressings in the window: what it says is what the engine finds.
 #include "core/dressing/dressing_interval.h"
-#include "core/project/batch.h"
-#include "core/project/machine.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
@@ -19,7 +15,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTemporaryDir>
-#include <QTest>
 
 namespace test_dressing_dialog {
 

@@ -4,11 +4,10 @@
 // folder, and none of them empty or with a warning. With SPARKOUT_GALLERY set also two of them with
 // batch, sweep, search and comparison filled, in three themes, sizes of type and two of the window.
 #include "core/files/safe_file.h"
-#include "core/project/cycle.h"
-#include "core/project/wheel.h"
 #include "core/setup/setup_file.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
+#include "tests/whole_project.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/dialogs/file_questions.h"
 #include "ui/files/file_lock.h"
@@ -27,7 +26,6 @@
 #include <QScopeGuard>
 #include <QSet>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QTimer>
 
 #include <cerrno>

@@ -5,8 +5,6 @@
 // done again: that one is the window's own. Fails only at four times the target, so that a busy
 // machine does not turn it red.
 #include "core/format/project_file.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
 #include "tests/check_line.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
@@ -14,6 +12,7 @@
 #include "tests/ui/support/heartbeat.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/ui/window/long_project.h"
+#include "tests/whole_project.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/plot/view.h"
 #include "ui/views/batch/batch_view.h"
@@ -30,7 +29,6 @@
 #include <QSlider>
 #include <QStyleOption>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QTimer>
 #include <QToolButton>
 

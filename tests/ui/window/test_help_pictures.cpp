@@ -2,16 +2,14 @@
 // The pictures of README and help, drawn by the program as it is: they are put into help-pictures/
 // of the build folder, from where they are copied to resources/help/pictures. Each of those that
 // are shipped is drawn here.
-#include "core/project/cycle.h"
-#include "core/project/sweep.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
+#include "tests/whole_project.h"
 #include "ui/plot/view.h"
 #include "ui/window/view_tabs.h"
 
 #include <QDir>
 #include <QPushButton>
-#include <QTest>
 
 #include <functional>
 #include <utility>

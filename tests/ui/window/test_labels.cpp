@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: own_language
 // Every text of the window has room on a small screen, and in a Russian window all are Russian.
-#include "core/project/cycle.h"
-#include "core/project/part.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
+#include "tests/whole_project.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/kit/font_size.h"
 #include "ui/plot/view.h"
@@ -22,7 +21,6 @@
 #include <QScopeGuard>
 #include <QScrollArea>
 #include <QTabBar>
-#include <QTest>
 
 namespace test_labels {
 

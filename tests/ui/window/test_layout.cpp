@@ -20,7 +20,6 @@
 #include <QScopeGuard>
 #include <QScrollBar>
 #include <QTabBar>
-#include <QTest>
 #include <QToolButton>
 #include <QVBoxLayout>
 

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
+#include "tests/whole_project.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/dialogs/notice_bar.h"
 #include "ui/fields/number_field.h"
@@ -39,7 +36,6 @@
 #include <QStyleFactory>
 #include <QTableView>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <clocale>
 

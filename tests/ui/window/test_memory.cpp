@@ -12,7 +12,6 @@
 #include <QFile>
 #include <QPixmapCache>
 #include <QSignalSpy>
-#include <QTest>
 
 #include <algorithm>
 #include <malloc.h>

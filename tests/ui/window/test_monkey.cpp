@@ -10,7 +10,6 @@
 #include "ui/session/document.h"
 
 #include <QElapsedTimer>
-#include <QTest>
 
 namespace test_monkey {
 

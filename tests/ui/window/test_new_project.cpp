@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A new project: its drawing is yet to be given, and until then nothing is said of it.
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/window_bench.h"
+#include "tests/whole_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
@@ -22,7 +21,6 @@
 #include <QApplication>
 #include <QLabel>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <cstdlib>
 #include <map>

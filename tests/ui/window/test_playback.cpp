@@ -7,7 +7,6 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QSlider>
-#include <QTest>
 #include <QToolButton>
 
 namespace test_playback {

@@ -6,14 +6,7 @@
 #include "core/format/project_file.h"
 #include "core/format/table_reader.h"
 #include "core/lesson/text_markup.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/measured.h"
 #include "core/project/member.h"
-#include "core/project/optimisation.h"
-#include "core/project/part.h"
-#include "core/project/sweep.h"
 #include "core/setup/setup_file.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
@@ -24,6 +17,7 @@
 #include "tests/ui/lesson/lesson_bench.h"
 #include "tests/ui/support/heartbeat.h"
 #include "tests/ui/window/long_project.h"
+#include "tests/whole_project.h"
 #include "ui/inputs/forms/form_page.h"
 #include "ui/lesson/lesson_panel.h"
 
@@ -31,7 +25,6 @@
 #include <QSignalSpy>
 #include <QTabWidget>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <algorithm>
 #include <functional>

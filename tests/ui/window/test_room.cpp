@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the views have of the window of a small laptop.
-#include "core/project/cycle.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
+#include "tests/whole_project.h"
 #include "ui/inputs/forms/stage_table.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
@@ -29,7 +27,6 @@
 #include <QScrollBar>
 #include <QStatusBar>
 #include <QTableView>
-#include <QTest>
 #include <QToolBar>
 #include <QToolButton>
 #include <qcustomplot.h>

@@ -18,7 +18,6 @@
 #include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTableView>
-#include <QTest>
 
 #include <algorithm>
 #include <clocale>

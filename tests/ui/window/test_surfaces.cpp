@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window on a set-up of several surfaces, as its user has it.
-#include "core/project/batch.h"
-#include "core/project/wheel.h"
 #include "core/setup/setup_run.h"
 #include "core/setup/worn_project.h"
 #include "core/study/batch_edits.h"
@@ -37,7 +35,6 @@
 #include <QTabBar>
 #include <QTableView>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <algorithm>
 #include <memory>

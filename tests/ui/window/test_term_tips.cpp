@@ -12,7 +12,6 @@
 #include <QLabel>
 #include <QTabBar>
 #include <QTableView>
-#include <QTest>
 
 #include <algorithm>
 

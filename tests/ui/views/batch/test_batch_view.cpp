@@ -3,11 +3,6 @@
 // The view "Batch": its figures are the engine's, a stop keeps what was done, the newest wins, the
 // worst part is reproduced by its inputs.
 #include "core/batch/batch_check.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/study/batch_edits.h"
 #include "core/study/evaluate.h"
 #include "tests/core/support/batch_fixtures.h"
@@ -30,7 +25,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTest>
 #include <QThread>
 
 #include <algorithm>

@@ -4,8 +4,6 @@
 #include "tests/registry.h"
 #include "ui/views/batch/histogram_plot.h"
 
-#include <QTest>
-
 #include <string>
 
 namespace test_histogram {

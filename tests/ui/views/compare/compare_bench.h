@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/cycle.h"
-#include "core/project/wheel.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/charts/compare_plot.h"
 #include "ui/charts/run_table_model.h"

@@ -3,8 +3,6 @@
 // The view "Compare": the table holds what differs and nothing else, and the list keeps, restores,
 // renames and deletes.
 #include "core/format/project_file.h"
-#include "core/project/cycle.h"
-#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/ui/views/compare/compare_bench.h"

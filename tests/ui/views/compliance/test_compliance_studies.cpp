@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // "Where to put the gauge" and "coupled against independent" in the view "Compliance".
 #include "core/process/system_compliance.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "core/simulation/simulate.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
+#include "tests/whole_project.h"
 #include "ui/session/project_io.h"
 #include "ui/text/names.h"
 #include "ui/views/compliance/compliance_curves.h"
@@ -23,7 +20,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view "Compliance": what it draws is the engine's, the part is to scale, the legend works.
 #include "core/format/project_file.h"
-#include "core/project/machine.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/plot_tools.h"
@@ -14,7 +13,6 @@
 #include "tests/registry.h"
 
 #include <QLabel>
-#include <QTest>
 
 #include <cmath>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The times that the feeds view has in sight: one for all columns, chosen by wheel, drag, keys and
 // lists, in the overview, and gone back to.
-#include "core/project/machine.h"
 #include "tests/registry.h"
 #include "tests/ui/views/feeds/feeds_bench.h"
 #include "ui/plot/plot_tools.h"

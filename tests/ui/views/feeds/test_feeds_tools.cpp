@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The feeds view's legend, hair line, room, note and table, and how long it takes.
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
-#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/views/feeds/feeds_bench.h"

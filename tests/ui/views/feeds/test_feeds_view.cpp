@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // What the feeds view draws: its curves, bands and columns, in every state and language.
-#include "core/project/cycle.h"
 #include "tests/registry.h"
 #include "tests/ui/views/feeds/feeds_bench.h"
 #include "ui/plot/band_layer.h"

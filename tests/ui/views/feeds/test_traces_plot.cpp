@@ -15,7 +15,6 @@
 
 #include <QScopeGuard>
 #include <QScrollArea>
-#include <QTest>
 #include <QToolButton>
 
 #include <algorithm>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view "Layers": what is painted adds up to the stock, the cursor cuts it off, the surface
 // turns.
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/plot/legend_strip.h"
@@ -16,7 +14,6 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QSignalSpy>
-#include <QTest>
 
 #include <cmath>
 

@@ -7,8 +7,6 @@
 #include "ui/views/layers/layers_surface.h"
 #include "ui/views/layers/surface_grid.h"
 
-#include <QTest>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>

@@ -2,10 +2,6 @@
 // The view "Overview": its numbers are the engine's, its bars lead to their views, what is empty
 // says what will be there.
 #include "core/batch/batch_summary.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "core/quality/diameter_shares.h"
 #include "core/quality/run_summary.h"
 #include "core/quality/usage.h"
@@ -38,7 +34,6 @@
 #include <QScopeGuard>
 #include <QScrollArea>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QToolButton>
 
 #include <algorithm>

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The magnified drawing of a profile, held against geometry.
 #include "core/process/profile.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "tests/core/study/profile_series_bench.h"
 #include "tests/registry.h"
 #include "ui/charts/magnified_profile.h"
-
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

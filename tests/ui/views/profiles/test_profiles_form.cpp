@@ -3,7 +3,6 @@
 // Form in the view "Zone profiles": magnification, reference circles, spectrum.
 #include "core/form/gaussian_filter.h"
 #include "core/form/roundness_readings.h"
-#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/ui/views/profiles/profiles_bench.h"
 #include "ui/plot/plot_tools.h"

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view "Zone profiles" along the axis, and what every view owes: texts, colours, exports,
 // speed.
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "tests/check_line.h"
 #include "tests/registry.h"
 #include "tests/ui/views/profiles/profiles_bench.h"

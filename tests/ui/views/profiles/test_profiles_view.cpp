@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view "Zone profiles", worked with mouse and keys: cells, moments, sections.
-#include "core/project/machine.h"
-#include "core/project/part.h"
-#include "core/project/wheel.h"
 #include "tests/registry.h"
 #include "tests/ui/views/profiles/profiles_bench.h"
 #include "ui/text/names.h"

@@ -2,10 +2,6 @@
 // Size against stock in the view "Sweep": chosen, given a range and stopped with mouse and keys;
 // what is drawn, said and tabulated is what the engine decides and what single cycles come to.
 #include "core/phases/phase_decision.h"
-#include "core/project/batch.h"
-#include "core/project/cycle.h"
-#include "core/project/gauge.h"
-#include "core/project/part.h"
 #include "core/simulation/simulate.h"
 #include "core/study/evaluate.h"
 #include "tests/registry.h"
@@ -20,7 +16,6 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
-#include <QTest>
 
 #include <algorithm>
 #include <cmath>

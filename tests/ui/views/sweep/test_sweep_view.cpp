@@ -2,12 +2,7 @@
 // Labels: numbers
 // The view "Sweep": chosen, run, stopped and taken from with mouse and keys; its curves are the
 // engine's; a project from which the varied stage has gone does no harm.
-#include "core/project/cycle.h"
-#include "core/project/machine.h"
 #include "core/project/number_input.h"
-#include "core/project/part.h"
-#include "core/project/sweep.h"
-#include "core/project/wheel.h"
 #include "core/study/evaluate.h"
 #include "core/study/sweep_edits.h"
 #include "tests/check_line.h"
@@ -32,7 +27,6 @@
 #include <QRandomGenerator>
 #include <QSignalSpy>
 #include <QSpinBox>
-#include <QTest>
 
 #include <cmath>
 #include <set>
