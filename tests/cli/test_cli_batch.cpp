@@ -22,8 +22,6 @@ using namespace sparkout;
 using namespace cli;
 using nlohmann::json;
 
-namespace {
-
 /// A batch that is still running, with its progress on stderr.
 class RunningBatch {
 public:
@@ -53,8 +51,6 @@ private:
     QProcess m_process;
     std::string m_progress;
 };
-
-} // namespace
 
 class TestCliBatch : public QObject {
     Q_OBJECT

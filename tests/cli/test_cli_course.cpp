@@ -22,8 +22,6 @@ namespace test_cli_course {
 using namespace sparkout;
 using namespace cli;
 
-namespace {
-
 QString lessonPath() {
     return QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/lessons/02-actual-feed.sparkout-lesson");
 }
@@ -31,8 +29,6 @@ QString lessonPath() {
 std::string contentOf(const QString& file) {
     return samples::readText(file.toStdString());
 }
-
-} // namespace
 
 class TestCliCourse : public FolderTest {
     Q_OBJECT

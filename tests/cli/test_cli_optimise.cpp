@@ -26,8 +26,6 @@ using namespace sparkout;
 using namespace cli;
 using nlohmann::json;
 
-namespace {
-
 /// A soft shaft ground by plunging in three stages of equal stocks, with a field of 4 µm.
 json softShaft() {
     json file = json::parse(samples::readText(
@@ -45,8 +43,6 @@ json softShaft() {
 Project projectOf(const json& file) {
     return readProject(file.dump()).project.value();
 }
-
-} // namespace
 
 class TestCliOptimise : public QObject {
     Q_OBJECT

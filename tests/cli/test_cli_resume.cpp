@@ -13,8 +13,6 @@ namespace test_cli_resume {
 
 using namespace cli;
 
-namespace {
-
 /// A grid whose full search takes some seconds.
 json grid() {
     json file = shaft();
@@ -46,8 +44,6 @@ long long evaluationsIn(const json& state) {
     return begun != state.end() && begun->is_object() ? begun->at("evaluations").get<long long>()
                                                       : 0;
 }
-
-} // namespace
 
 class TestCliResume : public QObject {
     Q_OBJECT

@@ -18,13 +18,9 @@ using namespace sparkout;
 using namespace cli;
 using nlohmann::json;
 
-namespace {
-
 const char* zoneName(Zone zone) {
     return zone == Zone::rz1 ? "rz1" : zone == Zone::nz ? "nz" : "rz2";
 }
-
-} // namespace
 
 class TestCliSimulate : public FolderTest {
     Q_OBJECT

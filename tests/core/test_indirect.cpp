@@ -16,8 +16,6 @@ namespace test_indirect {
 
 using namespace sparkout;
 
-namespace {
-
 struct Later;
 /// An owner of what is only declared here: it compiles, is copied and moved by its own members.
 struct Owner {
@@ -74,8 +72,6 @@ Indirect<Watched> numbered(int number) {
     value->number = number;
     return value;
 }
-
-} // namespace
 
 class TestIndirect : public QObject {
     Q_OBJECT

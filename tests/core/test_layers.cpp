@@ -9,8 +9,6 @@
 
 namespace test_layers {
 
-namespace {
-
 struct Include {
     QString file; ///< relative to the root
     QString text; ///< what stands between the quotes or brackets
@@ -194,8 +192,6 @@ private slots:
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
     }
 };
-
-} // namespace
 
 } // namespace test_layers
 

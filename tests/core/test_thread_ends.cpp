@@ -9,8 +9,6 @@
 
 namespace test_thread_ends {
 
-namespace {
-
 std::atomic<int> intact{0};
 
 /// So large that the system takes its memory back as soon as it is freed.
@@ -20,8 +18,6 @@ struct Large {
     ~Large() { intact += numbers[1000] == 42 && *last == 7; }
 };
 thread_local Large large;
-
-} // namespace
 
 class TestThreadEnds : public QObject {
     Q_OBJECT

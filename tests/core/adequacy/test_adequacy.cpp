@@ -21,8 +21,6 @@ namespace test_adequacy {
 
 using namespace sparkout;
 
-namespace {
-
 double normal(std::uint32_t seed, std::uint64_t index) {
     return normalQuantile(openUnit(randomBits(seed, RandomStream::plain, index, 0)));
 }
@@ -97,8 +95,6 @@ const AdequacyRow* find(const std::vector<AdequacyRow>& rows, MeasuredQuantity q
     }
     return nullptr;
 }
-
-} // namespace
 
 class TestAdequacy : public QObject {
     Q_OBJECT

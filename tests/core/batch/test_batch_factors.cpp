@@ -21,8 +21,6 @@ using fixtures::close;
 using fixtures::uniform;
 using fixtures::within;
 
-namespace {
-
 /// Share of a triangular law below x, integrated from its density by hand.
 double triangularShare(double x, double a, double c, double b) {
     return x <= c ? (x - a) * (x - a) / ((b - a) * (c - a))
@@ -61,8 +59,6 @@ std::vector<MeasuredColumn> columnsOf(const char* csv) {
     const auto* columns = std::get_if<std::vector<MeasuredColumn>>(&read);
     return columns ? *columns : std::vector<MeasuredColumn>();
 }
-
-} // namespace
 
 class TestBatchFactors : public QObject {
     Q_OBJECT

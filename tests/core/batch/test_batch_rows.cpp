@@ -24,8 +24,6 @@ using fixtures::shaftBatch;
 using fixtures::stiffBatch;
 using fixtures::uniform;
 
-namespace {
-
 /// With a point, whatever the locale.
 double numberOf(const std::string& cell) {
     return QByteArray::fromStdString(cell).toDouble();
@@ -89,8 +87,6 @@ Project partlyBad(int parts) {
     project.part->tolerance.radial_runout_um = largest[largest.size() / 2];
     return project;
 }
-
-} // namespace
 
 class TestBatchRows : public QObject {
     Q_OBJECT

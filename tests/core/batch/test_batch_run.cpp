@@ -31,8 +31,6 @@ using fixtures::shaftBatch;
 using fixtures::uniform;
 using nlohmann::json;
 
-namespace {
-
 BatchResult runWith(const Project& project, int threads) {
     BatchOptions options;
     options.threads = threads;
@@ -53,8 +51,6 @@ JoinedBatch joined(const std::vector<BatchResult>& shards) {
     }
     return joiner.join();
 }
-
-} // namespace
 
 class TestBatchRun : public QObject {
     Q_OBJECT

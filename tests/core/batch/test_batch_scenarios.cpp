@@ -23,8 +23,6 @@ using namespace sparkout;
 using fixtures::normal;
 using fixtures::uniform;
 
-namespace {
-
 Project batchOf(Scenarios scenarios, int parts) {
     Project project = fixtures::plunge();
     project.batch = Batch{};
@@ -50,8 +48,6 @@ double correlationOf(const ScenarioSource& source, std::size_t a, std::size_t b)
     }
     return (n * xy - x * y) / std::sqrt((n * xx - x * x) * (n * yy - y * y));
 }
-
-} // namespace
 
 class TestBatchScenarios : public QObject {
     Q_OBJECT

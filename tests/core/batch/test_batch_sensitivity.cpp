@@ -13,8 +13,6 @@ using namespace sparkout;
 using fixtures::uniform;
 using fixtures::within;
 
-namespace {
-
 /// A system that does not yield: the power follows the flow stress alone, the time the stock alone.
 Project stiffBatch() {
     Project project = fixtures::stiffBatch(60);
@@ -42,8 +40,6 @@ std::size_t indexOf(const Project& project, const std::string& name) {
     }
     return i;
 }
-
-} // namespace
 
 class TestBatchSensitivity : public QObject {
     Q_OBJECT

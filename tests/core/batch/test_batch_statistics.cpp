@@ -18,8 +18,6 @@ using namespace sparkout;
 using fixtures::close;
 using fixtures::within;
 
-namespace {
-
 /// Numbers of both signs and very different sizes.
 std::vector<double> mixedTerms(int count) {
     std::vector<double> terms;
@@ -50,8 +48,6 @@ Normality binnedNormality(const std::vector<double>& values) {
     return andersonDarling(statistics.bins, micrometres.resolution, statistics.count, moments.mean,
                            moments.deviation);
 }
-
-} // namespace
 
 class TestBatchStatistics : public QObject {
     Q_OBJECT

@@ -17,8 +17,6 @@ namespace test_batch_strips {
 using namespace sparkout;
 using nlohmann::json;
 
-namespace {
-
 constexpr std::int64_t parts = 30;
 
 /// Every requirement that is of the surface, and the drives; the first stage leaves strips.
@@ -63,8 +61,6 @@ std::vector<json> surfaceOf(const json& result) {
     }
     return all;
 }
-
-} // namespace
 
 class TestBatchStrips : public QObject {
     Q_OBJECT

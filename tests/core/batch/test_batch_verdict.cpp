@@ -10,8 +10,6 @@ namespace test_batch_verdict {
 
 using namespace sparkout;
 
-namespace {
-
 /// Fifty good parts of three characteristics: of the P_pk's bounds 1.3 and 1.1, and without one.
 BatchSummary goodSummary() {
     BatchSummary summary;
@@ -37,8 +35,6 @@ void fail(BatchSummary& summary, std::int64_t parts) {
     summary.bad.count = parts;
     summary.bad.value = static_cast<double>(parts) / static_cast<double>(summary.parts);
 }
-
-} // namespace
 
 class TestBatchVerdict : public QObject {
     Q_OBJECT

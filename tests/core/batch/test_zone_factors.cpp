@@ -26,8 +26,6 @@ namespace test_zone_factors {
 
 using namespace sparkout;
 
-namespace {
-
 Project shaft() {
     Project project = readProject(samples::readText(samples::sourcePath(
                                       "resources/examples/shaft-30h6-factory.sparkout")))
@@ -52,8 +50,6 @@ std::set<std::string> faultsOf(const Project& project) {
     }
     return paths;
 }
-
-} // namespace
 
 class TestZoneFactors : public QObject {
     Q_OBJECT

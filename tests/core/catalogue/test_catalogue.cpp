@@ -23,8 +23,6 @@ using namespace catalogues;
 using fixtures::close;
 using nlohmann::json;
 
-namespace {
-
 /// One material as small as it may be.
 json smallest() {
     return {{"format", "sparkout-catalogue"},
@@ -35,8 +33,6 @@ json smallest() {
                {"value", {{"grade", "40Х"}, {"conductivity_w_mk", 38.5}}},
                {"sources", {{{"key", "conductivity_w_mk"}, {"source", "ALORO40X"}}}}}}}};
 }
-
-} // namespace
 
 class TestCatalogue : public QObject {
     Q_OBJECT

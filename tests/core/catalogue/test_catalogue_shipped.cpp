@@ -19,8 +19,6 @@ using namespace sparkout;
 using namespace catalogues;
 using fixtures::close;
 
-namespace {
-
 /// The keys that core/SOURCES.md explains.
 std::set<std::string> sourceKeys() {
     std::set<std::string> keys;
@@ -61,8 +59,6 @@ std::string every(const std::vector<Entry>& entries, auto fault) {
     }
     return {};
 }
-
-} // namespace
 
 class TestCatalogueShipped : public QObject {
     Q_OBJECT

@@ -17,8 +17,6 @@ namespace test_grading {
 using namespace sparkout;
 using nlohmann::json;
 
-namespace {
-
 constexpr std::size_t classSize = 25;
 
 /// Points of the eight steps of work 2.
@@ -30,8 +28,6 @@ HandedIn handedIn(const Work& work) {
 }
 
 using Flags = std::set<WorkFlag>;
-
-} // namespace
 
 class TestGrading : public QObject {
     Q_OBJECT

@@ -22,8 +22,6 @@ namespace test_make_variants {
 using namespace sparkout;
 using nlohmann::json;
 
-namespace {
-
 Answer answerWith(const Setup& setup) {
     Answer answer;
     answer.setup.text = writeSetup(setup);
@@ -33,8 +31,6 @@ Answer answerWith(const Setup& setup) {
 long long refusedBy(const MadeVariants& made, VariantFault fault) {
     return made.refused[static_cast<std::size_t>(fault)];
 }
-
-} // namespace
 
 class TestMakeVariants : public QObject {
     Q_OBJECT

@@ -20,8 +20,6 @@ namespace test_practicum {
 
 using namespace sparkout;
 
-namespace {
-
 enum class Pupil { reads, guesses };
 
 /// A number as it is read off the window: to the decimals of its figure.
@@ -224,8 +222,6 @@ void lessonRows() {
 Lesson lessonIn(const QString& file) {
     return readLesson(samples::readText(file.toStdString())).lesson.value();
 }
-
-} // namespace
 
 class TestPracticum : public QObject {
     Q_OBJECT

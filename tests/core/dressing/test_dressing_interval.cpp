@@ -23,8 +23,6 @@ namespace test_dressing_interval {
 
 using namespace sparkout;
 
-namespace {
-
 /// So stiff that every revolution removes what it is fed: 5 µm of 40 mm.
 Setup stiffPlunge() {
     Project project = fixtures::plunge();
@@ -103,8 +101,6 @@ private:
     std::vector<RemovedMetal> m_before; ///< of the surfaces before each, in the first part
     RemovedMetal m_part;
 };
-
-} // namespace
 
 class TestDressingInterval : public QObject {
     Q_OBJECT

@@ -22,8 +22,6 @@ namespace test_interval_search {
 
 using namespace search_checks;
 
-namespace {
-
 /// A cycle of a grid that holds for the first part: how long it goes on to, and its margin over so
 /// many.
 struct Lasting {
@@ -173,8 +171,6 @@ double power_kw(const Project& project, double feed_mm_min, double dullness) {
     return dull.machine->wheel_speed_m_s * law.tangential(dull.part->length_mm, std::sqrt(cut_mm))
            / 1000;
 }
-
-} // namespace
 
 class TestIntervalSearch : public QObject {
     Q_OBJECT

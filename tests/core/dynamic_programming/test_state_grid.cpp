@@ -23,8 +23,6 @@ namespace test_state_grid {
 using namespace search_checks;
 using Path = std::vector<std::size_t>;
 
-namespace {
-
 constexpr double slack_s = 1e-9;
 
 /// Gauged parts with a few feeds; every second one has drives that some feeds overload.
@@ -115,8 +113,6 @@ bool isAllowed(const StateGrid& grid, const Path& path) {
 std::int64_t us(double time_s) {
     return comparedTime_us(time_s);
 }
-
-} // namespace
 
 class TestStateGrid : public QObject {
     Q_OBJECT

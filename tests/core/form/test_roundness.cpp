@@ -22,8 +22,6 @@ using fixtures::decades;
 using fixtures::pick;
 using fixtures::within;
 
-namespace {
-
 using Radii = std::vector<double>;
 
 bool holds(const char* law, const std::function<void()>& check) {
@@ -122,8 +120,6 @@ double circlesBruteForce(const Radii& radii, double reach) {
 double eccentricity(const RoundnessZone& zone) {
     return std::hypot(zone.x_mm, zone.y_mm);
 }
-
-} // namespace
 
 class TestRoundness : public QObject {
     Q_OBJECT

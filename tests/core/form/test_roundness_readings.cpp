@@ -25,8 +25,6 @@ using namespace sparkout;
 using fixtures::between;
 using fixtures::pick;
 
-namespace {
-
 using Radii = std::vector<double>;
 
 constexpr double R = 15, um = 1e-3;
@@ -114,8 +112,6 @@ std::vector<double> deviationsOf(const RoundnessReading& reading) {
     return {reading.minimumZone.deviation(), reading.leastSquares.deviation(),
             reading.inscribed.value().deviation(), reading.circumscribed.value().deviation()};
 }
-
-} // namespace
 
 class TestRoundnessReadings : public QObject {
     Q_OBJECT

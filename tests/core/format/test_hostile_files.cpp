@@ -33,8 +33,6 @@ extern "C" __declspec(dllimport) int __stdcall K32GetProcessMemoryInfo(void*, Pr
                                                                        unsigned long);
 #endif
 
-namespace {
-
 /// Peak resident memory of this process so far [MB].
 double peakMemory_mb() {
 #ifdef Q_OS_WIN
@@ -108,8 +106,6 @@ std::string replaced(const std::string& key, const std::string& value) {
     const std::size_t at = text.find("\"" + key + "\": ") + key.size() + 4;
     return text.replace(at, text.find_first_of(",\n", at) - at, value);
 }
-
-} // namespace
 
 class TestHostileFiles : public QObject {
     Q_OBJECT

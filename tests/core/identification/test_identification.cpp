@@ -25,8 +25,6 @@ namespace test_identification {
 using namespace sparkout;
 using namespace measured_cycles;
 
-namespace {
-
 /// A plunge on a yielding shaft with two feeds, so that the deflection shows.
 Project plunge(int sections = 1) {
     Project project = samples::project("smallest-plunge");
@@ -101,8 +99,6 @@ std::vector<MeasuredPart> partsAbout(double diameter_mm) {
     }
     return parts;
 }
-
-} // namespace
 
 class TestIdentification : public QObject {
     Q_OBJECT

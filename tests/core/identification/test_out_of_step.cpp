@@ -13,8 +13,6 @@ namespace test_out_of_step {
 using namespace sparkout;
 using namespace measured_cycles;
 
-namespace {
-
 constexpr double alpha = 1.25, beta = 0.875;
 
 /// A plunge on a yielding shaft with two feeds, as it is thought to be.
@@ -86,8 +84,6 @@ Identification fit(const Project& project, bool withDelay) {
 bool holds(const FittedValue& value, double truth) {
     return value.interval95.low <= truth && truth <= value.interval95.high;
 }
-
-} // namespace
 
 class TestOutOfStep : public QObject {
     Q_OBJECT

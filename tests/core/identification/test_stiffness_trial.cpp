@@ -19,8 +19,6 @@ namespace test_stiffness_trial {
 
 using namespace sparkout;
 
-namespace {
-
 Project onCentres() {
     Project project = samples::project("stiffness-traverse");
     project.part->shaft.steady_rests.clear();
@@ -72,8 +70,6 @@ bool near(const StiffnessTrial& trial, StiffnessUnit unit, double truth) {
     const FoundStiffness* const found = find(trial, unit);
     return found && std::abs(found->n_um / truth - 1) < 1e-9;
 }
-
-} // namespace
 
 class TestStiffnessTrial : public QObject {
     Q_OBJECT

@@ -14,13 +14,9 @@ namespace test_trace_comparison {
 
 using namespace sparkout;
 
-namespace {
-
 std::vector<int> stepsOf(const Project& project) {
     return simulate(project).countsByStage;
 }
-
-} // namespace
 
 class TestTraceComparison : public QObject {
     Q_OBJECT

@@ -24,8 +24,6 @@ namespace test_trial_design {
 
 using namespace sparkout;
 
-namespace {
-
 /// A plunge that yields, with dull grains.
 Project plunge() {
     Project project = samples::project("smallest-plunge");
@@ -105,8 +103,6 @@ Scatter scatterOf(const Trial& trial, const Project& ground, const TrialNoise& n
     }
     return scatter;
 }
-
-} // namespace
 
 class TestTrialDesign : public QObject {
     Q_OBJECT

@@ -19,8 +19,6 @@ namespace test_wheel_calibration {
 
 using namespace sparkout;
 
-namespace {
-
 Project plunge() {
     Project project = samples::project("smallest-plunge");
     project.part->tolerance.roughness_ra_um = 50;
@@ -47,8 +45,6 @@ Project withStrengthsGiven() {
     project.wheel->bond_modulus_gpa = 60;
     return project;
 }
-
-} // namespace
 
 class TestWheelCalibration : public QObject {
     Q_OBJECT

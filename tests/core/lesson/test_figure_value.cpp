@@ -16,8 +16,6 @@ namespace test_figure_value {
 
 using namespace sparkout;
 
-namespace {
-
 Project projectOf(const char* lesson) {
     const auto path =
         samples::sourcePath(std::string("resources/lessons/") + lesson + ".sparkout-lesson");
@@ -28,8 +26,6 @@ Figure figureOf(FigureName name, PlaceName place = {}, std::optional<int> stage 
                 std::optional<int> count = {}, Step step = Step::none) {
     return {name, place, stage, count, step};
 }
-
-} // namespace
 
 class TestFigureValue : public QObject {
     Q_OBJECT

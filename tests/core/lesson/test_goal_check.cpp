@@ -16,8 +16,6 @@ namespace test_goal_check {
 
 using namespace sparkout;
 
-namespace {
-
 Figure figureOf(FigureName name, PlaceName place = {}, std::optional<int> stage = {},
                 std::optional<int> count = {}, Step step = Step::none) {
     return {name, place, stage, count, step};
@@ -36,8 +34,6 @@ Goal goalOf(std::optional<Kind> Goal::*member, Kind kind) {
     goal.*member = std::move(kind);
     return goal;
 }
-
-} // namespace
 
 class TestGoalCheck : public QObject {
     Q_OBJECT

@@ -22,8 +22,6 @@ using fixtures::close;
 using fixtures::decades;
 using fixtures::within;
 
-namespace {
-
 /// The steel of the vectors' page: 40Х at 200 °C, μ 0.4, on the full-law case.
 Project hotSteel() {
     Project p = fixtures::plunge();
@@ -82,8 +80,6 @@ double riseUnderBand(double q, double L, double V, double lambda, double Omega) 
 bool holds(const char* law, const std::function<void()>& check) {
     return rc::check(law, check);
 }
-
-} // namespace
 
 class TestBurn : public QObject {
     Q_OBJECT

@@ -31,8 +31,6 @@ using fixtures::decades;
 using fixtures::FormulaError;
 using fixtures::workOut;
 
-namespace {
-
 std::string plain(const FormulaTerm& term) {
     return QString::number(term.value).toStdString();
 }
@@ -83,8 +81,6 @@ Case anyCase() {
 bool holds(const char* law, const std::function<void()>& check) {
     return rc::check(law, check);
 }
-
-} // namespace
 
 class TestFormula : public QObject {
     Q_OBJECT

@@ -12,8 +12,6 @@ namespace test_calibrated_inputs {
 
 using namespace sparkout;
 
-namespace {
-
 void record(Project& project, const char* path, double value) {
     Calibration calibration;
     calibration.input = path;
@@ -25,8 +23,6 @@ void record(Project& project, const char* path, double value) {
 const Field& inputAt(const Project& project, const char* path) {
     return *findMember(project, path).field;
 }
-
-} // namespace
 
 class TestCalibratedInputs : public QObject {
     Q_OBJECT

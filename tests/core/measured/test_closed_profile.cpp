@@ -14,8 +14,6 @@ namespace test_closed_profile {
 
 using namespace sparkout;
 
-namespace {
-
 /// Angle and value a line, of `value` at so many angles.
 template <class Value>
 std::string table(const char* headings, int points, const Value& value) {
@@ -30,8 +28,6 @@ bool hasFault(const ClosedProfile& read, std::size_t line, std::size_t column, I
     return read.radii_mm.empty() && read.faults.size() == 1 && read.faults[0].line == line
            && read.faults[0].column == column && read.faults[0].issue.code == code;
 }
-
-} // namespace
 
 class TestClosedProfile : public QObject {
     Q_OBJECT

@@ -17,8 +17,6 @@ namespace test_measured_table {
 
 using namespace sparkout;
 
-namespace {
-
 ReadMeasured readAs(std::string_view text, const MeasuredContext& context = {}) {
     return readMeasured(text, proposeTable(text), context);
 }
@@ -39,8 +37,6 @@ QString placesOf(const ReadMeasured& read) {
     }
     return text;
 }
-
-} // namespace
 
 class TestMeasuredTable : public QObject {
     Q_OBJECT

@@ -17,8 +17,6 @@ namespace test_dynamic_programming {
 
 using namespace search_checks;
 
-namespace {
-
 constexpr std::array heuristics{SearchMethod::published, SearchMethod::labels};
 
 /// Plunge parts with the grid of the thesis: as many stages as levels of stock, any feed at each.
@@ -88,8 +86,6 @@ struct Tally {
                     name, feasible, missed, slower, worst * 100);
     }
 };
-
-} // namespace
 
 class TestDynamicProgramming : public QObject {
     Q_OBJECT

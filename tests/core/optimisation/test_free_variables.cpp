@@ -18,8 +18,6 @@ namespace test_free_variables {
 
 using namespace search_checks;
 
-namespace {
-
 /// Rows of least and most about the levels, of which some fix a stage.
 NumberRows rowsAbout(search_cases::Dice& dice, const Levels& levels) {
     const std::vector<double> values = levelValues(levels);
@@ -73,8 +71,6 @@ Project freeCase(unsigned seed) {
 unsigned cases() {
     return searches(125);
 }
-
-} // namespace
 
 class TestFreeVariables : public QObject {
     Q_OBJECT

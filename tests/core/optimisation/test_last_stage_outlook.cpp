@@ -16,8 +16,6 @@ using namespace sparkout;
 using search_cases::plunged;
 using search_cases::traversed;
 
-namespace {
-
 struct CycleRun {
     explicit CycleRun(const Project& p)
         : project(p)
@@ -58,8 +56,6 @@ bool diameterMisses(const SimulationResult& result, ConstraintKind kind) {
     return std::any_of(all.begin(), all.end(),
                        [kind](const auto& each) { return each.kind == kind && !each.holds; });
 }
-
-} // namespace
 
 class TestLastStageOutlook : public QObject {
     Q_OBJECT

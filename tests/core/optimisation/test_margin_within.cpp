@@ -20,8 +20,6 @@ namespace test_margin_within {
 
 using namespace search_checks;
 
-namespace {
-
 /// A cycle of a grid that holds.
 struct Held {
     PlainCycle plain;
@@ -142,8 +140,6 @@ std::vector<Project> fewPhases(const Project& best, int) {
 int fewest(int usual) {
     return samples::sized(usual, usual / 4, usual);
 }
-
-} // namespace
 
 class TestMarginWithin : public QObject {
     Q_OBJECT

@@ -18,8 +18,6 @@ namespace test_optimisation {
 
 using namespace search_checks;
 
-namespace {
-
 unsigned caseCount() {
     return static_cast<unsigned>(samples::sized(500, 100, 3000));
 }
@@ -50,8 +48,6 @@ bool holdsInReference(const Project& p, const SearchSummary& summary) {
     }
     return holds;
 }
-
-} // namespace
 
 class TestOptimisation : public QObject {
     Q_OBJECT

@@ -20,8 +20,6 @@ using search_cases::Dice;
 using search_cases::holds;
 using search_cases::smallCase;
 
-namespace {
-
 Factor between(double from, double to) {
     Factor factor;
     factor.uniform = {from, to};
@@ -56,8 +54,6 @@ bool isToldAtOnce(PhaseOutlook& outlook, const GridCycle& cycle) {
     outlook.keepHopeless(beforeLast, settings);
     return !settings.empty();
 }
-
-} // namespace
 
 class TestPhaseCases : public QObject {
     Q_OBJECT

@@ -17,8 +17,6 @@ namespace test_practice_search {
 using namespace search_checks;
 using search_cases::Dice;
 
-namespace {
-
 /// Delays of up to some steps: of the gauge, of the change of feed, or both.
 Project late(Project p, Dice& dice) {
     const double most_s =
@@ -61,8 +59,6 @@ Project practical(unsigned seed) {
     }
     return seed % 4 != 1 ? limited(std::move(p), dice) : p;
 }
-
-} // namespace
 
 class TestPracticeSearch : public QObject {
     Q_OBJECT

@@ -14,8 +14,6 @@ namespace test_published_cycles {
 using namespace search_checks;
 using fixtures::strokeStage;
 
-namespace {
-
 Project example(const std::string& name) {
     const auto file = samples::sourcePath("resources/examples/" + name + ".sparkout");
     return readProject(samples::readText(file)).project.value();
@@ -51,8 +49,6 @@ bool isOf(const Grid& grid, const Cycle& cycle, double step_mm) {
     found.back().steps = 0;
     return grid.contains(found) && sameCycle(grid.cycle(found), cycle);
 }
-
-} // namespace
 
 class TestPublishedCycles : public QObject {
     Q_OBJECT

@@ -17,8 +17,6 @@ namespace test_refine {
 
 using namespace search_checks;
 
-namespace {
-
 using Feed = std::optional<double> Stage::*;
 
 std::vector<double> levelsOf(const Optimisation& grid, Feed feed) {
@@ -73,8 +71,6 @@ bool isOfTheGridsKind(const Project& p, const Cycle& cycle) {
                         || (last > bounds->front() - 1e-9 && last < bounds->back() + 1e-9);
     return within && last > 0 && std::abs(sum - p.part->stock_mm) < 1e-9;
 }
-
-} // namespace
 
 class TestRefine : public QObject {
     Q_OBJECT

@@ -21,8 +21,6 @@ namespace test_robust_confidence {
 
 using namespace sparkout;
 
-namespace {
-
 /// Tries cycle after cycle, the k-th with a share(k) of failing phases, on 500 each until one meets
 /// none. The share of the runs in which what is stated of it is true; a run without one states
 /// nothing.
@@ -58,8 +56,6 @@ Project slow() {
     p.part->tolerance = {};
     return p;
 }
-
-} // namespace
 
 class TestRobustConfidence : public QObject {
     Q_OBJECT

@@ -15,8 +15,6 @@ namespace test_search_journal {
 
 using namespace search_checks;
 
-namespace {
-
 const SearchQuestion asked{"engine 1", "project 1", "--method full"};
 
 SearchRecord written(const SearchRecord& record) {
@@ -72,8 +70,6 @@ bool isSame(const SearchOutcome& a, const SearchOutcome& b) {
                    && one.best->leastRelativeMargin == other.best->leastRelativeMargin
                    && one.machine == other.machine));
 }
-
-} // namespace
 
 class TestSearchJournal : public QObject {
     Q_OBJECT

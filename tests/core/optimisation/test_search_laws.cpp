@@ -21,8 +21,6 @@ namespace test_search_laws {
 
 using namespace search_checks;
 
-namespace {
-
 /// In half of the cases the work speed or a last spark-out is free, too.
 Project withVariants(Project p, unsigned seed) {
     if (seed % 4 == 1) {
@@ -42,8 +40,6 @@ std::vector<Project> changingParts(const Project& best, int draw) {
     }
     return parts;
 }
-
-} // namespace
 
 class TestSearchLaws : public QObject {
     Q_OBJECT

@@ -18,8 +18,6 @@ namespace test_search_preparation {
 using namespace sparkout;
 using namespace std::chrono_literals;
 
-namespace {
-
 std::vector<double> evenly(double from, double to, int count) {
     std::vector<double> values;
     for (int i = 0; i < count; ++i) {
@@ -58,8 +56,6 @@ qint64 stoppedAfter(std::chrono::milliseconds delay, Work work) {
 }
 
 constexpr double most_ms = 100 * under_sanitizers;
-
-} // namespace
 
 class TestSearchPreparation : public QObject {
     Q_OBJECT

@@ -32,8 +32,6 @@ namespace test_search_stops {
 using namespace sparkout;
 using namespace std::chrono_literals;
 
-namespace {
-
 constexpr double most_ms = 100 * under_sanitizers;
 
 /// A slender shaft of sections that deflect each other, all of them at every radius.
@@ -100,8 +98,6 @@ Project restedShaft() {
     p.part->shaft.ground_from_mm = 300;
     return p;
 }
-
-} // namespace
 
 class TestSearchStops : public QObject {
     Q_OBJECT

@@ -20,8 +20,6 @@ namespace test_steady_lag {
 using namespace sparkout;
 using search_cases::Dice;
 
-namespace {
-
 constexpr double rounding_mm = 1e-12;
 
 /// Steps of a part and a few feeds of its grid, from fine to coarse.
@@ -53,8 +51,6 @@ struct Followed {
     const RadiusFollower& follower;
     std::vector<FollowedFeed> feeds;
 };
-
-} // namespace
 
 class TestSteadyLag : public QObject {
     Q_OBJECT

@@ -32,8 +32,6 @@ namespace test_stepless_limit {
 using namespace sparkout;
 using fixtures::close;
 
-namespace {
-
 /// Nothing limits a cut but the infeed: 1.8 mm/min at 180 rev/min, 10 µm a revolution.
 Project freePlunge() {
     Project p = fixtures::plunge();
@@ -363,8 +361,6 @@ std::vector<NamedPiece> piecesOfRates(const Project& p, double stock_mm, double 
     }
     return pieces;
 }
-
-} // namespace
 
 class TestSteplessLimit : public QObject {
     Q_OBJECT

@@ -16,8 +16,6 @@ namespace test_trade_off {
 
 using namespace search_checks;
 
-namespace {
-
 struct Point {
     std::int64_t time_us;
     double margin;
@@ -89,8 +87,6 @@ std::vector<Point> pointsOf(const TradeOff& found) {
     }
     return points;
 }
-
-} // namespace
 
 class TestTradeOff : public QObject {
     Q_OBJECT

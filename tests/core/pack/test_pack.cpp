@@ -16,8 +16,6 @@ namespace test_pack {
 using namespace sparkout;
 using nlohmann::json;
 
-namespace {
-
 const char* const lessonName = "02-actual-feed.sparkout-lesson";
 
 /// With every part: two machines, three wheels, a material, heads, a lesson.
@@ -58,8 +56,6 @@ std::string faultOfPack(const ReadPack& read) {
     }
     return {};
 }
-
-} // namespace
 
 class TestPack : public QObject {
     Q_OBJECT

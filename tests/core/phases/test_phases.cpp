@@ -28,8 +28,6 @@ namespace test_phases {
 
 using namespace sparkout;
 
-namespace {
-
 constexpr double fine_mm = 1e-9;
 
 bool contains(const PhasePiece& piece, double stock_mm) {
@@ -109,8 +107,6 @@ Project rigidPlunge() {
     project.part->profile = ProfileForm::lobes;
     return project;
 }
-
-} // namespace
 
 class TestPhases : public QObject {
     Q_OBJECT

@@ -25,8 +25,6 @@ using fixtures::close;
 using shafts::E;
 using shafts::I;
 
-namespace {
-
 // pick(lo, hi) gives an integer lo <= i < hi
 template <class Pick>
 ShaftModel anyShaft(Pick pick) {
@@ -91,8 +89,6 @@ dense::Matrix finiteElements(const ShaftModel& model, const std::vector<double>&
             G[i][j] = 1 / model.wheelHead_n_mm + inverse[2 * i][2 * j];
     return G;
 }
-
-} // namespace
 
 class TestComplianceAnyShaft : public QObject {
     Q_OBJECT

@@ -18,8 +18,6 @@ using namespace sparkout;
 using fixtures::close;
 using fixtures::within;
 
-namespace {
-
 using Table = std::vector<std::vector<double>>;
 
 const Table rising{{10, 5}, {100, 20}, {400, 60}};
@@ -90,8 +88,6 @@ double kernelRoot(double gamma, double ks, double kr, double h) {
     return widestPassFunction()(lanes, coefficients, {.base = h},
                                 {.count = 1, .bks = ks, .bkr = kr});
 }
-
-} // namespace
 
 class TestContactCompliance : public QObject {
     Q_OBJECT

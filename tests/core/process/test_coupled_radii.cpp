@@ -22,8 +22,6 @@ using namespace sparkout;
 using Row = CoupledRadii::Row;
 using Set = CoupledRadii::Set;
 
-namespace {
-
 constexpr std::size_t radii = CoupledRadii::sideBySide;
 constexpr ForceLaw usual{.ks = 30.7, .kr = 71.3, .kt = 45, .mu = 0.3};
 constexpr ForceLaw sharp{.ks = 30.7, .kr = 0, .kt = 45, .mu = 0.3};
@@ -98,8 +96,6 @@ CoupledRadii radiiOf(const System& system, VectorUnit unit = widestUnit()) {
 bool sameBits(const std::vector<Row>& a, const std::vector<Row>& b) {
     return std::memcmp(a.data(), b.data(), a.size() * sizeof(Row)) == 0;
 }
-
-} // namespace
 
 class TestCoupledRadii : public QObject {
     Q_OBJECT

@@ -23,8 +23,6 @@ using fixtures::plungeStage;
 using fixtures::sparkStage;
 using fixtures::Traced;
 
-namespace {
-
 /// Draws the same numbers everywhere, which the distributions of <random> do not.
 class Draw {
 public:
@@ -193,8 +191,6 @@ double worstFault(const Project& p) {
     }
     return worst;
 }
-
-} // namespace
 
 class TestCoupledRandom : public QObject {
     Q_OBJECT

@@ -23,8 +23,6 @@ using namespace sparkout;
 using fixtures::close;
 using fixtures::within;
 
-namespace {
-
 /// A system of sections; the conditions are written out here a second time.
 struct System {
     std::vector<double> G, width;
@@ -183,8 +181,6 @@ bool areSolved(const std::string& name, std::pair<int, int> sections,
         RC_ASSERT(system.fault(solution.u, h) < 1e-12);
     });
 }
-
-} // namespace
 
 class TestCoupledSections : public QObject {
     Q_OBJECT

@@ -13,8 +13,6 @@ using namespace sparkout;
 using fixtures::close;
 using fixtures::within;
 
-namespace {
-
 // Ten roundings at most stand between the inputs and a coefficient.
 constexpr double roundings = 10 * fixtures::epsilon;
 
@@ -24,8 +22,6 @@ Project bore() {
     project.wheel->diameter_mm = 20;
     return project;
 }
-
-} // namespace
 
 class TestForce : public QObject {
     Q_OBJECT

@@ -16,8 +16,6 @@ namespace test_pass_kernel {
 
 using namespace sparkout;
 
-namespace {
-
 /// Random lanes at one width of cut, as wide as inputs can be: γ 1e-9…1 mm/N, b·k_s and b·k_r over
 /// six decades or zero, depths up to some mm, lanes in contact and lanes out of it.
 struct RandomPass {
@@ -71,8 +69,6 @@ struct RandomPass {
 bool sameBits(const std::vector<double>& a, const std::vector<double>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
-
-} // namespace
 
 class TestPassKernel : public QObject {
     Q_OBJECT

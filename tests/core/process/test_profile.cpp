@@ -13,8 +13,6 @@ namespace test_profile {
 using namespace sparkout;
 using fixtures::within;
 
-namespace {
-
 // A radius is some tens of mm and comes out of some ten operations.
 constexpr double radiusRounding = 10 * 64 * fixtures::epsilon;
 
@@ -41,8 +39,6 @@ double runout(const std::vector<double>& radii) {
     const auto [low, high] = std::minmax_element(radii.begin(), radii.end());
     return *high - *low;
 }
-
-} // namespace
 
 class TestProfile : public QObject {
     Q_OBJECT

@@ -28,8 +28,6 @@ using namespace sparkout;
 using fixtures::between;
 using fixtures::close;
 
-namespace {
-
 Project anyProject() {
     Project p = fixtures::plunge();
     p.part->diameter_mm = between(10, 200);
@@ -86,8 +84,6 @@ double published(const Project& p, double B, double a) {
 bool same(const ForceLaw& a, const ForceLaw& b) {
     return a.ks == b.ks && a.kr == b.kr && a.kt == b.kt && a.mu == b.mu;
 }
-
-} // namespace
 
 class TestRecipeForce : public QObject {
     Q_OBJECT

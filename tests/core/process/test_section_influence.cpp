@@ -17,8 +17,6 @@
 namespace test_section_influence {
 
 using namespace sparkout;
-namespace {
-
 /// G at the middles of `count` slices from `from` to `to` mm of a shaft.
 std::vector<double> influence(const ShaftModel& shaft, int count, double from, double to) {
     std::vector<double> middles;
@@ -85,8 +83,6 @@ std::pair<double, double> faults(const std::vector<double>& G, std::size_t size)
     }
     return {productFault, solutionFault};
 }
-
-} // namespace
 
 class TestSectionInfluence : public QObject {
     Q_OBJECT

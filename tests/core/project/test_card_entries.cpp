@@ -17,8 +17,6 @@ namespace test_card_entries {
 using namespace sparkout;
 using nlohmann::json;
 
-namespace {
-
 json withEntries() {
     json project = samples::sample("complete");
     project["card"] = {{"part_number", "7716-03.021"}, {"document_number", "АБВГ.60141.00012"},
@@ -27,8 +25,6 @@ json withEntries() {
                        {"blank", "Круг 50 ГОСТ 2590"}, {"blank_mass_kg", 4.9}};
     return project;
 }
-
-} // namespace
 
 class TestCardEntries : public QObject {
     Q_OBJECT

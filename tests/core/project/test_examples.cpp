@@ -31,8 +31,6 @@ namespace test_examples {
 using namespace sparkout;
 namespace fs = std::filesystem;
 
-namespace {
-
 std::string contentOf(const fs::path& path) {
     std::ifstream in(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
@@ -99,8 +97,6 @@ double spread(const SimulationResult& result) {
     }
     return high - low;
 }
-
-} // namespace
 
 class TestExamples : public QObject {
     Q_OBJECT

@@ -14,8 +14,6 @@ namespace test_iso286 {
 
 using namespace sparkout;
 
-namespace {
-
 constexpr double bounds[] = {0, 3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500};
 constexpr int ranges = 13;
 
@@ -40,8 +38,6 @@ double fundamental(char letter, int range, int grade = 6) {
     const SizeDeviations found = *sizeDeviations({bounds[range + 1], {letter}, grade});
     return letter <= 'h' ? found.upper_um : found.lower_um;
 }
-
-} // namespace
 
 class TestIso286 : public QObject {
     Q_OBJECT

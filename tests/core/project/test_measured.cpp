@@ -19,8 +19,6 @@ namespace test_measured {
 using namespace sparkout;
 using nlohmann::json;
 
-namespace {
-
 Project everything() {
     return samples::project("everything");
 }
@@ -39,8 +37,6 @@ MeasuredTrace longTrace() {
     trace.time_s = Samples(std::move(times));
     return trace;
 }
-
-} // namespace
 
 class TestMeasured : public QObject {
     Q_OBJECT

@@ -15,8 +15,6 @@ namespace test_tables {
 
 using namespace sparkout;
 
-namespace {
-
 /// Units of the keys' endings, longer endings first.
 const std::vector<std::pair<std::string, std::string>>& unitsOfEndings() {
     static const std::vector<std::pair<std::string, std::string>> all{
@@ -75,8 +73,6 @@ std::set<std::string> sourceKeys() {
     }
     return keys;
 }
-
-} // namespace
 
 class TestTables : public QObject {
     Q_OBJECT

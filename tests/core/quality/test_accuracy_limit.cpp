@@ -24,8 +24,6 @@ using fixtures::between;
 using fixtures::close;
 using fixtures::pick;
 
-namespace {
-
 bool holds(const char* law, const std::function<void()>& check) {
     return rc::check(law, check);
 }
@@ -65,8 +63,6 @@ double valueAt(const LimitPoints& curve, double stock) {
 double force(const ForceLaw& law, double b, double a) {
     return b * (law.ks * a + law.kr * std::sqrt(a));
 }
-
-} // namespace
 
 class TestAccuracyLimit : public QObject {
     Q_OBJECT

@@ -19,8 +19,6 @@ using fixtures::close;
 using fixtures::plungeStage;
 using fixtures::Traced;
 
-namespace {
-
 Project asking(const Project& of) {
     Project p = fixtures::demanding(of);
     p.machine->geometric_runout_um = 1;
@@ -43,8 +41,6 @@ void bothOperations() {
     QTest::newRow("traverse") << asking(fixtures::traverse());
     QTest::newRow("plunge") << plunge();
 }
-
-} // namespace
 
 class TestConstraintSheet : public QObject {
     Q_OBJECT

@@ -17,8 +17,6 @@ namespace test_constraints {
 using namespace sparkout;
 using fixtures::within;
 
-namespace {
-
 // Values are some µm and come out of two or three operations.
 constexpr double um = 1e-13;
 
@@ -52,8 +50,6 @@ const ConstraintResult& find(const std::vector<ConstraintResult>& all, Constrain
     static const ConstraintResult none{};
     return none;
 }
-
-} // namespace
 
 class TestConstraints : public QObject {
     Q_OBJECT

@@ -22,8 +22,6 @@ using fixtures::decades;
 using fixtures::Law;
 using fixtures::within;
 
-namespace {
-
 bool holds(const char* law, const std::function<void()>& check) {
     return rc::check(law, check);
 }
@@ -59,8 +57,6 @@ double isakov(const Project& p, double a) {
                           * std::sqrt(p.wheel->dressing_chipping_mm / (4 * Ns)) * opened,
                       2.0 / 3);
 }
-
-} // namespace
 
 class TestDepthLimits : public QObject {
     Q_OBJECT

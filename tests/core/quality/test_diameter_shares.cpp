@@ -15,12 +15,8 @@ namespace test_diameter_shares {
 
 using namespace sparkout;
 
-namespace {
-
 /// Radii of some 15 mm differ by their last bits: 2·15 mm·ε in µm, a few times.
 constexpr double rounding_um = 8 * 30 * fixtures::epsilon * 1e3;
-
-} // namespace
 
 class TestDiameterShares : public QObject {
     Q_OBJECT

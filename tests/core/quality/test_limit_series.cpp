@@ -17,8 +17,6 @@ namespace test_limit_series {
 using namespace sparkout;
 using fixtures::close;
 
-namespace {
-
 /// Of BurnTable's limiting depth, twice that of √a.
 constexpr double tableError = 4e-6;
 
@@ -80,8 +78,6 @@ double valueAt(const LimitPoints& curve, double stock) {
     return a.depth_mm
            + (stock - a.stock_mm) / (b.stock_mm - a.stock_mm) * (b.depth_mm - a.depth_mm);
 }
-
-} // namespace
 
 class TestLimitSeries : public QObject {
     Q_OBJECT

@@ -12,8 +12,6 @@ namespace test_ranges {
 using namespace sparkout;
 using fixtures::within;
 
-namespace {
-
 std::vector<MachineRange> ofKind(const Project& project, ConstraintKind kind) {
     std::vector<MachineRange> found;
     for (const MachineRange& check : checkMachineRanges(project)) {
@@ -40,8 +38,6 @@ void limit(Project& project) {
     project.machine->limits.plunge_feed_mm_min = {0.02, 5, 0.01};
     project.machine->limits.work_speed_rpm = {50, 500, 5};
 }
-
-} // namespace
 
 class TestRanges : public QObject {
     Q_OBJECT

@@ -12,8 +12,6 @@ namespace test_remarks {
 
 using namespace sparkout;
 
-namespace {
-
 Project example(const char* name) {
     const ReadResult read = readProject(
         samples::readText(samples::sourcePath(std::string("resources/examples/") + name)));
@@ -24,8 +22,6 @@ double millimetres(const Detail& detail) {
     const auto& amount = std::get<Amount>(detail);
     return amount.unit == "mm" ? amount.number : std::numeric_limits<double>::quiet_NaN();
 }
-
-} // namespace
 
 class TestRemarks : public QObject {
     Q_OBJECT

@@ -19,8 +19,6 @@ namespace test_requirement_rows {
 
 using namespace sparkout;
 
-namespace {
-
 /// With everything required.
 Project demanding(Project project) {
     project.part->tolerance = {};
@@ -64,8 +62,6 @@ std::set<ConstraintKind> kindsOf(const std::vector<ConstraintResult>& results) {
     }
     return kinds;
 }
-
-} // namespace
 
 class TestRequirementRows : public QObject {
     Q_OBJECT

@@ -13,8 +13,6 @@ namespace test_run_summary {
 
 using namespace sparkout;
 
-namespace {
-
 struct Ran {
     explicit Ran(const Project& project) : result(simulateUnchecked(project)) {
         const PartAccuracy accuracy = accuracyOf(result);
@@ -42,8 +40,6 @@ std::vector<std::string> pathsOf(const std::vector<ChangedValue>& changes) {
     }
     return paths;
 }
-
-} // namespace
 
 class TestRunSummary : public QObject {
     Q_OBJECT

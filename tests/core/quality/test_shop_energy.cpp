@@ -24,8 +24,6 @@ using fixtures::within;
 using nlohmann::json;
 using std::numbers::pi;
 
-namespace {
-
 /// The length of surface a pass stands for, from MODEL-5 and 6.
 double lengthOf(const Project& p, const Place& place) {
     const double rz1 = p.wheel->width_mm - p.machine->overrun_entry_mm;
@@ -54,10 +52,6 @@ double volumeOf(const ShopNumbers& shop) {
     return sum;
 }
 
-} // namespace
-
-namespace {
-
 /// How much more energy a stroke takes than its largest power would give in its time: it grinds all
 /// of L_p while the table travels less.
 double strokeEnergyShare(const Project& p) {
@@ -81,8 +75,6 @@ std::vector<Project> examples() {
     }
     return all;
 }
-
-} // namespace
 
 class TestShopEnergy : public QObject {
     Q_OBJECT

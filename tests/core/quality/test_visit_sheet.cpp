@@ -14,8 +14,6 @@ namespace test_visit_sheet {
 using namespace sparkout;
 using fixtures::within;
 
-namespace {
-
 const FormulaTerm* termOf(const FormulaSheet& sheet, const std::string& symbol) {
     const FormulaTerm* found = nullptr;
     for (const FormulaStep& step : sheet.steps) {
@@ -42,8 +40,6 @@ std::vector<Project> samples() {
     soft.machine->wheel_contact = WheelContact{{{{0, 20}, {200, 60}}}};
     return {fixtures::traverse(), sections(3), bore, soft};
 }
-
-} // namespace
 
 class TestVisitSheet : public QObject {
     Q_OBJECT

@@ -47,8 +47,6 @@ namespace test_remedies {
 using namespace sparkout;
 using namespace std::chrono_literals;
 
-namespace {
-
 /// Of this thread: what others do beside it does not count.
 double processorTime_ms() {
     timespec now{};
@@ -479,8 +477,6 @@ Project slowProject() {
     p.part->lower_deviation_um = -0.1;
     return p;
 }
-
-} // namespace
 
 class TestRemedies : public QObject {
     Q_OBJECT

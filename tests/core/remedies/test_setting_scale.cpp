@@ -14,8 +14,6 @@ namespace test_setting_scale {
 
 using namespace sparkout;
 
-namespace {
-
 const SettingScale scales[] = {SettingScale::digits(), SettingScale::steps(0.0005, 0.0005),
                                SettingScale::steps(0, 1), SettingScale::revolutions(180),
                                SettingScale::revolutions(10000)};
@@ -33,8 +31,6 @@ std::size_t significantDigits(double value) {
     }
     return digits.find_last_not_of('0') + 1;
 }
-
-} // namespace
 
 class TestSettingScale : public QObject {
     Q_OBJECT

@@ -14,8 +14,6 @@ namespace test_operation_card {
 using namespace sparkout;
 using namespace setup_samples;
 
-namespace {
-
 bool isNear(double a, double b) {
     return std::abs(a - b) <= 1e-12 * std::max(1.0, std::max(std::abs(a), std::abs(b)));
 }
@@ -56,8 +54,6 @@ void compareStage(const CardRegime& regime, const SimulationResult& result, std:
     }
     QCOMPARE(regime.axialFeed_mm_min, traverse ? stage.axial_feed_mm_min : std::nullopt);
 }
-
-} // namespace
 
 class TestOperationCard : public QObject {
     Q_OBJECT

@@ -21,8 +21,6 @@ using namespace sparkout;
 using namespace setup_samples;
 using nlohmann::json;
 
-namespace {
-
 int setups() {
     return qEnvironmentVariableIsSet("SPARKOUT_QUICK")  ? 20
            : qEnvironmentVariableIsSet("SPARKOUT_LONG") ? 1'000
@@ -116,8 +114,6 @@ QString difference(const Setup& setup, const SetupRun& engine,
     }
     return second.completed ? timeDifference(engine.time, second) : QString();
 }
-
-} // namespace
 
 class TestSetupAgreement : public QObject {
     Q_OBJECT

@@ -18,8 +18,6 @@ using namespace sparkout;
 using namespace setup_samples;
 using nlohmann::json;
 
-namespace {
-
 json twoSurfaces() {
     return setupOf({samples::sample("complete"), samples::sample("complete")});
 }
@@ -39,8 +37,6 @@ bool isRefused(const json& file, IssueCode code, const std::string& path) {
         return issue.code == code && issue.path == path;
     });
 }
-
-} // namespace
 
 class TestSetupFile : public QObject {
     Q_OBJECT

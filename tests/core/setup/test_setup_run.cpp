@@ -26,8 +26,6 @@ using namespace sparkout;
 using namespace setup_samples;
 using nlohmann::json;
 
-namespace {
-
 Setup threeSurfaces() {
     const json one = samples::sample("complete");
     return *readSetup(setupOf({one, one, one}).dump()).setup;
@@ -41,8 +39,6 @@ std::string resultOf(const Project& project) {
 bool isNear(double a, double b) {
     return std::abs(a - b) <= 1e-12 * std::max(std::abs(a), std::abs(b));
 }
-
-} // namespace
 
 class TestSetupRun : public QObject {
     Q_OBJECT

@@ -27,8 +27,6 @@ using namespace sparkout;
 using fixtures::close;
 using fixtures::within;
 
-namespace {
-
 constexpr double rigid = 1e-15; ///< [mm/N]
 
 Project byPosition(Project p) {
@@ -93,8 +91,6 @@ std::vector<SimulationResult> partsOf(const Setup& setup, std::int64_t count) {
     }
     return parts;
 }
-
-} // namespace
 
 class TestWornWheel : public QObject {
     Q_OBJECT

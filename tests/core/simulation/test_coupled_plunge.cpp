@@ -26,8 +26,6 @@ using fixtures::sparkStage;
 using fixtures::Traced;
 using fixtures::within;
 
-namespace {
-
 Project slender(int sections, bool coupled = true) {
     Project p = fixtures::plunge();
     p.part->radii_per_section = 12;
@@ -68,8 +66,6 @@ const Visit& visitOf(const Traced& run, int revolution, int section, int k) {
     const int sections = run.result.project.sections;
     return run.visit(run.trajectory.passes[std::size_t(revolution * sections + section)], k);
 }
-
-} // namespace
 
 class TestCoupledPlunge : public QObject {
     Q_OBJECT

@@ -13,8 +13,6 @@ namespace test_delays {
 
 using namespace random_cycles;
 
-namespace {
-
 Project delayed(Project p, double gauge_s, double change_s) {
     p.gauge->delay_s = gauge_s;
     p.machine->feed_change_delay_s = change_s;
@@ -55,8 +53,6 @@ Project longCycle(bool traverse) {
 double stepTime_s(const SimulationResult& run, std::size_t stage) {
     return run.timeByStage_s[stage] / run.countsByStage[stage];
 }
-
-} // namespace
 
 class TestDelays : public QObject {
     Q_OBJECT

@@ -15,8 +15,6 @@ namespace test_feed_series {
 
 using namespace sparkout;
 
-namespace {
-
 struct Run {
     SimulationResult result;
     Trajectory trajectory;
@@ -44,8 +42,6 @@ Project plungeProject(int sections) {
 FeedPoints allPasses(const Run& run, const FeedColumn& column) {
     return passPoints(run.series, column, run.trajectory, 0, run.series.end_s);
 }
-
-} // namespace
 
 class TestFeedSeries : public QObject {
     Q_OBJECT

@@ -14,8 +14,6 @@ namespace test_grinding_scene {
 using namespace sparkout;
 using fixtures::within;
 
-namespace {
-
 Project plungeOf(int sections) {
     Project p = fixtures::plunge();
     p.part->radii_per_section = 12;
@@ -56,8 +54,6 @@ void throughTheCycle(const Project& project, Check check) {
         }
     }
 }
-
-} // namespace
 
 class TestGrindingScene : public QObject {
     Q_OBJECT

@@ -25,8 +25,6 @@ using fixtures::Traced;
 using fixtures::within;
 using strokes_by_hand::Cut;
 
-namespace {
-
 // 8 µm at the entry as in the table of a through bore, with a wall there, before which the wheel
 // stands with its whole width: A = 5 (b = 40 mm) in РЗ1's plunge passes.
 const std::vector<Cut> blindBore{{Zone::rz1, Step::e1, 4, 4, 4.0 / 5},
@@ -91,8 +89,6 @@ Project boreOf(Project p) {
     }
     return p;
 }
-
-} // namespace
 
 class TestInternalTraverse : public QObject {
     Q_OBJECT

@@ -35,8 +35,6 @@ using fixtures::close;
 using fixtures::Traced;
 using fixtures::within;
 
-namespace {
-
 /// Two opposite quarters of sixteen radii: the gaps of one are the surface of the other.
 std::vector<SurfaceGap> quarters(bool odd) {
     const double first = odd ? 78.75 : -11.25 + 360;
@@ -73,8 +71,6 @@ Project lobed() {
     p.machine->compliance_mm_per_n = std::vector<double>{2e-5, 3e-5, 4e-5};
     return p;
 }
-
-} // namespace
 
 class TestInterrupted : public QObject {
     Q_OBJECT

@@ -19,8 +19,6 @@ using fixtures::sparkStage;
 using fixtures::Traced;
 using fixtures::within;
 
-namespace {
-
 /// So many revolutions at 5 µm; position control, so that the stock sets their number.
 Project revolutions(int count) {
     Project p = fixtures::plunge();
@@ -43,8 +41,6 @@ double smallestDiameter(const std::vector<double>& R) {
     }
     return smallest;
 }
-
-} // namespace
 
 class TestPlungeCycle : public QObject {
     Q_OBJECT

@@ -15,8 +15,6 @@ namespace test_progress {
 using namespace sparkout;
 using fixtures::within;
 
-namespace {
-
 constexpr double allowed_mm = 1e-12;
 
 struct Recorded {
@@ -55,8 +53,6 @@ std::vector<Progress> moments(const Trajectory& trajectory) {
     }
     return all;
 }
-
-} // namespace
 
 class TestProgress : public QObject {
     Q_OBJECT

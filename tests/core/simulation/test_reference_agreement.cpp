@@ -22,8 +22,6 @@ namespace test_reference_agreement {
 using namespace sparkout;
 using nlohmann::json;
 
-namespace {
-
 constexpr int rowLength = 100;
 
 int projects() {
@@ -115,8 +113,6 @@ std::set<std::string> features(const json& p) {
                                        : ", spark-out by count"));
     return found;
 }
-
-} // namespace
 
 class TestReferenceAgreement : public QObject {
     Q_OBJECT

@@ -19,8 +19,6 @@ using fixtures::sparkStage;
 using fixtures::Traced;
 using fixtures::within;
 
-namespace {
-
 /// A soft system, so that there is much to let go: roughing, retraction, finishing.
 Project retracting(double feed_mm_min = -0.6, double stock_mm = 0.01) {
     Project p = fixtures::plunge();
@@ -39,8 +37,6 @@ std::vector<Pass> stagePasses(const Traced& run, int stage) {
     }
     return passes;
 }
-
-} // namespace
 
 class TestRetraction : public QObject {
     Q_OBJECT

@@ -28,8 +28,6 @@ using fixtures::strokeStage;
 using fixtures::Traced;
 using fixtures::within;
 
-namespace {
-
 /// The table of limiting depths is true to a millionth of √a; two of them meet in a comparison.
 constexpr double tableError = 4e-6;
 
@@ -131,8 +129,6 @@ bool samePlace(const Place& a, const Place& b) {
     return a.zone == b.zone && a.section == b.section && a.step == b.step && a.stage == b.stage
            && a.cycleCount == b.cycleCount && a.revolution == b.revolution;
 }
-
-} // namespace
 
 class TestRunLimits : public QObject {
     Q_OBJECT

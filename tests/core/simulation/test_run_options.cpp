@@ -23,8 +23,6 @@ using fixtures::sparkStage;
 using fixtures::Traced;
 using fixtures::within;
 
-namespace {
-
 const std::vector<std::vector<double>> rising{{10, 5}, {100, 20}, {400, 60}};
 
 Project contacting(Project p, std::vector<std::vector<double>> rows = rising) {
@@ -51,8 +49,6 @@ double depthBefore(const Project& p, const Visit& visit, int k) {
 double amplitude(const std::vector<double>& radii, int lobes) {
     return harmonics(radii, Directions(radii.size()))[static_cast<std::size_t>(lobes)].amplitude_mm;
 }
-
-} // namespace
 
 class TestRunOptions : public QObject {
     Q_OBJECT

@@ -11,8 +11,6 @@ namespace test_stage_control {
 using namespace sparkout;
 using fixtures::within;
 
-namespace {
-
 constexpr double total = 0.25; ///< |R_first − R_t| [mm]
 
 /// Stages that remove these stocks [mm]; each feeds 5 µm a step.
@@ -31,8 +29,6 @@ StageControl controlOf(const Project& p) {
 }
 
 using Counts = std::vector<int>;
-
-} // namespace
 
 class TestStageControl : public QObject {
     Q_OBJECT

@@ -20,8 +20,6 @@ namespace test_step_shares {
 using namespace sparkout;
 using fixtures::within;
 
-namespace {
-
 struct Shared {
     explicit Shared(const Project& project)
         : result(simulateUnchecked(project, &trajectory)), shares(stepShares(result, trajectory)) {}
@@ -59,8 +57,6 @@ std::vector<Project> samplesOfAll() {
     all.push_back(tailstock);
     return all;
 }
-
-} // namespace
 
 class TestStepShares : public QObject {
     Q_OBJECT

@@ -14,8 +14,6 @@ namespace test_stock_layers {
 using namespace sparkout;
 using fixtures::within;
 
-namespace {
-
 constexpr double allowed_mm = 1e-12;
 
 struct Layered {
@@ -58,8 +56,6 @@ double meanOf(const std::vector<double>& values) {
     }
     return sum / static_cast<double>(values.size());
 }
-
-} // namespace
 
 class TestStockLayers : public QObject {
     Q_OBJECT

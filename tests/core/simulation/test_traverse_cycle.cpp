@@ -23,8 +23,6 @@ using fixtures::strokeStage;
 using fixtures::Traced;
 using fixtures::within;
 
-namespace {
-
 /// One line of MODEL-5's table, for one zone.
 struct Line {
     Zone zone;
@@ -86,8 +84,6 @@ Project endless() {
     p.cycle->stages.push_back(sparkStage(fixtures::count(100'000), 0, 1800));
     return p;
 }
-
-} // namespace
 
 class TestTraverseCycle : public QObject {
     Q_OBJECT

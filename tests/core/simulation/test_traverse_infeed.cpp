@@ -30,8 +30,6 @@ using strokes_by_hand::Cut;
 using strokes_by_hand::feed;
 using strokes_by_hand::um;
 
-namespace {
-
 // Two double strokes each. S_t = 8 µm, all at the exit.
 const std::vector<Cut> exitInfeed{
     {Zone::rz1, Step::e2, 0, 0, 0.0 / 1},       {Zone::rz1, Step::e3, 0, 0, 0.0 / 1},
@@ -115,8 +113,6 @@ double removed(const Traced& run, Zone zone, int doubleStroke) {
     }
     return sum;
 }
-
-} // namespace
 
 class TestTraverseInfeed : public QObject {
     Q_OBJECT

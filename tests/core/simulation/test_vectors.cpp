@@ -22,8 +22,6 @@ using fixtures::close;
 using fixtures::within;
 using nlohmann::json;
 
-namespace {
-
 constexpr double umPerMm = 1000;
 
 QString vectorsFolder() {
@@ -85,8 +83,6 @@ struct ClosedForm {
 
 /// Enough revolutions for any transient to be gone: the slowest one here falls by 0.6 each.
 constexpr int steady = 400;
-
-} // namespace
 
 class TestVectors : public QObject {
     Q_OBJECT

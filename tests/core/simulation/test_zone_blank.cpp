@@ -24,8 +24,6 @@ namespace test_zone_blank {
 using namespace search_checks;
 using fixtures::within;
 
-namespace {
-
 Project example(const char* name) {
     return readProject(samples::readText(samples::sourcePath(name))).project.value();
 }
@@ -57,8 +55,6 @@ Project scattered(Project p, std::mt19937_64& random) {
     }
     return p;
 }
-
-} // namespace
 
 class TestZoneBlank : public QObject {
     Q_OBJECT

@@ -30,8 +30,6 @@ using fixtures::Traced;
 using fixtures::within;
 using strokes_by_hand::um;
 
-namespace {
-
 Project with(Project p, int sections) {
     p.zone_sections = sections;
     return p;
@@ -55,8 +53,6 @@ bool sameTrajectory(const Traced& a, const Traced& b) {
     return a.trajectory.passes.size() == b.trajectory.passes.size() && x.size() == y.size()
            && std::memcmp(x.data(), y.data(), x.size() * sizeof(Visit)) == 0;
 }
-
-} // namespace
 
 class TestZoneSections : public QObject {
     Q_OBJECT

@@ -15,8 +15,6 @@ namespace test_coupling_comparison {
 
 using namespace sparkout;
 
-namespace {
-
 Project onShaft(int sections) {
     Project p = fixtures::plunge();
     fixtures::putOnSlenderShaft(p);
@@ -31,8 +29,6 @@ double largest(const CouplingComparison& both) {
     }
     return most;
 }
-
-} // namespace
 
 class TestCouplingComparison : public QObject {
     Q_OBJECT

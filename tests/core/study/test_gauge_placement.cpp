@@ -15,8 +15,6 @@ using namespace sparkout;
 using fixtures::plungeStage;
 using fixtures::within;
 
-namespace {
-
 /// Sections ever softer towards the tailstock, as in the article's figure 2.
 Project article() {
     Project p = fixtures::plunge();
@@ -34,8 +32,6 @@ constexpr double middles[] = {5, 15, 25, 35}; // of the four sections
 double deviation(const GaugePlacement& placement, std::size_t g, std::size_t j) {
     return placement.positions[g].meanDeviations_mm[j];
 }
-
-} // namespace
 
 class TestGaugePlacement : public QObject {
     Q_OBJECT

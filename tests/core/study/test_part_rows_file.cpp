@@ -19,8 +19,6 @@ namespace test_part_rows_file {
 using namespace sparkout;
 using Existing = SafeFileWriter::Existing;
 
-namespace {
-
 constexpr int parts = 7;
 
 std::string writtenBy(const PartTable& table, const std::vector<std::string>& head,
@@ -34,8 +32,6 @@ std::string writtenBy(const PartTable& table, const std::vector<std::string>& he
     (void)runBatch(project, options);
     return text;
 }
-
-} // namespace
 
 class TestPartRowsFile : public QObject {
     Q_OBJECT

@@ -20,8 +20,6 @@ namespace test_run_comparison {
 
 using namespace sparkout;
 
-namespace {
-
 struct Ran {
     explicit Ran(const Project& of) : project(of) {
         const OutcomePtr outcome = evaluate(project);
@@ -70,8 +68,6 @@ double& numberAt(RunSummary& summary, const std::string& path) {
     }
     throw std::runtime_error(path);
 }
-
-} // namespace
 
 class TestRunComparison : public QObject {
     Q_OBJECT

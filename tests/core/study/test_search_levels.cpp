@@ -23,8 +23,6 @@ using namespace sparkout;
 using search_cases::holds;
 using search_cases::smallCase;
 
-namespace {
-
 /// A small grid on a machine with ranges that reach far beyond it.
 Project wideMachine(unsigned seed) {
     Project p = smallCase(seed);
@@ -47,8 +45,6 @@ bool isStepOf(double value, const std::vector<double>& range) {
     return value >= range[0] - 1e-9 && value <= range[1] + 1e-9
            && (std::abs(steps - std::round(steps)) < 1e-6 || value == range[1]);
 }
-
-} // namespace
 
 class TestSearchLevels : public QObject {
     Q_OBJECT

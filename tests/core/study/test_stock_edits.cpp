@@ -17,8 +17,6 @@ namespace test_stock_edits {
 
 using namespace sparkout;
 
-namespace {
-
 double sum(const Project& project) {
     double sum = 0;
     for (const Stage& stage : project.cycle->stages) {
@@ -33,8 +31,6 @@ bool remarked(const Project& project) {
         return issue.code == IssueCode::stocksDoNotSumUp;
     });
 }
-
-} // namespace
 
 class TestStockEdits : public QObject {
     Q_OBJECT

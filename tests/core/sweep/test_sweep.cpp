@@ -23,8 +23,6 @@ namespace test_sweep {
 
 using namespace sparkout;
 
-namespace {
-
 SweepAxis axis(std::string input, double from, double to, int points = 9,
                SweepSpacing spacing = SweepSpacing::linear) {
     return {std::move(input), from, to, points, spacing};
@@ -67,8 +65,6 @@ bool sameBits(const SweepResult& a, const SweepResult& b) {
                             });
               });
 }
-
-} // namespace
 
 class TestSweep : public QObject {
     Q_OBJECT

@@ -14,8 +14,6 @@ namespace test_sweep_entries {
 
 using namespace sparkout;
 
-namespace {
-
 SweepQuantity quantity(const std::string& name, int section = -1) {
     return {name, "µm", section < 0 ? Zone::section : static_cast<Zone>(section), section};
 }
@@ -51,8 +49,6 @@ SweepResult ran(const std::string& input) {
     project.sweep->inputs = {axis};
     return runSweep(project);
 }
-
-} // namespace
 
 class TestSweepEntries : public QObject {
     Q_OBJECT

@@ -15,8 +15,6 @@ namespace test_extreme_numbers {
 
 using namespace sparkout;
 
-namespace {
-
 /// Texts that are numbers somewhere, and usual ones among them.
 class Numbers {
 public:
@@ -52,8 +50,6 @@ private:
 bool areFinite(const std::vector<double>& values) {
     return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
-
-} // namespace
 
 class TestExtremeNumbers : public QObject {
     Q_OBJECT

@@ -16,8 +16,6 @@ namespace test_table_reader {
 
 using namespace sparkout;
 
-namespace {
-
 using Rows = std::vector<std::vector<std::string>>;
 
 Rows rowsOf(std::string_view text, char delimiter) {
@@ -59,8 +57,6 @@ public:
 private:
     std::mt19937 m_random;
 };
-
-} // namespace
 
 class TestTableReader : public QObject {
     Q_OBJECT

@@ -14,8 +14,6 @@ namespace test_text_encoding {
 
 using namespace sparkout;
 
-namespace {
-
 /// А…я of Windows-1251 and what else Russian tables have.
 QByteArray windows1251(const QString& text) {
     QByteArray bytes;
@@ -40,8 +38,6 @@ QByteArray encoded(const QString& text, QStringConverter::Encoding encoding, boo
 std::string textOf(const QByteArray& bytes) {
     return std::string(TableText(bytes.toStdString()).utf8());
 }
-
-} // namespace
 
 class TestTextEncoding : public QObject {
     Q_OBJECT

@@ -26,8 +26,6 @@ namespace test_bar_chart {
 
 using namespace sparkout;
 
-namespace {
-
 using Shape = BarChart::Shape;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 const QSize size(360, 260);
@@ -82,8 +80,6 @@ std::vector<QRectF> rectsOf(const BarDrawing& drawing) {
     }
     return rects;
 }
-
-} // namespace
 
 class TestBarChart : public QObject {
     Q_OBJECT

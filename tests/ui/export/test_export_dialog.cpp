@@ -40,8 +40,6 @@ namespace test_export_dialog {
 using namespace sparkout;
 using namespace export_bench;
 
-namespace {
-
 /// An outcome whose middle zone has more rows than a sheet takes.
 OutcomePtr longOutcome() {
     const OutcomePtr small = fixtures::run(smallProject(Operation::traverse));
@@ -85,8 +83,6 @@ void click(QPushButton* button) {
     QVERIFY(button);
     QTest::mouseClick(button, Qt::LeftButton);
 }
-
-} // namespace
 
 class TestExportDialog : public ExportTest {
     Q_OBJECT

@@ -14,8 +14,6 @@ namespace test_export_results {
 using namespace sparkout;
 using namespace export_bench;
 
-namespace {
-
 QList<QStringList> linesOf(QByteArray csv, QChar separator) {
     QList<QStringList> lines;
     csv.replace("\xEF\xBB\xBF", "").replace("\r", "");
@@ -32,8 +30,6 @@ QByteArray fromCommandLine(const QStringList& arguments) {
     program.waitForFinished(60'000);
     return program.readAllStandardOutput();
 }
-
-} // namespace
 
 class TestExportResults : public ExportTest {
     Q_OBJECT

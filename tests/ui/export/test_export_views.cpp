@@ -23,13 +23,9 @@ namespace test_export_views {
 using namespace sparkout;
 using namespace export_bench;
 
-namespace {
-
 QString traverseExample() {
     return examplePaths().filter(QStringLiteral("30h6-factory")).value(0);
 }
-
-} // namespace
 
 class TestExportViews : public ExportTest {
     Q_OBJECT

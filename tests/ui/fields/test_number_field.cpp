@@ -19,8 +19,6 @@ namespace test_number_field {
 
 using namespace sparkout;
 
-namespace {
-
 NumberSpec spec(Range hard = {}) {
     NumberSpec made;
     made.hard = hard;
@@ -34,8 +32,6 @@ void typeOver(NumberField& field, const QString& text) {
     QTest::keyClick(&field, Qt::Key_Delete);
     QTest::keyClicks(&field, text);
 }
-
-} // namespace
 
 class TestNumberField : public QObject {
     Q_OBJECT

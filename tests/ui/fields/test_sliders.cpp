@@ -28,8 +28,6 @@ namespace test_sliders {
 
 using namespace sparkout;
 
-namespace {
-
 enum PageIndex { partPage = 0, wheelPage = 2, machinePage = 3, cyclePage = 5 };
 
 struct Bench {
@@ -71,8 +69,6 @@ void dragTo(ValueSlider& slider, int x) {
 void release(ValueSlider& slider) {
     QTest::mouseRelease(&slider, Qt::LeftButton, {}, slider.handle());
 }
-
-} // namespace
 
 class TestSliders : public QObject {
     Q_OBJECT

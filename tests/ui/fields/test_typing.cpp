@@ -30,8 +30,6 @@ namespace test_typing {
 
 using namespace sparkout;
 
-namespace {
-
 /// The inputs with a document whose outcomes they show at once.
 struct Bench {
     explicit Bench(Operation operation = Operation::traverse) : panel(document) {
@@ -86,8 +84,6 @@ void typeOver(QWidget& widget, const QString& text) {
     QTest::keySequence(&widget, QKeySequence::SelectAll);
     QTest::keyClicks(&widget, text);
 }
-
-} // namespace
 
 class TestTyping : public QObject {
     Q_OBJECT

@@ -21,15 +21,11 @@ namespace test_catalogue_store {
 using namespace sparkout;
 using namespace catalogue_bench;
 
-namespace {
-
 QString textOf(const Project& project, CatalogueKind kind) {
     return QString::fromStdString(kind == CatalogueKind::materials ? project.material->grade
                                   : kind == CatalogueKind::wheels  ? project.wheel->marking
                                                                    : project.machine->name);
 }
-
-} // namespace
 
 class TestCatalogueStore : public QObject {
     Q_OBJECT

@@ -13,14 +13,10 @@ namespace test_file_guard_lock {
 using namespace sparkout;
 using namespace file_guard_bench;
 
-namespace {
-
 /// The lock file as a program on another computer writes it.
 QByteArray foreignLock() {
     return "1234\nsparkout\nanother-host\n0123456789abcdef\n00000000-0000-0000-0000-000000000000\n";
 }
-
-} // namespace
 
 class TestFileGuardLock : public QObject {
     Q_OBJECT

@@ -17,8 +17,6 @@ namespace test_file_guard_save {
 using namespace sparkout;
 using namespace file_guard_bench;
 
-namespace {
-
 #ifdef Q_OS_WIN
 
 constexpr const char* troubles[] = {"open elsewhere", "not to be replaced", "a folder"};
@@ -53,8 +51,6 @@ std::optional<FileError> saveInto(const QString& trouble, Bench& bench, FileStep
 }
 
 #endif
-
-} // namespace
 
 class TestFileGuardSave : public QObject {
     Q_OBJECT

@@ -25,8 +25,6 @@ namespace test_recovery {
 using namespace sparkout;
 using namespace std::chrono_literals;
 
-namespace {
-
 constexpr EditText editText{"Input", "Diameter"};
 
 void setDiameter(Document& document, double diameter_mm) {
@@ -50,8 +48,6 @@ struct Bench {
 RecoveryContent contentOf(const QString& file) {
     return readRecovery(trouble::bytesOf(file).toStdString());
 }
-
-} // namespace
 
 class TestRecovery : public QObject {
     Q_OBJECT

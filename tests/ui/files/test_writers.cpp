@@ -28,8 +28,6 @@ namespace test_writers {
 
 using namespace sparkout;
 
-namespace {
-
 /// How a kind of file is written and read back, grown by a number of bytes.
 struct Writer {
     std::size_t most; ///< bytes that its reader takes
@@ -201,8 +199,6 @@ QString fileOf(const QTemporaryDir& folder, const QByteArray& kind) {
     return kind == "catalogue" ? folder.filePath(QStringLiteral("catalogue/wheels.json"))
                                : folder.filePath(QStringLiteral("file"));
 }
-
-} // namespace
 
 class TestWriters : public QObject {
     Q_OBJECT

@@ -17,8 +17,6 @@ namespace test_glossary {
 
 using namespace sparkout;
 
-namespace {
-
 struct Message {
     QString source, translation;
 };
@@ -51,8 +49,6 @@ bool hasOneOf(const QString& text, const QStringList& words) {
     return std::ranges::any_of(
         words, [&text](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
 }
-
-} // namespace
 
 class TestGlossary : public QObject {
     Q_OBJECT

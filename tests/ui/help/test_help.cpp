@@ -35,8 +35,6 @@ namespace test_help {
 
 using namespace sparkout;
 
-namespace {
-
 constexpr int patience_ms = 60'000; ///< with a window that comes to the front on a busy machine
 
 void languages() {
@@ -97,8 +95,6 @@ QString topicByF1(Bench& bench, QWidget& widget) {
     QTest::keyClick(&widget, Qt::Key_F1);
     return helpOf(bench) ? helpOf(bench)->topic() : QStringLiteral("no help");
 }
-
-} // namespace
 
 class TestHelp : public QObject {
     Q_OBJECT

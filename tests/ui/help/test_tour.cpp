@@ -19,8 +19,6 @@ namespace test_tour {
 
 using namespace sparkout;
 
-namespace {
-
 constexpr int steps = 7;
 
 Tour& tourOf(const Bench& bench) {
@@ -34,8 +32,6 @@ bool ready(const Bench& bench) {
 void press(Qt::Key key) {
     QTest::keyClick(QApplication::focusWidget(), key);
 }
-
-} // namespace
 
 class TestTour : public QObject {
     Q_OBJECT

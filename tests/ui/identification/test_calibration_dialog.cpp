@@ -37,8 +37,6 @@ namespace test_calibration_dialog {
 
 using namespace sparkout;
 
-namespace {
-
 template <typename Widget>
 Widget* part(const QWidget& in, const char* name) {
     return in.findChild<Widget*>(QLatin1String(name));
@@ -94,8 +92,6 @@ void calibrate(const Bench& bench) {
         click(dialog, "fitTake");
     });
 }
-
-} // namespace
 
 class TestCalibrationDialog : public QObject {
     Q_OBJECT

@@ -34,8 +34,6 @@ namespace test_trial_pages {
 
 using namespace sparkout;
 
-namespace {
-
 constexpr double headstock = 45, tailstock = 30; ///< of the truth [N/µm]
 constexpr int stiffnessTab = 2, trialTab = 3;
 
@@ -107,8 +105,6 @@ void typeReadings(QDialog& dialog, const Project& project) {
         QTRY_COMPARE(cellOf(dialog, "stiffnessReadings", row, 2), text);
     }
 }
-
-} // namespace
 
 class TestTrialPages : public QObject {
     Q_OBJECT

@@ -26,8 +26,6 @@ namespace test_batch_page {
 
 using namespace sparkout;
 
-namespace {
-
 constexpr int batchPage = 6;
 
 /// A window with the page in sight.
@@ -87,8 +85,6 @@ Project bare() {
     project.batch.reset();
     return project;
 }
-
-} // namespace
 
 class TestBatchPage : public QObject {
     Q_OBJECT

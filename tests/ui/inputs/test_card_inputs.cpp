@@ -19,8 +19,6 @@ namespace test_card_inputs {
 using namespace sparkout;
 using namespace catalogue_bench;
 
-namespace {
-
 void type(Window& window, const char* path, const QString& text) {
     auto* line = window.on<QLineEdit>(path);
     QVERIFY2(line, path);
@@ -38,8 +36,6 @@ void giveSteps(Window& window) {
     window.document().edit(project, {"Input", "Segments of the shaft"});
     window.bench.settle();
 }
-
-} // namespace
 
 class TestCardInputs : public QObject {
     Q_OBJECT

@@ -24,8 +24,6 @@ namespace test_catalogue_dialog {
 using namespace sparkout;
 using namespace catalogue_bench;
 
-namespace {
-
 QStringList visibleEntries(const QDialog& dialog) {
     QStringList names;
     const auto* list = child<QTreeWidget>(dialog, "catalogueList");
@@ -48,8 +46,6 @@ QByteArray bytesOf(const QString& path) {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
-
-} // namespace
 
 class TestCatalogueDialog : public QObject {
     Q_OBJECT

@@ -37,8 +37,6 @@ namespace test_forms {
 
 using namespace sparkout;
 
-namespace {
-
 /// Types into the widget of a row, whatever it is, so that its value changes.
 void changeByHand(QWidget* widget, int places) {
     widget->setFocus();
@@ -77,8 +75,6 @@ void changeByHand(QWidget* widget, int places) {
         QFAIL("no way to edit this widget");
     }
 }
-
-} // namespace
 
 class TestForms : public QObject {
     Q_OBJECT

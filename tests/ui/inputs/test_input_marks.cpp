@@ -35,8 +35,6 @@ namespace test_input_marks {
 
 using namespace sparkout;
 
-namespace {
-
 struct Bench {
     Bench() : panel(document) {
         panel.resize(360, 640);
@@ -83,8 +81,6 @@ void eachField(const StructInfo& table, const std::function<void(const Field&)>&
         }
     }
 }
-
-} // namespace
 
 class TestInputMarks : public QObject {
     Q_OBJECT

@@ -19,8 +19,6 @@ namespace test_page_columns {
 
 using namespace sparkout;
 
-namespace {
-
 constexpr int high = 3000; ///< nothing is scrolled
 
 /// With a batch and a search.
@@ -65,8 +63,6 @@ void show(FormPage& page, int width, int height = high) {
     page.show();
     QTest::qWait(10);
 }
-
-} // namespace
 
 class TestPageColumns : public QObject {
     Q_OBJECT

@@ -31,15 +31,11 @@ namespace test_section_numbers {
 
 using namespace sparkout;
 
-namespace {
-
 Project fourSections(std::optional<int> gauged) {
     Project project = withSections(newProject(Operation::plunge), 4);
     project.gauge->section = gauged;
     return project;
 }
-
-} // namespace
 
 class TestSectionNumbers : public QObject {
     Q_OBJECT

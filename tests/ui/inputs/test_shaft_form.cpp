@@ -34,8 +34,6 @@ namespace test_shaft_form {
 
 using namespace sparkout;
 
-namespace {
-
 constexpr int partPage = 0;
 constexpr int machinePage = 3;
 
@@ -120,8 +118,6 @@ void answerFileDialog(const QString& path) {
     });
     poll->start(50);
 }
-
-} // namespace
 
 class TestShaftForm : public QObject {
     Q_OBJECT

@@ -22,8 +22,6 @@ using namespace sparkout;
 using namespace stage_table_bench;
 using stage_table_bench::Bench;
 
-namespace {
-
 void paste(Bench& bench, const QString& text) {
     QApplication::clipboard()->setText(text);
     QTest::keySequence(&bench.table.view(), QKeySequence::Paste);
@@ -38,8 +36,6 @@ QString copied(Bench& bench, Qt::KeyboardModifiers modifiers = Qt::ControlModifi
 QString reasons(const Bench& bench) {
     return bench.table.findChild<QLabel*>(QStringLiteral("reasons"))->text();
 }
-
-} // namespace
 
 class TestStageTablePaste : public QObject {
     Q_OBJECT

@@ -21,8 +21,6 @@ using namespace sparkout;
 using namespace stage_table_bench;
 using stage_table_bench::Bench;
 
-namespace {
-
 QStringList words(std::initializer_list<const char*> texts) {
     QStringList list;
     for (const char* text : texts) {
@@ -38,8 +36,6 @@ QStringList heads(const QTableView& view) {
     }
     return list;
 }
-
-} // namespace
 
 class TestStageTableShown : public QObject {
     Q_OBJECT

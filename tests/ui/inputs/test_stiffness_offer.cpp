@@ -25,8 +25,6 @@ namespace test_stiffness_offer {
 using namespace sparkout;
 using namespace catalogue_bench;
 
-namespace {
-
 /// A shaft whose compliance follows from stiffness and steps.
 QString slenderShaft() {
     const QStringList paths = examplePaths();
@@ -51,8 +49,6 @@ int stiffnessRows(const QDialog& dialog) {
     const auto* preview = child<QTreeWidget>(dialog, "cataloguePreview");
     return int(preview->findItems(QStringLiteral("stiffness"), Qt::MatchContains).size());
 }
-
-} // namespace
 
 class TestStiffnessOffer : public QObject {
     Q_OBJECT

@@ -27,8 +27,6 @@ namespace test_stock_reading {
 
 using namespace sparkout;
 
-namespace {
-
 constexpr int stockColumn = 2;
 
 void type(NumberField& field, const QString& text) {
@@ -41,8 +39,6 @@ void type(NumberField& field, const QString& text) {
 QString cell(const stage_table_bench::Bench& bench, int row) {
     return bench.table.view().model()->index(row, stockColumn).data().toString();
 }
-
-} // namespace
 
 class TestStockReading : public QObject {
     Q_OBJECT

@@ -30,8 +30,6 @@ namespace test_file_dialog {
 
 using namespace sparkout;
 
-namespace {
-
 /// The texts of a widget as they are drawn, elided or not.
 QString drawnOn(QWidget& widget) {
     SvgDevice device(widget.size(), 96, {});
@@ -40,8 +38,6 @@ QString drawnOn(QWidget& widget) {
     painter.end();
     return QString::fromUtf8(device.document());
 }
-
-} // namespace
 
 class TestFileDialog : public QObject {
     Q_OBJECT

@@ -21,8 +21,6 @@ namespace test_font_size {
 
 using namespace sparkout;
 
-namespace {
-
 /// What has type of its own, and how large that is, in points.
 using Sizes = QMap<QString, double>;
 
@@ -70,8 +68,6 @@ QPushButton* wide(int width) {
     button->setFixedSize(width, 20);
     return button;
 }
-
-} // namespace
 
 class TestFontSize : public QObject {
     Q_OBJECT

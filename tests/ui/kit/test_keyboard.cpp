@@ -34,8 +34,6 @@ namespace test_keyboard {
 
 using namespace sparkout;
 
-namespace {
-
 void languages() {
     QTest::addColumn<QString>("language");
     QTest::newRow("en") << QStringLiteral("en");
@@ -98,8 +96,6 @@ void showAllPanels(const Bench& bench) {
     bench.window->findChild<QDockWidget*>(QStringLiteral("messages"))->show();
     bench.settle();
 }
-
-} // namespace
 
 class TestKeyboard : public QObject {
     Q_OBJECT

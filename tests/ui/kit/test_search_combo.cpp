@@ -14,8 +14,6 @@ namespace test_search_combo {
 
 using namespace sparkout;
 
-namespace {
-
 struct Bench {
     Bench() {
         combo.addItem(QStringLiteral("нет"));
@@ -62,8 +60,6 @@ struct Bench {
     }
     SearchCombo combo;
 };
-
-} // namespace
 
 class TestSearchCombo : public QObject {
     Q_OBJECT

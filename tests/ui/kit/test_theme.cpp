@@ -30,8 +30,6 @@ namespace test_theme {
 
 using namespace sparkout;
 
-namespace {
-
 /// Relative luminance, WCAG 2.1.
 double luminance(const QColor& colour) {
     const auto linear = [](double c) {
@@ -153,8 +151,6 @@ QColor mostCommonSolid(const QImage& image) {
     }
     return QColor(best);
 }
-
-} // namespace
 
 class TestTheme : public QObject {
     Q_OBJECT

@@ -26,8 +26,6 @@ namespace test_tool_tips {
 
 using namespace sparkout;
 
-namespace {
-
 /// What Qt sends when the mouse rests.
 QString tipAt(QWidget& widget, const QPoint& at) {
     QToolTip::hideText();
@@ -62,8 +60,6 @@ QString seen(const QString& tip) {
 const QString longText = QStringLiteral("Shares of the parts that one of the requirements of the "
                                         "drawing, of the wheel or of the machine rejects, in "
                                         "descending order");
-
-} // namespace
 
 class TestToolTips : public QObject {
     Q_OBJECT

@@ -33,8 +33,6 @@ namespace test_packs {
 
 using namespace sparkout;
 
-namespace {
-
 const QString lessonName = QStringLiteral("02-actual-feed.sparkout-lesson");
 
 QByteArray bytesOf(const QString& path) {
@@ -102,8 +100,6 @@ std::size_t lineOf(const PackPlan& plan, const QString& name) {
     }
     qFatal("no line %s", qPrintable(name));
 }
-
-} // namespace
 
 class TestPacks : public QObject {
     Q_OBJECT

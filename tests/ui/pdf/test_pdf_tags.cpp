@@ -31,8 +31,6 @@ using reading::PdfElement;
 using reading::PdfTree;
 using report::Format;
 
-namespace {
-
 QByteArray bytesOf(const report::Report& made) {
     return report::bytesOf(made, Format::pdf);
 }
@@ -118,8 +116,6 @@ QStringList faultsOf(const PdfTree& tree) {
     }
     return faults;
 }
-
-} // namespace
 
 class TestPdfTags : public QObject {
     Q_OBJECT

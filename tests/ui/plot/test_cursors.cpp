@@ -38,8 +38,6 @@ namespace test_cursors {
 using namespace sparkout;
 using namespace fixtures;
 
-namespace {
-
 void settle() {
     for (int i = 0; i < 4; ++i) {
         QTest::qWait(5);
@@ -99,8 +97,6 @@ const FeedPoint* enginePoint(const FeedColumn& zone, double time_s) {
     }
     return nullptr;
 }
-
-} // namespace
 
 class TestCursors : public QObject {
     Q_OBJECT

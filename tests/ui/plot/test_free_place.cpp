@@ -9,8 +9,6 @@ namespace test_free_place {
 
 using namespace sparkout;
 
-namespace {
-
 const QRectF plot(100, 50, 400, 200);
 const QSizeF text(90, 24);
 
@@ -27,8 +25,6 @@ bool crosses(const QPolygonF& line, const QRectF& place) {
     }
     return false;
 }
-
-} // namespace
 
 class TestFreePlace : public QObject {
     Q_OBJECT

@@ -15,14 +15,10 @@ namespace test_plot_export {
 using namespace sparkout;
 using namespace plot_export_bench;
 
-namespace {
-
 /// Cells of a line of numbers and plain texts.
 QStringList cells(const QByteArray& line, char separator) {
     return QString::fromUtf8(line.trimmed()).split(QLatin1Char(separator));
 }
-
-} // namespace
 
 class TestPlotExport : public PlotExportTest {
     Q_OBJECT

@@ -17,8 +17,6 @@ namespace test_plot_pictures {
 using namespace sparkout;
 using namespace plot_export_bench;
 
-namespace {
-
 QPalette darkPalette() {
     QPalette dark;
     for (const auto role : {QPalette::Window, QPalette::Base, QPalette::Button}) {
@@ -50,8 +48,6 @@ QString output(const QString& program, const QStringList& arguments) {
                ? QString::fromUtf8(process.readAllStandardOutput())
                : QString();
 }
-
-} // namespace
 
 class TestPlotPictures : public PlotExportTest {
     Q_OBJECT

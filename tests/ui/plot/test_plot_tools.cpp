@@ -25,8 +25,6 @@ namespace test_plot_tools {
 using namespace sparkout;
 using namespace fixtures;
 
-namespace {
-
 /// A plot of y = x² over 0…10, with its tools.
 struct Plain {
     QCustomPlot plot;
@@ -63,8 +61,6 @@ struct Plain {
 bool same(const QCPRange& a, const QCPRange& b) {
     return std::abs(a.lower - b.lower) < 1e-9 && std::abs(a.upper - b.upper) < 1e-9;
 }
-
-} // namespace
 
 class TestPlotTools : public QObject {
     Q_OBJECT

@@ -23,8 +23,6 @@ namespace test_black_and_white {
 using namespace sparkout;
 using passport_bench::day;
 
-namespace {
-
 constexpr double apart = 0.8; ///< of weights [px of the figure]
 constexpr double textContrast = 4.5;
 // Of A4 within its margins, and of a whole sheet that lies [units of the page].
@@ -207,8 +205,6 @@ QStringList faint(const report::Pages& pages, int page, const QSizeF& paper) {
     }
     return found;
 }
-
-} // namespace
 
 class TestBlackAndWhite : public QObject {
     Q_OBJECT

@@ -37,8 +37,6 @@ using report::CardRows;
 using report::FormSheet;
 using report::SheetText;
 
-namespace {
-
 constexpr double slack_mm = 0.05;
 
 Setup setupOf(const char* name) {
@@ -257,8 +255,6 @@ struct OdtText {
 int hundredths(const QString& text) {
     return qRound(parseNumber(text).value_or(0) * 100);
 }
-
-} // namespace
 
 class TestCardSheets : public QObject {
     Q_OBJECT

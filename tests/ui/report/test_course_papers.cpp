@@ -27,8 +27,6 @@ using report::Paragraph;
 using report::Table;
 using Box = Pages::Box;
 
-namespace {
-
 /// A4 within the margins of each style [tenths of a point].
 QSizeF areaOf(const Report& report) {
     return report.style == report::PageStyle::standard ? QSizeF(4677, 7569) : QSizeF(5100, 7740);
@@ -59,8 +57,6 @@ bool hasNumber(const QString& text, const QString& number) {
                                        .arg(QRegularExpression::escape(number)));
     return text.contains(whole);
 }
-
-} // namespace
 
 class TestCoursePapers : public QObject {
     Q_OBJECT

@@ -23,8 +23,6 @@ namespace test_handout_exercises {
 using namespace sparkout;
 using namespace handout_bench;
 
-namespace {
-
 QString onOneLine(QString text) {
     return text.replace(QChar::Nbsp, u' ').simplified();
 }
@@ -76,8 +74,6 @@ void checkStageTimes(const QString& reason, const SimulationResult& was, const S
     const bool ofTime = reason.contains(report::askedQuantity(Asked::time_min, Operation::plunge));
     QVERIFY2((count > 0) == ofTime, qPrintable(reason));
 }
-
-} // namespace
 
 class TestHandoutExercises : public QObject {
     Q_OBJECT

@@ -18,8 +18,6 @@ namespace test_handout_formulas {
 using namespace sparkout;
 using namespace handout_bench;
 
-namespace {
-
 /// A printed number as C reads it: "8,38·10⁻⁷" as "8.38e-07", "10⁻⁷" as "1e-07".
 QString plainNumbers(QString text) {
     static const QRegularExpression power(QStringLiteral("(·|(?<![\\d.,]))10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)"));
@@ -86,8 +84,6 @@ void addSymbols(const report::FormulaNode& node, std::set<QString>& symbols) {
         addSymbols(part, symbols);
     }
 }
-
-} // namespace
 
 class TestHandoutFormulas : public QObject {
     Q_OBJECT

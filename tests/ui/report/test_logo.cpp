@@ -14,8 +14,6 @@ namespace test_logo {
 using namespace sparkout;
 using report::Logo;
 
-namespace {
-
 long peakMemory_kB() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -26,8 +24,6 @@ QByteArray drawing(const QByteArray& inside) {
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"40\" height=\"40\">" + inside
            + "</svg>";
 }
-
-} // namespace
 
 class TestLogo : public QObject {
     Q_OBJECT

@@ -30,8 +30,6 @@ namespace test_passport {
 using namespace sparkout;
 using namespace passport_bench;
 
-namespace {
-
 /// What the prediction says, in the present language.
 Fitness fitness(const Project& project) {
     const QString text = textOfHtml(made(project, Format::html)).simplified();
@@ -77,8 +75,6 @@ bool isRounded(QString printed, double value) {
     const auto decimals = at < 0 ? 0 : double(printed.size() - at - 1);
     return std::abs(numberOf(printed) - value) <= 0.5 * std::pow(10.0, -decimals) + 1e-9;
 }
-
-} // namespace
 
 class TestPassport : public QObject {
     Q_OBJECT

@@ -16,16 +16,12 @@ namespace test_passport_pages {
 using namespace sparkout;
 using namespace passport_bench;
 
-namespace {
-
 /// What this thread has computed so far, however busy the machine is.
 double ownTime_ms() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
 }
-
-} // namespace
 
 class TestPassportPages : public QObject {
     Q_OBJECT

@@ -36,8 +36,6 @@ namespace test_report_commands {
 
 using namespace sparkout;
 
-namespace {
-
 QByteArray bytesOf(const QString& path) {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
@@ -47,8 +45,6 @@ QString batchExample() {
     const QStringList found = examplePaths().filter(QStringLiteral("30h6-factory"));
     return found.value(0);
 }
-
-} // namespace
 
 class TestReportCommands : public QObject {
     Q_OBJECT

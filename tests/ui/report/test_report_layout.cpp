@@ -23,8 +23,6 @@ using report::Table;
 using report::TextBox;
 using Box = Pages::Box;
 
-namespace {
-
 constexpr QSizeF area(5100, 7740); ///< A4 within the margins [tenths of a point]
 constexpr double step = 120;       ///< about as fine as widths are shared out
 
@@ -184,8 +182,6 @@ void checkFigure(const report::Figure& figure, const QString& what) {
         }
     }
 }
-
-} // namespace
 
 class TestReportLayout : public QObject {
     Q_OBJECT

@@ -30,8 +30,6 @@ using report::CycleCard;
 using report::PassportPrediction;
 using report::PassportVerdict;
 
-namespace {
-
 ConstraintResult requirement(ConstraintKind kind, int section, double value) {
     ConstraintResult made{kind};
     made.section = section;
@@ -73,8 +71,6 @@ BatchSummary summaryWith(const std::vector<double>& ppk) {
     }
     return summary;
 }
-
-} // namespace
 
 class TestReportNumbers : public QObject {
     Q_OBJECT

@@ -13,8 +13,6 @@ namespace test_batch_study {
 
 using namespace sparkout;
 
-namespace {
-
 /// A study of batches, and what it reports.
 struct Heard {
     Heard() {
@@ -40,8 +38,6 @@ struct Heard {
 
 constexpr int patience_ms = 60'000;
 constexpr int endless = 1'000'000; ///< parts: a minute or so
-
-} // namespace
 
 class TestBatchStudy : public QObject {
     Q_OBJECT

@@ -14,8 +14,6 @@ namespace test_cycle_cursor {
 
 using namespace sparkout;
 
-namespace {
-
 Project traverse() {
     Project p = fixtures::traverseProject();
     p.part->radii_per_section = 12;
@@ -33,8 +31,6 @@ Project plunge() {
 OutcomePtr run(const Project& project) {
     return evaluate(project, {});
 }
-
-} // namespace
 
 class TestCycleCursor : public QObject {
     Q_OBJECT

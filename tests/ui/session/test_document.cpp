@@ -23,8 +23,6 @@ namespace test_document {
 
 using namespace sparkout;
 
-namespace {
-
 constexpr EditText editText{"Input", "Diameter"};
 
 Project withDiameter(Project project, double diameter_mm) {
@@ -53,8 +51,6 @@ QStringList examplePaths() {
     }
     return list;
 }
-
-} // namespace
 
 class TestDocument : public QObject {
     Q_OBJECT

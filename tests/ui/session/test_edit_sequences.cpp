@@ -27,8 +27,6 @@ namespace test_edit_sequences {
 
 using namespace sparkout;
 
-namespace {
-
 constexpr int commands = 100;
 
 QByteArray hashOf(const Document& document) {
@@ -110,8 +108,6 @@ private:
     decltype(samples::fromSeed(0)) m_pick;
     samples::Mutator<decltype(samples::fromSeed(0))> m_mutator;
 };
-
-} // namespace
 
 class TestEditSequences : public QObject {
     Q_OBJECT

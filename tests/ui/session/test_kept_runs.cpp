@@ -15,8 +15,6 @@ namespace test_kept_runs {
 
 using namespace sparkout;
 
-namespace {
-
 constexpr EditText editText{"Input", "Diameter"};
 
 /// A document with the kept runs of it, as the window has them.
@@ -42,8 +40,6 @@ std::string withoutRuns(Project project) {
     project.runs.clear();
     return writeProject(project);
 }
-
-} // namespace
 
 class TestKeptRuns : public QObject {
     Q_OBJECT

@@ -26,8 +26,6 @@ namespace test_operation_return {
 
 using namespace sparkout;
 
-namespace {
-
 /// What the operation field does.
 void switchTo(Document& document, Operation operation) {
     document.edit(withOperation(document.project(), operation, document.lastWith(operation)), {});
@@ -36,8 +34,6 @@ void switchTo(Document& document, Operation operation) {
 Operation other(Operation operation) {
     return operation == Operation::plunge ? Operation::traverse : Operation::plunge;
 }
-
-} // namespace
 
 class TestOperationReturn : public QObject {
     Q_OBJECT

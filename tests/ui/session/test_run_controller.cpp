@@ -18,8 +18,6 @@ namespace test_run_controller {
 using namespace sparkout;
 using namespace std::chrono_literals;
 
-namespace {
-
 Project numbered(int number) {
     Project project = newProject(Operation::traverse);
     project.part->diameter_mm = 30 + number;
@@ -39,8 +37,6 @@ OutcomePtr slowRun(const Project& project, const std::stop_token& stop) {
     }
     return stop.stop_requested() ? nullptr : outcomeOf(project);
 }
-
-} // namespace
 
 class TestRunController : public QObject {
     Q_OBJECT

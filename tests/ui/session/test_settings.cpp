@@ -13,14 +13,10 @@ namespace test_settings {
 
 using namespace sparkout;
 
-namespace {
-
 /// A path is whole with its drive, which Linux has none of.
 QString inRoot(const QString& path) {
     return QDir::rootPath() + path;
 }
-
-} // namespace
 
 class TestSettings : public QObject {
     Q_OBJECT

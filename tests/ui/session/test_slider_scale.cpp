@@ -16,8 +16,6 @@ namespace test_slider_scale {
 
 using namespace sparkout;
 
-namespace {
-
 /// Every input with a slider, by the tables.
 void collect(const Project& project, const StructInfo& table, const void* owner,
              const std::string& path, std::vector<std::pair<std::string, const Field*>>& into) {
@@ -53,8 +51,6 @@ SliderScale scaleOf(const Project& project, const std::string& path) {
     return SliderScale(sliderSpec(project, path, *member.field),
                        numberIn(*member.field, member.owner));
 }
-
-} // namespace
 
 class TestSliderScale : public QObject {
     Q_OBJECT

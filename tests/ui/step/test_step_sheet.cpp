@@ -23,8 +23,6 @@ namespace test_step_sheet {
 
 using namespace sparkout;
 
-namespace {
-
 struct Sheet {
     explicit Sheet(const Project& project) : outcome(fixtures::run(project)), view(cycle) {
         view.resize(320, 500);
@@ -51,8 +49,6 @@ struct Sheet {
     OutcomePtr outcome;
     StepSheet view;
 };
-
-} // namespace
 
 class TestStepSheet : public QObject {
     Q_OBJECT

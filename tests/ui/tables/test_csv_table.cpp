@@ -12,8 +12,6 @@ namespace test_csv_table {
 
 using namespace sparkout;
 
-namespace {
-
 /// A plain CSV reader: cells of lines, quotation marks undone.
 QList<QStringList> cellsOf(const QByteArray& bytes, QChar separator) {
     QList<QStringList> lines{{QString()}};
@@ -45,8 +43,6 @@ CsvTable tableOf(std::vector<CsvCell> cells) {
     }
     return {header, {std::move(cells)}};
 }
-
-} // namespace
 
 class TestCsvTable : public QObject {
     Q_OBJECT

@@ -19,8 +19,6 @@ namespace test_pasted_cells {
 
 using namespace sparkout;
 
-namespace {
-
 const QList<QLocale> locales{QLocale(QLocale::English, QLocale::UnitedStates),
                              QLocale(QLocale::Russian, QLocale::Russia)};
 
@@ -60,8 +58,6 @@ public:
 private:
     std::mt19937 m_random;
 };
-
-} // namespace
 
 class TestPastedCells : public QObject {
     Q_OBJECT

@@ -8,8 +8,6 @@ namespace test_profile_csv {
 
 using namespace sparkout;
 
-namespace {
-
 using Values = std::vector<double>;
 
 /// What is wrong with a text; fails the test when nothing is.
@@ -18,8 +16,6 @@ ProfileCsvFault faultOf(const char* text) {
     const auto* fault = std::get_if<ProfileCsvFault>(&read);
     return fault ? *fault : ProfileCsvFault{ProfileCsvFault::What::count, -1, {}, -1};
 }
-
-} // namespace
 
 class TestProfileCsv : public QObject {
     Q_OBJECT

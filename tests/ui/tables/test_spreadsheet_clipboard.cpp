@@ -27,8 +27,6 @@ namespace test_spreadsheet_clipboard {
 using namespace sparkout;
 using stage_table_bench::Bench;
 
-namespace {
-
 QString calcData(const QString& suffix) {
     QFile file(QStringLiteral(SPARKOUT_SOURCE_DIR "/tests/data/clipboard/calc-ru.") + suffix);
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
@@ -60,8 +58,6 @@ void makeProfile(const QString& folder, const QString& language) {
               "oor:op=\"fuse\"><value>%1</value></prop></item></oor:items>")
               .arg(language));
 }
-
-} // namespace
 
 class TestSpreadsheetClipboard : public QObject {
     Q_OBJECT

@@ -20,8 +20,6 @@ namespace test_xlsx_book {
 
 using namespace sparkout;
 
-namespace {
-
 Book bookOf(std::vector<Sheet> sheets) {
     return {QStringLiteral("Вал 30h6 <&>"), QStringLiteral("А. Иванов"),
             QStringLiteral("Sparkout 0.1.0"), std::move(sheets)};
@@ -52,8 +50,6 @@ CsvTable column(const QString& header, const std::vector<CsvCell>& cells) {
 bool sameBits(std::optional<double> a, double b) {
     return a && std::bit_cast<std::uint64_t>(*a) == std::bit_cast<std::uint64_t>(b);
 }
-
-} // namespace
 
 class TestXlsxBook : public QObject {
     Q_OBJECT

@@ -13,8 +13,6 @@ namespace test_calculation {
 
 using namespace sparkout;
 
-namespace {
-
 __extension__ using Wide = __int128;
 
 /// Whole hundredths with a text of them: what a random sum comes to, exactly.
@@ -83,8 +81,6 @@ QString decimalText(const Exact& exact) {
     return (exact.over < 0 ? QStringLiteral("-0") : QStringLiteral("0")) + digits
            + QStringLiteral("e-%1").arg(exact.decimals);
 }
-
-} // namespace
 
 class TestCalculation : public QObject {
     Q_OBJECT

@@ -13,8 +13,6 @@ namespace test_language {
 
 using namespace sparkout;
 
-namespace {
-
 const QRegularExpression parted(QStringLiteral("\\d %(?![0-9A-Za-z])"));
 
 /// The texts with a percent sign as the sources have them, with their contexts.
@@ -37,8 +35,6 @@ std::vector<std::pair<QByteArray, QByteArray>> textsWithPercents() {
     }
     return texts;
 }
-
-} // namespace
 
 class TestLanguage : public QObject {
     Q_OBJECT

@@ -16,13 +16,9 @@ namespace test_number_text {
 
 using namespace sparkout;
 
-namespace {
-
 const QList<QLocale> locales{QLocale(QLocale::English, QLocale::UnitedStates),
                              QLocale(QLocale::Russian, QLocale::Russia),
                              QLocale(QLocale::German, QLocale::Germany)};
-
-} // namespace
 
 class TestNumberText : public QObject {
     Q_OBJECT

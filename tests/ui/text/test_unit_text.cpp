@@ -14,8 +14,6 @@ namespace test_unit_text {
 
 using namespace sparkout;
 
-namespace {
-
 void addUnits(const StructInfo& table, QSet<QByteArray>& units) {
     for (const Field& field : table.fields) {
         units += field.unit;
@@ -25,8 +23,6 @@ void addUnits(const StructInfo& table, QSet<QByteArray>& units) {
     }
     units.remove({});
 }
-
-} // namespace
 
 class TestUnitText : public QObject {
     Q_OBJECT

@@ -25,8 +25,6 @@ namespace test_shared_cycle {
 
 using namespace sparkout;
 
-namespace {
-
 struct CycleBench : Bench {
     CycleBench() : Bench(QStringLiteral("en")) {}
     [[nodiscard]] bool openFactory() {
@@ -53,8 +51,6 @@ struct CycleBench : Bench {
     }
     [[nodiscard]] CycleCursor& cycle() const { return window->cursor(); }
 };
-
-} // namespace
 
 class TestSharedCycle : public QObject {
     Q_OBJECT

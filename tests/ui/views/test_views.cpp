@@ -18,8 +18,6 @@ namespace test_views {
 using namespace sparkout;
 using namespace fixtures;
 
-namespace {
-
 void settle(VerdictPanel& panel, const OutcomePtr& outcome) {
     panel.setOutcome(outcome);
     QTest::qWait(20);
@@ -37,8 +35,6 @@ ConstraintResult requirement(ConstraintKind kind, double margin, double relative
     c.holds = margin >= 0;
     return c;
 }
-
-} // namespace
 
 class TestViews : public QObject {
     Q_OBJECT

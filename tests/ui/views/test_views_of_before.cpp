@@ -15,8 +15,6 @@ namespace test_views_of_before {
 
 using namespace sparkout;
 
-namespace {
-
 /// Every row, entry and box of a view, as if by a user.
 void chooseAll(const View& view) {
     for (QAbstractItemView* table : view.findChildren<QAbstractItemView*>()) {
@@ -36,8 +34,6 @@ void chooseAll(const View& view) {
         }
     }
 }
-
-} // namespace
 
 class TestViewsOfBefore : public QObject {
     Q_OBJECT

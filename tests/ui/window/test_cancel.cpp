@@ -35,8 +35,6 @@ namespace test_cancel {
 
 using namespace sparkout;
 
-namespace {
-
 const int rounds = qEnvironmentVariableIsSet("SPARKOUT_LONG") ? 100 : 25;
 const bool longTest = qEnvironmentVariableIsSet("SPARKOUT_LONG");
 constexpr double target_ms = 100;
@@ -107,8 +105,6 @@ Project factoryShaft() {
 Project largestProject() {
     return projectOfRuns(projectOfPages(factoryShaft(), 4), 1000);
 }
-
-} // namespace
 
 class TestCancel : public QObject {
     Q_OBJECT

@@ -20,8 +20,6 @@ namespace test_dressing_dialog {
 
 using namespace sparkout;
 
-namespace {
-
 /// A plunge that its drive's limit ends after some parts.
 Setup dullingPlunge() {
     Project project = fixtures::plunge();
@@ -36,8 +34,6 @@ Setup dullingPlunge() {
 QLabel& resultOf(DressingDialog& dialog) {
     return *dialog.findChild<QLabel*>(QStringLiteral("dressingResult"));
 }
-
-} // namespace
 
 class TestDressingDialog : public QObject {
     Q_OBJECT

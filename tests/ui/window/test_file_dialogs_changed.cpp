@@ -11,8 +11,6 @@ namespace test_file_dialogs_changed {
 using namespace sparkout;
 using namespace file_dialogs_bench;
 
-namespace {
-
 /// Another program writes into the file of the window, which tells so.
 [[nodiscard]] bool changedOnDisk(Bench& bench) {
     QTest::qWait(400);
@@ -20,8 +18,6 @@ namespace {
     return QTest::qWaitFor(
         [&] { return bench.window->files().notices().holds(QStringLiteral("disk")); });
 }
-
-} // namespace
 
 class TestFileDialogsChanged : public QObject {
     Q_OBJECT

@@ -27,8 +27,6 @@ namespace test_file_dialogs_open {
 using namespace sparkout;
 using namespace file_dialogs_bench;
 
-namespace {
-
 /// A project of some megabytes: a thousand kept runs with their summaries.
 QByteArray largeText() {
     Project project = newProject(Operation::traverse);
@@ -43,8 +41,6 @@ QByteArray largeText() {
     }
     return QByteArray::fromStdString(writeProject(project));
 }
-
-} // namespace
 
 class TestFileDialogsOpen : public QObject {
     Q_OBJECT

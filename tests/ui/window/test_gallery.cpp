@@ -38,8 +38,6 @@ namespace test_gallery {
 
 using namespace sparkout;
 
-namespace {
-
 constexpr int leastColours = 40; ///< an empty window of frames and grounds has fewer
 
 int coloursIn(const QImage& image) {
@@ -127,8 +125,6 @@ int drawModal(const Bench& bench, const QString& name, const std::function<void(
     show();
     return drawn;
 }
-
-} // namespace
 
 class TestGallery : public QObject {
     Q_OBJECT

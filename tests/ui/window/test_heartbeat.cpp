@@ -41,8 +41,6 @@ namespace test_heartbeat {
 
 using namespace sparkout;
 
-namespace {
-
 constexpr int frame_ms = 16; ///< 60 Hz
 const bool longTest = qEnvironmentVariableIsSet("SPARKOUT_LONG");
 const int drag_ms = longTest ? 10'000 : 4'000, play_ms = longTest ? 1500 : 700;
@@ -174,8 +172,6 @@ QString exampleWithMostVisits() {
     }
     return most;
 }
-
-} // namespace
 
 class TestHeartbeat : public QObject {
     Q_OBJECT

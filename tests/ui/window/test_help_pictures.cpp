@@ -18,8 +18,6 @@ namespace test_help_pictures {
 
 using namespace sparkout;
 
-namespace {
-
 constexpr int patience_ms = 60'000;
 
 struct Scene {
@@ -96,8 +94,6 @@ const Scene& sceneOf(const QString& name) {
     }
     qFatal("no scene %s", qPrintable(name));
 }
-
-} // namespace
 
 class TestHelpPictures : public QObject {
     Q_OBJECT

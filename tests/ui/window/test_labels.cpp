@@ -26,8 +26,6 @@ namespace test_labels {
 
 using namespace sparkout;
 
-namespace {
-
 /// Goes through every view and every page of the inputs; neither takes room from the other.
 template <typename Visit>
 void everyPlace(Bench& bench, Visit visit) {
@@ -89,8 +87,6 @@ void verifyPagesFit(const QWidget& window, const QString& place) {
                  qPrintable(place + u' ' + pathOf(area)));
     }
 }
-
-} // namespace
 
 class TestLabels : public QObject {
     Q_OBJECT

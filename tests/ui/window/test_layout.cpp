@@ -29,8 +29,6 @@ namespace test_layout {
 
 using namespace sparkout;
 
-namespace {
-
 /// A view that shows nothing but its name.
 class PlainView : public View {
 public:
@@ -99,8 +97,6 @@ void verifyUsable(const Bench& bench) {
                 || bench.window->rect().contains(dock->geometry()));
     }
 }
-
-} // namespace
 
 class TestLayout : public QObject {
     Q_OBJECT

@@ -43,8 +43,6 @@ namespace test_main_window {
 
 using namespace sparkout;
 
-namespace {
-
 QString example(const char* name) {
     return QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/") + QString::fromUtf8(name);
 }
@@ -67,8 +65,6 @@ struct Bench {
     Language language;
     std::unique_ptr<MainWindow> window;
 };
-
-} // namespace
 
 class TestMainWindow : public QObject {
     Q_OBJECT

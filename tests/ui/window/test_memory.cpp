@@ -21,8 +21,6 @@ namespace test_memory {
 
 using namespace sparkout;
 
-namespace {
-
 /// Resident memory of this process [MB], after the free parts of the heap were given back.
 double resident_mb() {
     QPixmapCache::clear();
@@ -40,8 +38,6 @@ qsizetype lastingObjects(const MainWindow& window) {
     return std::ranges::count_if(
         all, [](const QObject* each) { return !qobject_cast<const QAbstractAnimation*>(each); });
 }
-
-} // namespace
 
 class TestMemory : public QObject {
     Q_OBJECT

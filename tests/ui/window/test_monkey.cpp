@@ -15,8 +15,6 @@ namespace test_monkey {
 
 using namespace sparkout;
 
-namespace {
-
 // Of each of the monkeys.
 constexpr int usualEvents = 2'500;
 constexpr int longEvents = 10'000;
@@ -33,8 +31,6 @@ quint32 seed() {
     const int own = qEnvironmentVariableIntValue("SPARKOUT_SEED");
     return own > 0 ? quint32(own) : 1u;
 }
-
-} // namespace
 
 class TestMonkey : public QObject {
     Q_OBJECT

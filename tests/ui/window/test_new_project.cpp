@@ -29,8 +29,6 @@ namespace test_new_project {
 
 using namespace sparkout;
 
-namespace {
-
 const std::map<std::string, QString> drawing{{"/part/diameter_mm", QStringLiteral("40")},
                                              {"/part/upper_deviation_um", QStringLiteral("0")},
                                              {"/part/lower_deviation_um", QStringLiteral("-25")},
@@ -64,8 +62,6 @@ struct NewBench : Bench {
         });
     }
 };
-
-} // namespace
 
 class TestNewProject : public QObject {
     Q_OBJECT

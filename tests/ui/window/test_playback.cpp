@@ -13,8 +13,6 @@ namespace test_playback {
 
 using namespace sparkout;
 
-namespace {
-
 struct Bench {
     Bench() : bar(cursor) {
         bar.resize(900, 40);
@@ -40,8 +38,6 @@ struct Bench {
     CycleCursor cursor;
     PlaybackBar bar;
 };
-
-} // namespace
 
 class TestPlayback : public QObject {
     Q_OBJECT

@@ -36,8 +36,6 @@ namespace test_reader_maxima {
 
 using namespace sparkout;
 
-namespace {
-
 const bool longTest = qEnvironmentVariableIsSet("SPARKOUT_LONG");
 constexpr double target_ms = 100;
 constexpr double limit_ms = 4 * target_ms;
@@ -475,8 +473,6 @@ bool opensAndShows(Bench& bench, const QString& path, bool isWork, Worst& worst)
     }
     return isOpened && pages > 0;
 }
-
-} // namespace
 
 class TestReaderMaxima : public QObject {
     Q_OBJECT

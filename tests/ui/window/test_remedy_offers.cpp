@@ -27,8 +27,6 @@ namespace test_remedy_offers {
 
 using namespace sparkout;
 
-namespace {
-
 QString example(const char* name) {
     return QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
         .arg(QString::fromUtf8(name));
@@ -75,8 +73,6 @@ bool holds(const Outcome& outcome) {
     return outcome.result.status == RunStatus::completed
            && std::ranges::all_of(outcome.constraints, &ConstraintResult::holds);
 }
-
-} // namespace
 
 class TestRemedyOffers : public QObject {
     Q_OBJECT

@@ -38,8 +38,6 @@ namespace test_room {
 
 using namespace sparkout;
 
-namespace {
-
 QString example(const char* name) {
     const QStringList all = examplePaths();
     const auto found = std::ranges::find(all, QString::fromLatin1(name), nameOf);
@@ -85,8 +83,6 @@ void languages() {
     QTest::newRow("en") << QStringLiteral("en");
     QTest::newRow("ru") << QStringLiteral("ru");
 }
-
-} // namespace
 
 class TestRoom : public QObject {
     Q_OBJECT

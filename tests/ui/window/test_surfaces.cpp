@@ -45,8 +45,6 @@ namespace test_surfaces {
 using namespace sparkout;
 using namespace setup_fixtures;
 
-namespace {
-
 /// A window with the stepped shaft in a file of its own.
 struct Desk {
     explicit Desk(const Setup& setup = steppedShaft(),
@@ -116,8 +114,6 @@ QByteArray bytesOf(const QString& path) {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
-
-} // namespace
 
 class TestSurfaces : public QObject {
     Q_OBJECT

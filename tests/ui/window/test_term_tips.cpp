@@ -19,8 +19,6 @@ namespace test_term_tips {
 
 using namespace sparkout;
 
-namespace {
-
 class Terms {
 public:
     explicit Terms(bool russian) : m_russian(russian) {}
@@ -69,8 +67,6 @@ QStringList bareIn(const QTableView& table, const Terms& terms, int& seen) {
     }
     return bare;
 }
-
-} // namespace
 
 class TestTermTips : public QObject {
     Q_OBJECT

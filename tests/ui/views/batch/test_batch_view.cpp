@@ -37,8 +37,6 @@ namespace test_batch_view {
 
 using namespace sparkout;
 
-namespace {
-
 constexpr int patience_ms = 60'000;
 constexpr int endless = 1'000'000; ///< parts: a minute or so, too many to run by itself
 
@@ -89,8 +87,6 @@ QString cell(Bench& bench, const char* key, int column) {
         .data()
         .toString();
 }
-
-} // namespace
 
 class TestBatchView : public QObject {
     Q_OBJECT

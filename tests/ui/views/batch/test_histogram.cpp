@@ -10,8 +10,6 @@ namespace test_histogram {
 
 using namespace sparkout;
 
-namespace {
-
 /// The mean diameter of the three zones of a batch.
 std::vector<CharacteristicSummary> diameters(int parts) {
     std::vector<CharacteristicSummary> found;
@@ -23,8 +21,6 @@ std::vector<CharacteristicSummary> diameters(int parts) {
     }
     return found;
 }
-
-} // namespace
 
 class TestHistogram : public QObject {
     Q_OBJECT

@@ -19,8 +19,6 @@ namespace test_compare_plot {
 using namespace sparkout;
 using namespace compare_bench;
 
-namespace {
-
 /// The curve of a quantity as the run's own feeds have it, by minutes.
 void compareWithFeeds(const QCPGraph& graph, const FeedSeries& feeds, std::size_t column,
                       Quantity quantity) {
@@ -35,8 +33,6 @@ void compareWithFeeds(const QCPGraph& graph, const FeedSeries& feeds, std::size_
         QVERIFY(found);
     }
 }
-
-} // namespace
 
 class TestComparePlot : public QObject {
     Q_OBJECT

@@ -28,8 +28,6 @@ namespace test_compliance_studies {
 
 using namespace sparkout;
 
-namespace {
-
 Project example(const char* name) {
     return loadProject(QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
                            .arg(QString::fromLatin1(name)))
@@ -105,8 +103,6 @@ struct Window {
     Bench bench;
     ComplianceView* view = nullptr;
 };
-
-} // namespace
 
 class TestComplianceStudies : public QObject {
     Q_OBJECT

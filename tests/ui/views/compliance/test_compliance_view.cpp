@@ -20,8 +20,6 @@ namespace test_compliance_view {
 
 using namespace sparkout;
 
-namespace {
-
 Project projectOf(const QString& name) {
     const QString path =
         QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout").arg(name);
@@ -59,8 +57,6 @@ double graphAt(const QCPGraph& graph, double x) {
     return before->value
            + (x - before->key) / (after->key - before->key) * (after->value - before->value);
 }
-
-} // namespace
 
 class TestComplianceView : public QObject {
     Q_OBJECT

@@ -22,8 +22,6 @@ namespace test_feeds_tools {
 using namespace sparkout;
 using namespace feeds_bench;
 
-namespace {
-
 /// The place of an entry of the legend, by its text.
 QPoint entryOf(const LegendStrip& legend, const QString& text) {
     for (std::size_t i = 0; i < legend.entries().size(); ++i) {
@@ -37,8 +35,6 @@ QPoint entryOf(const LegendStrip& legend, const QString& text) {
 double axisTop(const FeedsView& view, int row, QCPAxis::AxisType side) {
     return view.plot()->cell(0, row)->axis(side)->range().upper;
 }
-
-} // namespace
 
 class TestFeedsTools : public FeedsTest {
     Q_OBJECT

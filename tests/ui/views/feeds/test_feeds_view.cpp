@@ -18,8 +18,6 @@ namespace test_feeds_view {
 using namespace sparkout;
 using namespace feeds_bench;
 
-namespace {
-
 QStringList names(const FeedsView& view, int column) {
     QStringList texts;
     for (const BandLayer::DrawnName& name : view.plot()->bands(column, 0)->drawnNames()) {
@@ -41,8 +39,6 @@ bool drawable(FeedsPlot* plot) {
     }
     return true;
 }
-
-} // namespace
 
 class TestFeedsView : public FeedsTest {
     Q_OBJECT

@@ -25,8 +25,6 @@ namespace test_traces_plot {
 using namespace sparkout;
 using namespace fixtures;
 
-namespace {
-
 /// A window with a project in the view of the feeds, its traces compared.
 struct Shown {
     explicit Shown(const Project& project, const QString& language = QStringLiteral("en"))
@@ -58,8 +56,6 @@ double range(const QCPAxisRect* rect, bool upper) {
     const QCPRange range = rect->axis(QCPAxis::atBottom)->range();
     return upper ? range.upper : range.lower;
 }
-
-} // namespace
 
 class TestTracesPlot : public QObject {
     Q_OBJECT

@@ -21,8 +21,6 @@ namespace test_layers_view {
 
 using namespace sparkout;
 
-namespace {
-
 /// A view as it stands in the window, with a run drawn.
 struct Bench {
     explicit Bench(const OutcomePtr& outcome) {
@@ -60,8 +58,6 @@ double micrometresIn(const LayersPlot& plot, double pixels) {
     QCPAxis* const y = plot.cell()->axis(QCPAxis::atLeft);
     return std::abs(y->pixelToCoord(pixels) - y->pixelToCoord(0));
 }
-
-} // namespace
 
 class TestLayersView : public QObject {
     Q_OBJECT

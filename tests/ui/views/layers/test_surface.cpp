@@ -15,8 +15,6 @@ namespace test_surface {
 
 using namespace sparkout;
 
-namespace {
-
 /// A surface alone, with a run.
 struct Alone {
     explicit Alone(const Project& project) : outcome(fixtures::run(project)) {
@@ -44,8 +42,6 @@ double sumAfter_um(const LayerSeries& series, const LayerColumn& column, double 
     const auto index = static_cast<std::size_t>(std::distance(series.spans.begin(), span));
     return span == series.spans.end() ? 0 : column.sum_mm[index] * units::umPerMm;
 }
-
-} // namespace
 
 class TestSurface : public QObject {
     Q_OBJECT

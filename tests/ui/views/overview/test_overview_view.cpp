@@ -44,8 +44,6 @@ namespace test_overview_view {
 
 using namespace sparkout;
 
-namespace {
-
 using enum OverviewChart;
 
 /// A window with the overview in sight.
@@ -117,8 +115,6 @@ bool runBatch(const Desk& desk) {
     desk.bench.settle();
     return came;
 }
-
-} // namespace
 
 class TestOverviewView : public QObject {
     Q_OBJECT

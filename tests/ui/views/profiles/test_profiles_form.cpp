@@ -51,8 +51,6 @@ private:
     Cycles m_of;
 };
 
-namespace {
-
 /// A part with some form left: lobes, and an eccentricity besides by its measured profile.
 Project outOfRound() {
     Project p = plungeProject(2);
@@ -70,8 +68,6 @@ Project outOfRound() {
     p.part->radii_um = radii;
     return p;
 }
-
-} // namespace
 
 // --- choices ------------------------------------------------------------------------------------
 

@@ -24,8 +24,6 @@ namespace test_phase_plot {
 
 using namespace sparkout;
 
-namespace {
-
 constexpr int patience_ms = 60'000;
 constexpr double fine_um = 1e-6;
 
@@ -116,8 +114,6 @@ void compareCurve(const QCPCurve& curve, const std::vector<DecidedPiece>& pieces
         QVERIFY(std::isnan(at[2].value));
     }
 }
-
-} // namespace
 
 class TestPhasePlot : public QObject {
     Q_OBJECT

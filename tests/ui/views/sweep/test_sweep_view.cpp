@@ -35,8 +35,6 @@ namespace test_sweep_view {
 
 using namespace sparkout;
 
-namespace {
-
 constexpr int patience_ms = 60'000;
 const std::string dullness = "/wheel/dullness";
 
@@ -113,8 +111,6 @@ struct Bench {
     Document document;
     SweepView view;
 };
-
-} // namespace
 
 class TestSweepView : public QObject {
     Q_OBJECT
