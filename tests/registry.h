@@ -16,6 +16,10 @@ struct TestEntry {
 /// number of failures; without a known name it lists the names and returns 1.
 int runTest(int argc, char** argv);
 
+/// The class of a namespace of the test's own name, in that of what is tested.
 #define SPARKOUT_TEST(NAME, CLASS)                                                                 \
-    static const TestEntry NAME##_entry(                                                           \
-        #NAME, []() -> std::unique_ptr<QObject> { return std::make_unique<NAME::CLASS>(); });
+    namespace sparkout {                                                                           \
+    static const TestEntry NAME##_entry(#NAME, []() -> std::unique_ptr<QObject> {                  \
+        return std::make_unique<NAME::CLASS>();                                                    \
+    });                                                                                            \
+    }

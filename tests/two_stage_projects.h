@@ -6,9 +6,7 @@
 
 #include <vector>
 
-namespace fixtures {
-
-using namespace sparkout;
+namespace sparkout::fixtures {
 
 inline Project traverseProject() {
     Project p;
@@ -42,4 +40,4 @@ inline Project plungeProject(int sections) {
     return p;
 }
 
-} // namespace fixtures
+} // namespace sparkout::fixtures

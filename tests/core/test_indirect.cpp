@@ -12,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace test_indirect {
-
-using namespace sparkout;
+namespace sparkout::test_indirect {
 
 struct Later;
 /// An owner of what is only declared here: it compiles, is copied and moved by its own members.
@@ -234,7 +232,7 @@ private slots:
     }
 };
 
-} // namespace test_indirect
+} // namespace sparkout::test_indirect
 
 SPARKOUT_TEST(test_indirect, TestIndirect)
 #include "test_indirect.moc"

@@ -7,7 +7,7 @@
 #include <QRegularExpression>
 #include <QSet>
 
-namespace test_layers {
+namespace sparkout::test_layers {
 
 struct Include {
     QString file; ///< relative to the root
@@ -193,7 +193,7 @@ private slots:
     }
 };
 
-} // namespace test_layers
+} // namespace sparkout::test_layers
 
 SPARKOUT_TEST(test_layers, TestLayers)
 #include "test_layers.moc"

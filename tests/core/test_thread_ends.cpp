@@ -7,7 +7,7 @@
 #include <memory>
 #include <thread>
 
-namespace test_thread_ends {
+namespace sparkout::test_thread_ends {
 
 std::atomic<int> intact{0};
 
@@ -32,7 +32,7 @@ private slots:
     }
 };
 
-} // namespace test_thread_ends
+} // namespace sparkout::test_thread_ends
 
 SPARKOUT_TEST(test_thread_ends, TestThreadEnds)
 #include "test_thread_ends.moc"

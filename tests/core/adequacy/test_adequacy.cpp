@@ -17,9 +17,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace test_adequacy {
-
-using namespace sparkout;
+namespace sparkout::test_adequacy {
 
 double normal(std::uint32_t seed, std::uint64_t index) {
     return normalQuantile(openUnit(randomBits(seed, RandomStream::plain, index, 0)));
@@ -335,7 +333,7 @@ private slots:
     }
 };
 
-} // namespace test_adequacy
+} // namespace sparkout::test_adequacy
 
 SPARKOUT_TEST(test_adequacy, TestAdequacy)
 #include "test_adequacy.moc"

@@ -14,9 +14,8 @@
 #include <numeric>
 #include <set>
 
-namespace test_batch_factors {
+namespace sparkout::test_batch_factors {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::uniform;
 using fixtures::within;
@@ -296,7 +295,7 @@ private slots:
     }
 };
 
-} // namespace test_batch_factors
+} // namespace sparkout::test_batch_factors
 
 SPARKOUT_TEST(test_batch_factors, TestBatchFactors)
 #include "test_batch_factors.moc"

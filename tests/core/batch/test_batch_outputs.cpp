@@ -10,9 +10,7 @@
 #include <sstream>
 #include <string>
 
-namespace test_batch_outputs {
-
-using namespace sparkout;
+namespace sparkout::test_batch_outputs {
 
 class TestBatchOutputs : public QObject {
     Q_OBJECT
@@ -62,7 +60,7 @@ private slots:
     }
 };
 
-} // namespace test_batch_outputs
+} // namespace sparkout::test_batch_outputs
 
 SPARKOUT_TEST(test_batch_outputs, TestBatchOutputs)
 #include "test_batch_outputs.moc"

@@ -17,9 +17,8 @@
 #include <thread>
 #include <vector>
 
-namespace test_batch_rows {
+namespace sparkout::test_batch_rows {
 
-using namespace sparkout;
 using fixtures::shaftBatch;
 using fixtures::stiffBatch;
 using fixtures::uniform;
@@ -282,7 +281,7 @@ private:
     }
 };
 
-} // namespace test_batch_rows
+} // namespace sparkout::test_batch_rows
 
 SPARKOUT_TEST(test_batch_rows, TestBatchRows)
 #include "test_batch_rows.moc"

@@ -23,9 +23,8 @@
 #include <thread>
 #include <vector>
 
-namespace test_batch_run {
+namespace sparkout::test_batch_run {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::shaftBatch;
 using fixtures::uniform;
@@ -677,7 +676,7 @@ private:
     }
 };
 
-} // namespace test_batch_run
+} // namespace sparkout::test_batch_run
 
 SPARKOUT_TEST(test_batch_run, TestBatchRun)
 #include "test_batch_run.moc"

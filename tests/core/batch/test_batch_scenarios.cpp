@@ -17,9 +17,8 @@
 #include <numbers>
 #include <set>
 
-namespace test_batch_scenarios {
+namespace sparkout::test_batch_scenarios {
 
-using namespace sparkout;
 using fixtures::normal;
 using fixtures::uniform;
 
@@ -356,7 +355,7 @@ private slots:
     }
 };
 
-} // namespace test_batch_scenarios
+} // namespace sparkout::test_batch_scenarios
 
 SPARKOUT_TEST(test_batch_scenarios, TestBatchScenarios)
 #include "test_batch_scenarios.moc"

@@ -7,9 +7,8 @@
 #include <cmath>
 #include <string>
 
-namespace test_batch_sensitivity {
+namespace sparkout::test_batch_sensitivity {
 
-using namespace sparkout;
 using fixtures::uniform;
 using fixtures::within;
 
@@ -169,7 +168,7 @@ private slots:
     }
 };
 
-} // namespace test_batch_sensitivity
+} // namespace sparkout::test_batch_sensitivity
 
 SPARKOUT_TEST(test_batch_sensitivity, TestBatchSensitivity)
 #include "test_batch_sensitivity.moc"

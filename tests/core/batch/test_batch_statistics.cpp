@@ -12,9 +12,8 @@
 #include <numeric>
 #include <utility>
 
-namespace test_batch_statistics {
+namespace sparkout::test_batch_statistics {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::within;
 
@@ -287,7 +286,7 @@ private slots:
     }
 };
 
-} // namespace test_batch_statistics
+} // namespace sparkout::test_batch_statistics
 
 SPARKOUT_TEST(test_batch_statistics, TestBatchStatistics)
 #include "test_batch_statistics.moc"

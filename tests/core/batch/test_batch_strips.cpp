@@ -12,9 +12,8 @@
 
 #include <cmath>
 
-namespace test_batch_strips {
+namespace sparkout::test_batch_strips {
 
-using namespace sparkout;
 using nlohmann::json;
 
 constexpr std::int64_t parts = 30;
@@ -141,7 +140,7 @@ private slots:
     }
 };
 
-} // namespace test_batch_strips
+} // namespace sparkout::test_batch_strips
 
 SPARKOUT_TEST(test_batch_strips, TestBatchStrips)
 #include "test_batch_strips.moc"

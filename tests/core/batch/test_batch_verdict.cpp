@@ -6,9 +6,7 @@
 
 #include <algorithm>
 
-namespace test_batch_verdict {
-
-using namespace sparkout;
+namespace sparkout::test_batch_verdict {
 
 /// Fifty good parts of three characteristics: of the P_pk's bounds 1.3 and 1.1, and without one.
 BatchSummary goodSummary() {
@@ -114,7 +112,7 @@ private slots:
     }
 };
 
-} // namespace test_batch_verdict
+} // namespace sparkout::test_batch_verdict
 
 SPARKOUT_TEST(test_batch_verdict, TestBatchVerdict)
 #include "test_batch_verdict.moc"

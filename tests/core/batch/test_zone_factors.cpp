@@ -22,9 +22,7 @@
 #include <set>
 #include <string>
 
-namespace test_zone_factors {
-
-using namespace sparkout;
+namespace sparkout::test_zone_factors {
 
 Project shaft() {
     Project project = readProject(samples::readText(samples::sourcePath(
@@ -275,7 +273,7 @@ private slots:
     }
 };
 
-} // namespace test_zone_factors
+} // namespace sparkout::test_zone_factors
 
 SPARKOUT_TEST(test_zone_factors, TestZoneFactors)
 #include "test_zone_factors.moc"

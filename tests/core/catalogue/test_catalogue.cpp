@@ -16,9 +16,8 @@
 #include <string>
 #include <vector>
 
-namespace test_catalogue {
+namespace sparkout::test_catalogue {
 
-using namespace sparkout;
 using namespace catalogues;
 using fixtures::close;
 using nlohmann::json;
@@ -269,7 +268,7 @@ private:
     }
 };
 
-} // namespace test_catalogue
+} // namespace sparkout::test_catalogue
 
 SPARKOUT_TEST(test_catalogue, TestCatalogue)
 #include "test_catalogue.moc"

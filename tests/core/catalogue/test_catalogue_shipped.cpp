@@ -13,9 +13,8 @@
 #include <string>
 #include <vector>
 
-namespace test_catalogue_shipped {
+namespace sparkout::test_catalogue_shipped {
 
-using namespace sparkout;
 using namespace catalogues;
 using fixtures::close;
 
@@ -218,7 +217,7 @@ private:
     }
 };
 
-} // namespace test_catalogue_shipped
+} // namespace sparkout::test_catalogue_shipped
 
 SPARKOUT_TEST(test_catalogue_shipped, TestCatalogueShipped)
 #include "test_catalogue_shipped.moc"

@@ -6,9 +6,7 @@
 #include <random>
 #include <string>
 
-namespace test_natural_order {
-
-using namespace sparkout;
+namespace sparkout::test_natural_order {
 
 class TestNaturalOrder : public QObject {
     Q_OBJECT
@@ -53,7 +51,7 @@ void TestNaturalOrder::theOrderIsThatOfTheLibrary() {
 #endif
 }
 
-} // namespace test_natural_order
+} // namespace sparkout::test_natural_order
 
 SPARKOUT_TEST(test_natural_order, TestNaturalOrder)
 #include "test_natural_order.moc"

@@ -12,9 +12,8 @@
 
 #include <set>
 
-namespace test_grading {
+namespace sparkout::test_grading {
 
-using namespace sparkout;
 using nlohmann::json;
 
 constexpr std::size_t classSize = 25;
@@ -397,7 +396,7 @@ private:
     GradeWish m_wish;
 };
 
-} // namespace test_grading
+} // namespace sparkout::test_grading
 
 SPARKOUT_TEST(test_grading, TestGrading)
 #include "test_grading.moc"

@@ -17,9 +17,8 @@
 
 #include <set>
 
-namespace test_make_variants {
+namespace sparkout::test_make_variants {
 
-using namespace sparkout;
 using nlohmann::json;
 
 Answer answerWith(const Setup& setup) {
@@ -248,7 +247,7 @@ private:
     }
 };
 
-} // namespace test_make_variants
+} // namespace sparkout::test_make_variants
 
 SPARKOUT_TEST(test_make_variants, TestMakeVariants)
 #include "test_make_variants.moc"

@@ -16,9 +16,7 @@
 #include <numeric>
 #include <set>
 
-namespace test_practicum {
-
-using namespace sparkout;
+namespace sparkout::test_practicum {
 
 enum class Pupil { reads, guesses };
 
@@ -404,7 +402,7 @@ private:
     }
 };
 
-} // namespace test_practicum
+} // namespace sparkout::test_practicum
 
 SPARKOUT_TEST(test_practicum, TestPracticum)
 #include "test_practicum.moc"

@@ -8,9 +8,8 @@
 
 #include <algorithm>
 
-namespace test_work {
+namespace sparkout::test_work {
 
-using namespace sparkout;
 using nlohmann::json;
 
 class TestWork : public QObject {
@@ -223,7 +222,7 @@ private:
     std::string m_text;
 };
 
-} // namespace test_work
+} // namespace sparkout::test_work
 
 SPARKOUT_TEST(test_work, TestWork)
 #include "test_work.moc"

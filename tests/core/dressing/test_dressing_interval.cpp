@@ -19,9 +19,7 @@
 #include <stop_token>
 #include <vector>
 
-namespace test_dressing_interval {
-
-using namespace sparkout;
+namespace sparkout::test_dressing_interval {
 
 /// So stiff that every revolution removes what it is fed: 5 µm of 40 mm.
 Setup stiffPlunge() {
@@ -337,7 +335,7 @@ private slots:
     }
 };
 
-} // namespace test_dressing_interval
+} // namespace sparkout::test_dressing_interval
 
 SPARKOUT_TEST(test_dressing_interval, TestDressingInterval)
 #include "test_dressing_interval.moc"

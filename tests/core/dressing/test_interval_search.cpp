@@ -18,7 +18,7 @@
 #include <numeric>
 #include <vector>
 
-namespace test_interval_search {
+namespace sparkout::test_interval_search {
 
 using namespace search_checks;
 
@@ -468,7 +468,7 @@ private slots:
     }
 };
 
-} // namespace test_interval_search
+} // namespace sparkout::test_interval_search
 
 SPARKOUT_TEST(test_interval_search, TestIntervalSearch)
 #include "test_interval_search.moc"

@@ -18,7 +18,7 @@
 #include <limits>
 #include <vector>
 
-namespace test_state_grid {
+namespace sparkout::test_state_grid {
 
 using namespace search_checks;
 using Path = std::vector<std::size_t>;
@@ -388,7 +388,7 @@ private slots:
     }
 };
 
-} // namespace test_state_grid
+} // namespace sparkout::test_state_grid
 
 SPARKOUT_TEST(test_state_grid, TestStateGrid)
 #include "test_state_grid.moc"

@@ -18,9 +18,8 @@
 #include <vector>
 
 /// Random bodies of several sections, and their zones by other means.
-namespace ground_bodies {
+namespace sparkout::ground_bodies {
 
-using namespace sparkout;
 using fixtures::between;
 using fixtures::close;
 using fixtures::decades;
@@ -175,4 +174,4 @@ inline double curvature(const Body& body, double w) {
     return 2 * (w * w / 15 + 15 * std::pow(2 * w / longest(body), 2)) + 2e-12;
 }
 
-} // namespace ground_bodies
+} // namespace sparkout::ground_bodies

@@ -3,9 +3,8 @@
 #include "tests/core/form/ground_bodies.h"
 #include "tests/registry.h"
 
-namespace test_form_along {
+namespace sparkout::test_form_along {
 
-using namespace sparkout;
 using namespace ground_bodies;
 
 class TestFormAlong : public QObject {
@@ -192,7 +191,7 @@ private slots:
     }
 };
 
-} // namespace test_form_along
+} // namespace sparkout::test_form_along
 
 SPARKOUT_TEST(test_form_along, TestFormAlong)
 #include "test_form_along.moc"

@@ -14,9 +14,8 @@
 #include <numbers>
 #include <vector>
 
-namespace test_roundness {
+namespace sparkout::test_roundness {
 
-using namespace sparkout;
 using fixtures::between;
 using fixtures::decades;
 using fixtures::pick;
@@ -418,7 +417,7 @@ private slots:
     }
 };
 
-} // namespace test_roundness
+} // namespace sparkout::test_roundness
 
 SPARKOUT_TEST(test_roundness, TestRoundness)
 #include "test_roundness.moc"

@@ -19,9 +19,8 @@
 #include <numbers>
 #include <vector>
 
-namespace test_roundness_readings {
+namespace sparkout::test_roundness_readings {
 
-using namespace sparkout;
 using fixtures::between;
 using fixtures::pick;
 
@@ -297,7 +296,7 @@ private slots:
     }
 };
 
-} // namespace test_roundness_readings
+} // namespace sparkout::test_roundness_readings
 
 SPARKOUT_TEST(test_roundness_readings, TestRoundnessReadings)
 #include "test_roundness_readings.moc"

@@ -17,9 +17,8 @@
 #include <sys/resource.h>
 #endif
 
-namespace test_hostile_files {
+namespace sparkout::test_hostile_files {
 
-using namespace sparkout;
 using nlohmann::json;
 
 #ifdef Q_OS_WIN
@@ -457,7 +456,7 @@ private:
     qint64 m_slowest_ms = 0;
 };
 
-} // namespace test_hostile_files
+} // namespace sparkout::test_hostile_files
 
 SPARKOUT_TEST(test_hostile_files, TestHostileFiles)
 #include "test_hostile_files.moc"

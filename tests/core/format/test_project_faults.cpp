@@ -7,9 +7,8 @@
 #include "tests/registry.h"
 #include "words/issue_words.h"
 
-namespace test_project_faults {
+namespace sparkout::test_project_faults {
 
-using namespace sparkout;
 using namespace project_places;
 
 class TestProjectFaults : public QObject {
@@ -417,7 +416,7 @@ private slots:
     }
 };
 
-} // namespace test_project_faults
+} // namespace sparkout::test_project_faults
 
 SPARKOUT_TEST(test_project_faults, TestProjectFaults)
 #include "test_project_faults.moc"

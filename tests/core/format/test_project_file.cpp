@@ -7,9 +7,8 @@
 
 #include <algorithm>
 
-namespace test_project_file {
+namespace sparkout::test_project_file {
 
-using namespace sparkout;
 using namespace project_places;
 
 class TestProjectFile : public QObject {
@@ -200,7 +199,7 @@ private slots:
     }
 };
 
-} // namespace test_project_file
+} // namespace sparkout::test_project_file
 
 SPARKOUT_TEST(test_project_file, TestProjectFile)
 #include "test_project_file.moc"

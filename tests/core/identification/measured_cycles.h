@@ -16,9 +16,7 @@
 
 /// Traces as they would be recorded of a plunge cycle, made from the visits of a run: another way
 /// than that of the fit.
-namespace measured_cycles {
-
-using namespace sparkout;
+namespace sparkout::measured_cycles {
 
 /// Size, power and force after each revolution.
 struct Record {
@@ -145,4 +143,4 @@ inline MeasuredTrace trace(TraceQuantity quantity, const Record& cycle, const Re
     return made;
 }
 
-} // namespace measured_cycles
+} // namespace sparkout::measured_cycles

@@ -15,9 +15,7 @@
 
 #include <set>
 
-namespace test_cycle_response {
-
-using namespace sparkout;
+namespace sparkout::test_cycle_response {
 
 class TestCycleResponse : public QObject {
     Q_OBJECT
@@ -145,7 +143,7 @@ private slots:
     }
 };
 
-} // namespace test_cycle_response
+} // namespace sparkout::test_cycle_response
 
 SPARKOUT_TEST(test_cycle_response, TestCycleResponse)
 #include "test_cycle_response.moc"

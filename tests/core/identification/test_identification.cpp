@@ -20,9 +20,8 @@
 #include <stop_token>
 #include <thread>
 
-namespace test_identification {
+namespace sparkout::test_identification {
 
-using namespace sparkout;
 using namespace measured_cycles;
 
 /// A plunge on a yielding shaft with two feeds, so that the deflection shows.
@@ -630,7 +629,7 @@ private slots:
     }
 };
 
-} // namespace test_identification
+} // namespace sparkout::test_identification
 
 SPARKOUT_TEST(test_identification, TestIdentification)
 #include "test_identification.moc"

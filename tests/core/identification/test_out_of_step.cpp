@@ -8,9 +8,8 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-namespace test_out_of_step {
+namespace sparkout::test_out_of_step {
 
-using namespace sparkout;
 using namespace measured_cycles;
 
 constexpr double alpha = 1.25, beta = 0.875;
@@ -193,7 +192,7 @@ private slots:
     }
 };
 
-} // namespace test_out_of_step
+} // namespace sparkout::test_out_of_step
 
 SPARKOUT_TEST(test_out_of_step, TestOutOfStep)
 #include "test_out_of_step.moc"

@@ -15,9 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace test_stiffness_trial {
-
-using namespace sparkout;
+namespace sparkout::test_stiffness_trial {
 
 Project onCentres() {
     Project project = samples::project("stiffness-traverse");
@@ -202,7 +200,7 @@ private slots:
     }
 };
 
-} // namespace test_stiffness_trial
+} // namespace sparkout::test_stiffness_trial
 
 SPARKOUT_TEST(test_stiffness_trial, TestStiffnessTrial)
 #include "test_stiffness_trial.moc"

@@ -10,9 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace test_trace_comparison {
-
-using namespace sparkout;
+namespace sparkout::test_trace_comparison {
 
 std::vector<int> stepsOf(const Project& project) {
     return simulate(project).countsByStage;
@@ -84,7 +82,7 @@ private slots:
     }
 };
 
-} // namespace test_trace_comparison
+} // namespace sparkout::test_trace_comparison
 
 SPARKOUT_TEST(test_trace_comparison, TestTraceComparison)
 #include "test_trace_comparison.moc"

@@ -20,9 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace test_trial_design {
-
-using namespace sparkout;
+namespace sparkout::test_trial_design {
 
 /// A plunge that yields, with dull grains.
 Project plunge() {
@@ -221,7 +219,7 @@ private slots:
     }
 };
 
-} // namespace test_trial_design
+} // namespace sparkout::test_trial_design
 
 SPARKOUT_TEST(test_trial_design, TestTrialDesign)
 #include "test_trial_design.moc"

@@ -15,9 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace test_wheel_calibration {
-
-using namespace sparkout;
+namespace sparkout::test_wheel_calibration {
 
 Project plunge() {
     Project project = samples::project("smallest-plunge");
@@ -144,7 +142,7 @@ private slots:
     }
 };
 
-} // namespace test_wheel_calibration
+} // namespace sparkout::test_wheel_calibration
 
 SPARKOUT_TEST(test_wheel_calibration, TestWheelCalibration)
 #include "test_wheel_calibration.moc"

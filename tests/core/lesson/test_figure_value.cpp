@@ -12,9 +12,7 @@
 
 #include <cmath>
 
-namespace test_figure_value {
-
-using namespace sparkout;
+namespace sparkout::test_figure_value {
 
 Project projectOf(const char* lesson) {
     const auto path =
@@ -169,7 +167,7 @@ private:
     StudiedRun m_run;
 };
 
-} // namespace test_figure_value
+} // namespace sparkout::test_figure_value
 
 SPARKOUT_TEST(test_figure_value, TestFigureValue)
 #include "test_figure_value.moc"

@@ -12,9 +12,7 @@
 
 #include <cmath>
 
-namespace test_goal_check {
-
-using namespace sparkout;
+namespace sparkout::test_goal_check {
 
 Figure figureOf(FigureName name, PlaceName place = {}, std::optional<int> stage = {},
                 std::optional<int> count = {}, Step step = Step::none) {
@@ -348,7 +346,7 @@ private:
     StudiedRun m_run;
 };
 
-} // namespace test_goal_check
+} // namespace sparkout::test_goal_check
 
 SPARKOUT_TEST(test_goal_check, TestGoalCheck)
 #include "test_goal_check.moc"

@@ -8,9 +8,8 @@
 #include "tests/core/support/project_mutator.h"
 #include "tests/registry.h"
 
-namespace test_lesson_file {
+namespace sparkout::test_lesson_file {
 
-using namespace sparkout;
 using nlohmann::json;
 using samples::faultOfLesson;
 using samples::lessonJsonOf;
@@ -435,7 +434,7 @@ private:
     }
 };
 
-} // namespace test_lesson_file
+} // namespace sparkout::test_lesson_file
 
 SPARKOUT_TEST(test_lesson_file, TestLessonFile)
 #include "test_lesson_file.moc"

@@ -13,9 +13,8 @@
 #include <numbers>
 #include <vector>
 
-namespace test_burn {
+namespace sparkout::test_burn {
 
-using namespace sparkout;
 using fixtures::anyCutting;
 using fixtures::between;
 using fixtures::close;
@@ -392,7 +391,7 @@ private slots:
     }
 };
 
-} // namespace test_burn
+} // namespace sparkout::test_burn
 
 SPARKOUT_TEST(test_burn, TestBurn)
 #include "test_burn.moc"

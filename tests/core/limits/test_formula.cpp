@@ -21,9 +21,8 @@
 #include <map>
 #include <vector>
 
-namespace test_formula {
+namespace sparkout::test_formula {
 
-using namespace sparkout;
 using fixtures::anyCutting;
 using fixtures::between;
 using fixtures::close;
@@ -230,7 +229,7 @@ private slots:
     }
 };
 
-} // namespace test_formula
+} // namespace sparkout::test_formula
 
 SPARKOUT_TEST(test_formula, TestFormula)
 #include "test_formula.moc"

@@ -8,9 +8,7 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-namespace test_calibrated_inputs {
-
-using namespace sparkout;
+namespace sparkout::test_calibrated_inputs {
 
 void record(Project& project, const char* path, double value) {
     Calibration calibration;
@@ -75,7 +73,7 @@ private slots:
     }
 };
 
-} // namespace test_calibrated_inputs
+} // namespace sparkout::test_calibrated_inputs
 
 SPARKOUT_TEST(test_calibrated_inputs, TestCalibratedInputs)
 #include "test_calibrated_inputs.moc"

@@ -10,9 +10,7 @@
 #include <numbers>
 #include <string>
 
-namespace test_closed_profile {
-
-using namespace sparkout;
+namespace sparkout::test_closed_profile {
 
 /// Angle and value a line, of `value` at so many angles.
 template <class Value>
@@ -94,7 +92,7 @@ private slots:
     }
 };
 
-} // namespace test_closed_profile
+} // namespace sparkout::test_closed_profile
 
 SPARKOUT_TEST(test_closed_profile, TestClosedProfile)
 #include "test_closed_profile.moc"

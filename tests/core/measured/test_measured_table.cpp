@@ -13,9 +13,7 @@
 #include <cmath>
 #include <string>
 
-namespace test_measured_table {
-
-using namespace sparkout;
+namespace sparkout::test_measured_table {
 
 ReadMeasured readAs(std::string_view text, const MeasuredContext& context = {}) {
     return readMeasured(text, proposeTable(text), context);
@@ -319,7 +317,7 @@ private slots:
     }
 };
 
-} // namespace test_measured_table
+} // namespace sparkout::test_measured_table
 
 SPARKOUT_TEST(test_measured_table, TestMeasuredTable)
 #include "test_measured_table.moc"

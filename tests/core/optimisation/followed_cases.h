@@ -3,7 +3,7 @@
 
 #include "tests/core/optimisation/search_cases.h"
 
-namespace search_cases {
+namespace sparkout::search_cases {
 
 /// Small cases under gauge control, each radius by its own balance.
 inline Project followable(Operation operation, unsigned seed) {
@@ -44,4 +44,4 @@ inline Project plunged(unsigned seed) {
     return followable(Operation::plunge, seed);
 }
 
-} // namespace search_cases
+} // namespace sparkout::search_cases

@@ -10,9 +10,7 @@
 #include <vector>
 
 /// Small grids about random parts, for the tests of the searches.
-namespace search_cases {
-
-using namespace sparkout;
+namespace sparkout::search_cases {
 
 class Dice {
 public:
@@ -146,4 +144,4 @@ inline bool holds(const SimulationResult& result) {
            && std::all_of(all.begin(), all.end(), [](const auto& each) { return each.holds; });
 }
 
-} // namespace search_cases
+} // namespace sparkout::search_cases

@@ -12,9 +12,8 @@
 #include <optional>
 
 /// What the tests of the searches share.
-namespace search_checks {
+namespace sparkout::search_checks {
 
-using namespace sparkout;
 using plain_grid::PlainCycle;
 using plain_grid::PlainGrid;
 using plain_grid::sameCycle;
@@ -104,4 +103,4 @@ inline Project driven(double feed_mm_min) {
     return p;
 }
 
-} // namespace search_checks
+} // namespace sparkout::search_checks

@@ -13,7 +13,7 @@
 #include <cstdio>
 #include <vector>
 
-namespace test_dynamic_programming {
+namespace sparkout::test_dynamic_programming {
 
 using namespace search_checks;
 
@@ -199,7 +199,7 @@ private slots:
     }
 };
 
-} // namespace test_dynamic_programming
+} // namespace sparkout::test_dynamic_programming
 
 SPARKOUT_TEST(test_dynamic_programming, TestDynamicProgramming)
 #include "test_dynamic_programming.moc"

@@ -14,7 +14,7 @@
 #include <map>
 #include <string>
 
-namespace test_free_variables {
+namespace sparkout::test_free_variables {
 
 using namespace search_checks;
 
@@ -341,7 +341,7 @@ private slots:
     }
 };
 
-} // namespace test_free_variables
+} // namespace sparkout::test_free_variables
 
 SPARKOUT_TEST(test_free_variables, TestFreeVariables)
 #include "test_free_variables.moc"

@@ -10,9 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace test_last_stage_outlook {
+namespace sparkout::test_last_stage_outlook {
 
-using namespace sparkout;
 using search_cases::plunged;
 using search_cases::traversed;
 
@@ -183,7 +182,7 @@ private slots:
     }
 };
 
-} // namespace test_last_stage_outlook
+} // namespace sparkout::test_last_stage_outlook
 
 SPARKOUT_TEST(test_last_stage_outlook, TestLastStageOutlook)
 #include "test_last_stage_outlook.moc"

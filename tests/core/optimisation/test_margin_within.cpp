@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace test_margin_within {
+namespace sparkout::test_margin_within {
 
 using namespace search_checks;
 
@@ -442,7 +442,7 @@ private:
     }
 };
 
-} // namespace test_margin_within
+} // namespace sparkout::test_margin_within
 
 SPARKOUT_TEST(test_margin_within, TestMarginWithin)
 #include "test_margin_within.moc"

@@ -14,7 +14,7 @@
 #include <map>
 #include <string>
 
-namespace test_optimisation {
+namespace sparkout::test_optimisation {
 
 using namespace search_checks;
 
@@ -297,7 +297,7 @@ private slots:
     }
 };
 
-} // namespace test_optimisation
+} // namespace sparkout::test_optimisation
 
 SPARKOUT_TEST(test_optimisation, TestOptimisation)
 #include "test_optimisation.moc"

@@ -13,9 +13,8 @@
 #include <cmath>
 #include <utility>
 
-namespace test_phase_cases {
+namespace sparkout::test_phase_cases {
 
-using namespace sparkout;
 using search_cases::Dice;
 using search_cases::holds;
 using search_cases::smallCase;
@@ -216,7 +215,7 @@ private slots:
     }
 };
 
-} // namespace test_phase_cases
+} // namespace sparkout::test_phase_cases
 
 SPARKOUT_TEST(test_phase_cases, TestPhaseCases)
 #include "test_phase_cases.moc"

@@ -12,7 +12,7 @@
 #include <array>
 #include <vector>
 
-namespace test_practice_search {
+namespace sparkout::test_practice_search {
 
 using namespace search_checks;
 using search_cases::Dice;
@@ -146,7 +146,7 @@ private slots:
     }
 };
 
-} // namespace test_practice_search
+} // namespace sparkout::test_practice_search
 
 SPARKOUT_TEST(test_practice_search, TestPracticeSearch)
 #include "test_practice_search.moc"

@@ -9,7 +9,7 @@
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 
-namespace test_published_cycles {
+namespace sparkout::test_published_cycles {
 
 using namespace search_checks;
 using fixtures::strokeStage;
@@ -114,7 +114,7 @@ private slots:
     }
 };
 
-} // namespace test_published_cycles
+} // namespace sparkout::test_published_cycles
 
 SPARKOUT_TEST(test_published_cycles, TestPublishedCycles)
 #include "test_published_cycles.moc"

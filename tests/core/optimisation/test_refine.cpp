@@ -13,7 +13,7 @@
 #include <cmath>
 #include <vector>
 
-namespace test_refine {
+namespace sparkout::test_refine {
 
 using namespace search_checks;
 
@@ -226,7 +226,7 @@ private:
     }
 };
 
-} // namespace test_refine
+} // namespace sparkout::test_refine
 
 SPARKOUT_TEST(test_refine, TestRefine)
 #include "test_refine.moc"

@@ -17,9 +17,7 @@
 #include <stop_token>
 #include <thread>
 
-namespace test_robust_confidence {
-
-using namespace sparkout;
+namespace sparkout::test_robust_confidence {
 
 /// Tries cycle after cycle, the k-th with a share(k) of failing phases, on 500 each until one meets
 /// none. The share of the runs in which what is stated of it is true; a run without one states
@@ -160,7 +158,7 @@ private slots:
     }
 };
 
-} // namespace test_robust_confidence
+} // namespace sparkout::test_robust_confidence
 
 SPARKOUT_TEST(test_robust_confidence, TestRobustConfidence)
 #include "test_robust_confidence.moc"

@@ -11,7 +11,7 @@
 
 #include <string>
 
-namespace test_search_journal {
+namespace sparkout::test_search_journal {
 
 using namespace search_checks;
 
@@ -255,7 +255,7 @@ private slots:
     }
 };
 
-} // namespace test_search_journal
+} // namespace sparkout::test_search_journal
 
 SPARKOUT_TEST(test_search_journal, TestSearchJournal)
 #include "test_search_journal.moc"

@@ -17,7 +17,7 @@
 #include <numbers>
 #include <set>
 
-namespace test_search_laws {
+namespace sparkout::test_search_laws {
 
 using namespace search_checks;
 
@@ -459,7 +459,7 @@ private slots:
     }
 };
 
-} // namespace test_search_laws
+} // namespace sparkout::test_search_laws
 
 SPARKOUT_TEST(test_search_laws, TestSearchLaws)
 #include "test_search_laws.moc"

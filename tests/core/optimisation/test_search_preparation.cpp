@@ -13,9 +13,8 @@
 #include <stop_token>
 #include <thread>
 
-namespace test_search_preparation {
+namespace sparkout::test_search_preparation {
 
-using namespace sparkout;
 using namespace std::chrono_literals;
 
 std::vector<double> evenly(double from, double to, int count) {
@@ -159,7 +158,7 @@ private slots:
     }
 };
 
-} // namespace test_search_preparation
+} // namespace sparkout::test_search_preparation
 
 SPARKOUT_TEST(test_search_preparation, TestSearchPreparation)
 #include "test_search_preparation.moc"

@@ -27,9 +27,8 @@
 #include <stop_token>
 #include <thread>
 
-namespace test_search_stops {
+namespace sparkout::test_search_stops {
 
-using namespace sparkout;
 using namespace std::chrono_literals;
 
 constexpr double most_ms = 100 * under_sanitizers;
@@ -332,7 +331,7 @@ private slots:
     }
 };
 
-} // namespace test_search_stops
+} // namespace sparkout::test_search_stops
 
 SPARKOUT_TEST(test_search_stops, TestSearchStops)
 #include "test_search_stops.moc"

@@ -15,9 +15,8 @@
 #include <utility>
 #include <vector>
 
-namespace test_steady_lag {
+namespace sparkout::test_steady_lag {
 
-using namespace sparkout;
 using search_cases::Dice;
 
 constexpr double rounding_mm = 1e-12;
@@ -144,7 +143,7 @@ private slots:
     }
 };
 
-} // namespace test_steady_lag
+} // namespace sparkout::test_steady_lag
 
 SPARKOUT_TEST(test_steady_lag, TestSteadyLag)
 #include "test_steady_lag.moc"

@@ -27,9 +27,8 @@
 #include <string>
 #include <vector>
 
-namespace test_stepless_limit {
+namespace sparkout::test_stepless_limit {
 
-using namespace sparkout;
 using fixtures::close;
 
 /// Nothing limits a cut but the infeed: 1.8 mm/min at 180 rev/min, 10 µm a revolution.
@@ -789,7 +788,7 @@ private slots:
     }
 };
 
-} // namespace test_stepless_limit
+} // namespace sparkout::test_stepless_limit
 
 SPARKOUT_TEST(test_stepless_limit, TestSteplessLimit)
 #include "test_stepless_limit.moc"

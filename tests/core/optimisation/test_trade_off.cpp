@@ -12,7 +12,7 @@
 #include <cstdio>
 #include <map>
 
-namespace test_trade_off {
+namespace sparkout::test_trade_off {
 
 using namespace search_checks;
 
@@ -158,7 +158,7 @@ private slots:
     }
 };
 
-} // namespace test_trade_off
+} // namespace sparkout::test_trade_off
 
 SPARKOUT_TEST(test_trade_off, TestTradeOff)
 #include "test_trade_off.moc"

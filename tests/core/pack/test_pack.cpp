@@ -11,9 +11,8 @@
 
 #include <string>
 
-namespace test_pack {
+namespace sparkout::test_pack {
 
-using namespace sparkout;
 using nlohmann::json;
 
 const char* const lessonName = "02-actual-feed.sparkout-lesson";
@@ -217,7 +216,7 @@ private slots:
     }
 };
 
-} // namespace test_pack
+} // namespace sparkout::test_pack
 
 SPARKOUT_TEST(test_pack, TestPack)
 #include "test_pack.moc"

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace test_phases {
-
-using namespace sparkout;
+namespace sparkout::test_phases {
 
 constexpr double fine_mm = 1e-9;
 
@@ -374,7 +372,7 @@ private slots:
     }
 };
 
-} // namespace test_phases
+} // namespace sparkout::test_phases
 
 SPARKOUT_TEST(test_phases, TestPhases)
 #include "test_phases.moc"

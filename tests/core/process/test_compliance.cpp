@@ -12,9 +12,8 @@
 #include <cmath>
 #include <vector>
 
-namespace test_compliance {
+namespace sparkout::test_compliance {
 
-using namespace sparkout;
 using namespace shafts;
 using fixtures::close;
 
@@ -325,7 +324,7 @@ private slots:
     }
 };
 
-} // namespace test_compliance
+} // namespace sparkout::test_compliance
 
 SPARKOUT_TEST(test_compliance, TestCompliance)
 #include "test_compliance.moc"

@@ -18,9 +18,8 @@
 #include <utility>
 #include <vector>
 
-namespace test_compliance_any_shaft {
+namespace sparkout::test_compliance_any_shaft {
 
-using namespace sparkout;
 using fixtures::close;
 using shafts::E;
 using shafts::I;
@@ -277,7 +276,7 @@ private slots:
     }
 };
 
-} // namespace test_compliance_any_shaft
+} // namespace sparkout::test_compliance_any_shaft
 
 SPARKOUT_TEST(test_compliance_any_shaft, TestComplianceAnyShaft)
 #include "test_compliance_any_shaft.moc"

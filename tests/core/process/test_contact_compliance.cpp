@@ -12,9 +12,8 @@
 #include <cmath>
 #include <vector>
 
-namespace test_contact_compliance {
+namespace sparkout::test_contact_compliance {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::within;
 
@@ -262,7 +261,7 @@ private slots:
     }
 };
 
-} // namespace test_contact_compliance
+} // namespace sparkout::test_contact_compliance
 
 SPARKOUT_TEST(test_contact_compliance, TestContactCompliance)
 #include "test_contact_compliance.moc"

@@ -16,9 +16,8 @@
 #include <utility>
 #include <vector>
 
-namespace test_coupled_radii {
+namespace sparkout::test_coupled_radii {
 
-using namespace sparkout;
 using Row = CoupledRadii::Row;
 using Set = CoupledRadii::Set;
 
@@ -217,7 +216,7 @@ private slots:
     }
 };
 
-} // namespace test_coupled_radii
+} // namespace sparkout::test_coupled_radii
 
 SPARKOUT_TEST(test_coupled_radii, TestCoupledRadii)
 #include "test_coupled_radii.moc"

@@ -16,9 +16,8 @@
 #include <random>
 #include <vector>
 
-namespace test_coupled_random {
+namespace sparkout::test_coupled_random {
 
-using namespace sparkout;
 using fixtures::plungeStage;
 using fixtures::sparkStage;
 using fixtures::Traced;
@@ -253,7 +252,7 @@ private slots:
     }
 };
 
-} // namespace test_coupled_random
+} // namespace sparkout::test_coupled_random
 
 SPARKOUT_TEST(test_coupled_random, TestCoupledRandom)
 #include "test_coupled_random.moc"

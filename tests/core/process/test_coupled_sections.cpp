@@ -17,9 +17,8 @@
 #include <utility>
 #include <vector>
 
-namespace test_coupled_sections {
+namespace sparkout::test_coupled_sections {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::within;
 
@@ -464,7 +463,7 @@ private slots:
     }
 };
 
-} // namespace test_coupled_sections
+} // namespace sparkout::test_coupled_sections
 
 SPARKOUT_TEST(test_coupled_sections, TestCoupledSections)
 #include "test_coupled_sections.moc"

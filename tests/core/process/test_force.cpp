@@ -7,9 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-namespace test_force {
+namespace sparkout::test_force {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::within;
 
@@ -135,7 +134,7 @@ private slots:
     }
 };
 
-} // namespace test_force
+} // namespace sparkout::test_force
 
 SPARKOUT_TEST(test_force, TestForce)
 #include "test_force.moc"

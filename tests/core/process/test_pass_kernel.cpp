@@ -12,9 +12,7 @@
 #include <random>
 #include <vector>
 
-namespace test_pass_kernel {
-
-using namespace sparkout;
+namespace sparkout::test_pass_kernel {
 
 /// Random lanes at one width of cut, as wide as inputs can be: γ 1e-9…1 mm/N, b·k_s and b·k_r over
 /// six decades or zero, depths up to some mm, lanes in contact and lanes out of it.
@@ -391,7 +389,7 @@ private:
     }
 };
 
-} // namespace test_pass_kernel
+} // namespace sparkout::test_pass_kernel
 
 SPARKOUT_TEST(test_pass_kernel, TestPassKernel)
 #include "test_pass_kernel.moc"

@@ -8,9 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-namespace test_profile {
+namespace sparkout::test_profile {
 
-using namespace sparkout;
 using fixtures::within;
 
 // A radius is some tens of mm and comes out of some ten operations.
@@ -195,7 +194,7 @@ private:
     }
 };
 
-} // namespace test_profile
+} // namespace sparkout::test_profile
 
 SPARKOUT_TEST(test_profile, TestProfile)
 #include "test_profile.moc"

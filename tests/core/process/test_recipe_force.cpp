@@ -22,9 +22,8 @@
 #include <string>
 #include <variant>
 
-namespace test_recipe_force {
+namespace sparkout::test_recipe_force {
 
-using namespace sparkout;
 using fixtures::between;
 using fixtures::close;
 
@@ -307,7 +306,7 @@ private slots:
     }
 };
 
-} // namespace test_recipe_force
+} // namespace sparkout::test_recipe_force
 
 SPARKOUT_TEST(test_recipe_force, TestRecipeForce)
 #include "test_recipe_force.moc"

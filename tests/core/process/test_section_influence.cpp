@@ -14,9 +14,8 @@
 #include <utility>
 #include <vector>
 
-namespace test_section_influence {
+namespace sparkout::test_section_influence {
 
-using namespace sparkout;
 /// G at the middles of `count` slices from `from` to `to` mm of a shaft.
 std::vector<double> influence(const ShaftModel& shaft, int count, double from, double to) {
     std::vector<double> middles;
@@ -153,7 +152,7 @@ private slots:
     }
 };
 
-} // namespace test_section_influence
+} // namespace sparkout::test_section_influence
 
 SPARKOUT_TEST(test_section_influence, TestSectionInfluence)
 #include "test_section_influence.moc"

@@ -12,9 +12,8 @@
 
 #include <algorithm>
 
-namespace test_card_entries {
+namespace sparkout::test_card_entries {
 
-using namespace sparkout;
 using nlohmann::json;
 
 json withEntries() {
@@ -109,7 +108,7 @@ private slots:
     }
 };
 
-} // namespace test_card_entries
+} // namespace sparkout::test_card_entries
 
 SPARKOUT_TEST(test_card_entries, TestCardEntries)
 #include "test_card_entries.moc"

@@ -26,9 +26,8 @@
 #include <string>
 #include <vector>
 
-namespace test_examples {
+namespace sparkout::test_examples {
 
-using namespace sparkout;
 namespace fs = std::filesystem;
 
 std::string contentOf(const fs::path& path) {
@@ -462,7 +461,7 @@ private slots:
     }
 };
 
-} // namespace test_examples
+} // namespace sparkout::test_examples
 
 SPARKOUT_TEST(test_examples, TestExamples)
 #include "test_examples.moc"

@@ -10,9 +10,7 @@
 #include <tuple>
 #include <vector>
 
-namespace test_iso286 {
-
-using namespace sparkout;
+namespace sparkout::test_iso286 {
 
 constexpr double bounds[] = {0, 3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500};
 constexpr int ranges = 13;
@@ -275,7 +273,7 @@ private slots:
     }
 };
 
-} // namespace test_iso286
+} // namespace sparkout::test_iso286
 
 SPARKOUT_TEST(test_iso286, TestIso286)
 #include "test_iso286.moc"

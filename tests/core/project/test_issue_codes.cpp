@@ -5,9 +5,8 @@
 #include "tests/registry.h"
 #include "words/issue_words.h"
 
-namespace test_issue_codes {
+namespace sparkout::test_issue_codes {
 
-using namespace sparkout;
 using namespace project_places;
 
 class TestIssueCodes : public QObject {
@@ -376,7 +375,7 @@ private:
     std::set<IssueCode> m_produced;
 };
 
-} // namespace test_issue_codes
+} // namespace sparkout::test_issue_codes
 
 SPARKOUT_TEST(test_issue_codes, TestIssueCodes)
 #include "test_issue_codes.moc"

@@ -14,9 +14,8 @@
 
 #include <numeric>
 
-namespace test_measured {
+namespace sparkout::test_measured {
 
-using namespace sparkout;
 using nlohmann::json;
 
 Project everything() {
@@ -192,7 +191,7 @@ private slots:
     }
 };
 
-} // namespace test_measured
+} // namespace sparkout::test_measured
 
 SPARKOUT_TEST(test_measured, TestMeasured)
 #include "test_measured.moc"

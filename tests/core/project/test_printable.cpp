@@ -9,9 +9,7 @@
 #include <gnu/libc-version.h>
 #endif
 
-namespace test_printable {
-
-using namespace sparkout;
+namespace sparkout::test_printable {
 
 class TestPrintable : public QObject {
     Q_OBJECT
@@ -61,7 +59,7 @@ private slots:
     }
 };
 
-} // namespace test_printable
+} // namespace sparkout::test_printable
 
 SPARKOUT_TEST(test_printable, TestPrintable)
 #include "test_printable.moc"

@@ -7,9 +7,8 @@
 
 #include <algorithm>
 
-namespace test_shoulders {
+namespace sparkout::test_shoulders {
 
-using namespace sparkout;
 using samples::holds;
 
 constexpr double blank_mm = 30 + 2 * (0.15 + 0.02);
@@ -98,7 +97,7 @@ private slots:
     }
 };
 
-} // namespace test_shoulders
+} // namespace sparkout::test_shoulders
 
 SPARKOUT_TEST(test_shoulders, TestShoulders)
 #include "test_shoulders.moc"

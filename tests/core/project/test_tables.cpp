@@ -11,9 +11,7 @@
 #include <set>
 #include <utility>
 
-namespace test_tables {
-
-using namespace sparkout;
+namespace sparkout::test_tables {
 
 /// Units of the keys' endings, longer endings first.
 const std::vector<std::pair<std::string, std::string>>& unitsOfEndings() {
@@ -202,7 +200,7 @@ private:
     }
 };
 
-} // namespace test_tables
+} // namespace sparkout::test_tables
 
 SPARKOUT_TEST(test_tables, TestTables)
 #include "test_tables.moc"

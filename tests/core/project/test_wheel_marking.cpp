@@ -7,9 +7,8 @@
 
 #include <rapidcheck.h>
 
-namespace test_wheel_marking {
+namespace sparkout::test_wheel_marking {
 
-using namespace sparkout;
 using fixtures::close;
 
 class TestWheelMarking : public QObject {
@@ -165,7 +164,7 @@ private slots:
     }
 };
 
-} // namespace test_wheel_marking
+} // namespace sparkout::test_wheel_marking
 
 SPARKOUT_TEST(test_wheel_marking, TestWheelMarking)
 #include "test_wheel_marking.moc"

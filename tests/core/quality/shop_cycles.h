@@ -12,9 +12,7 @@
 #include <vector>
 
 /// Cycles whose numbers for the shop are known otherwise.
-namespace shop_cycles {
-
-using namespace sparkout;
+namespace sparkout::shop_cycles {
 
 /// Random cycles of every kind; fewer under the sanitizers.
 inline int seeds() {
@@ -40,4 +38,4 @@ inline Project rigidPlunge() {
     return p;
 }
 
-} // namespace shop_cycles
+} // namespace sparkout::shop_cycles

@@ -17,9 +17,8 @@
 #include <random>
 #include <vector>
 
-namespace test_accuracy_limit {
+namespace sparkout::test_accuracy_limit {
 
-using namespace sparkout;
 using fixtures::between;
 using fixtures::close;
 using fixtures::pick;
@@ -294,7 +293,7 @@ private slots:
     }
 };
 
-} // namespace test_accuracy_limit
+} // namespace sparkout::test_accuracy_limit
 
 SPARKOUT_TEST(test_accuracy_limit, TestAccuracyLimit)
 #include "test_accuracy_limit.moc"

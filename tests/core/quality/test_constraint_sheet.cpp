@@ -12,9 +12,8 @@
 #include <map>
 #include <string>
 
-namespace test_constraint_sheet {
+namespace sparkout::test_constraint_sheet {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::plungeStage;
 using fixtures::Traced;
@@ -142,7 +141,7 @@ private slots:
     }
 };
 
-} // namespace test_constraint_sheet
+} // namespace sparkout::test_constraint_sheet
 
 SPARKOUT_TEST(test_constraint_sheet, TestConstraintSheet)
 #include "test_constraint_sheet.moc"

@@ -12,9 +12,8 @@
 #include <string>
 #include <vector>
 
-namespace test_constraints {
+namespace sparkout::test_constraints {
 
-using namespace sparkout;
 using fixtures::within;
 
 // Values are some µm and come out of two or three operations.
@@ -446,7 +445,7 @@ private slots:
     }
 };
 
-} // namespace test_constraints
+} // namespace sparkout::test_constraints
 
 SPARKOUT_TEST(test_constraints, TestConstraints)
 #include "test_constraints.moc"

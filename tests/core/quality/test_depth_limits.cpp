@@ -12,9 +12,8 @@
 #include <functional>
 #include <numbers>
 
-namespace test_depth_limits {
+namespace sparkout::test_depth_limits {
 
-using namespace sparkout;
 using fixtures::anyCutting;
 using fixtures::between;
 using fixtures::close;
@@ -389,7 +388,7 @@ private slots:
     }
 };
 
-} // namespace test_depth_limits
+} // namespace sparkout::test_depth_limits
 
 SPARKOUT_TEST(test_depth_limits, TestDepthLimits)
 #include "test_depth_limits.moc"

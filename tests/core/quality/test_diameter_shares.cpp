@@ -11,9 +11,7 @@
 #include <cmath>
 #include <string>
 
-namespace test_diameter_shares {
-
-using namespace sparkout;
+namespace sparkout::test_diameter_shares {
 
 /// Radii of some 15 mm differ by their last bits: 2·15 mm·ε in µm, a few times.
 constexpr double rounding_um = 8 * 30 * fixtures::epsilon * 1e3;
@@ -74,7 +72,7 @@ private slots:
     }
 };
 
-} // namespace test_diameter_shares
+} // namespace sparkout::test_diameter_shares
 
 SPARKOUT_TEST(test_diameter_shares, TestDiameterShares)
 #include "test_diameter_shares.moc"

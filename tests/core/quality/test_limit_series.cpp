@@ -12,9 +12,8 @@
 #include <limits>
 #include <random>
 
-namespace test_limit_series {
+namespace sparkout::test_limit_series {
 
-using namespace sparkout;
 using fixtures::close;
 
 /// Of BurnTable's limiting depth, twice that of √a.
@@ -345,7 +344,7 @@ private slots:
     }
 };
 
-} // namespace test_limit_series
+} // namespace sparkout::test_limit_series
 
 SPARKOUT_TEST(test_limit_series, TestLimitSeries)
 #include "test_limit_series.moc"

@@ -7,9 +7,8 @@
 
 #include <vector>
 
-namespace test_ranges {
+namespace sparkout::test_ranges {
 
-using namespace sparkout;
 using fixtures::within;
 
 std::vector<MachineRange> ofKind(const Project& project, ConstraintKind kind) {
@@ -206,7 +205,7 @@ private slots:
     }
 };
 
-} // namespace test_ranges
+} // namespace sparkout::test_ranges
 
 SPARKOUT_TEST(test_ranges, TestRanges)
 #include "test_ranges.moc"

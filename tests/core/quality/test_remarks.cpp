@@ -8,9 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace test_remarks {
-
-using namespace sparkout;
+namespace sparkout::test_remarks {
 
 Project example(const char* name) {
     const ReadResult read = readProject(
@@ -113,7 +111,7 @@ private slots:
     }
 };
 
-} // namespace test_remarks
+} // namespace sparkout::test_remarks
 
 SPARKOUT_TEST(test_remarks, TestRemarks)
 #include "test_remarks.moc"

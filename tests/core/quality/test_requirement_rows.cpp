@@ -15,9 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace test_requirement_rows {
-
-using namespace sparkout;
+namespace sparkout::test_requirement_rows {
 
 /// With everything required.
 Project demanding(Project project) {
@@ -164,7 +162,7 @@ private slots:
     }
 };
 
-} // namespace test_requirement_rows
+} // namespace sparkout::test_requirement_rows
 
 SPARKOUT_TEST(test_requirement_rows, TestRequirementRows)
 #include "test_requirement_rows.moc"

@@ -9,9 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace test_run_summary {
-
-using namespace sparkout;
+namespace sparkout::test_run_summary {
 
 struct Ran {
     explicit Ran(const Project& project) : result(simulateUnchecked(project)) {
@@ -171,7 +169,7 @@ private:
     }
 };
 
-} // namespace test_run_summary
+} // namespace sparkout::test_run_summary
 
 SPARKOUT_TEST(test_run_summary, TestRunSummary)
 #include "test_run_summary.moc"

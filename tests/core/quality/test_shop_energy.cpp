@@ -14,9 +14,8 @@
 #include <numbers>
 #include <vector>
 
-namespace test_shop_energy {
+namespace sparkout::test_shop_energy {
 
-using namespace sparkout;
 using namespace shop_cycles;
 using fixtures::close;
 using fixtures::Traced;
@@ -346,7 +345,7 @@ private slots:
     }
 };
 
-} // namespace test_shop_energy
+} // namespace sparkout::test_shop_energy
 
 SPARKOUT_TEST(test_shop_energy, TestShopEnergy)
 #include "test_shop_energy.moc"

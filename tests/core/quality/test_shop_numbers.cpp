@@ -8,9 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace test_shop_numbers {
+namespace sparkout::test_shop_numbers {
 
-using namespace sparkout;
 using namespace shop_cycles;
 using fixtures::close;
 using fixtures::Traced;
@@ -172,7 +171,7 @@ private:
     }
 };
 
-} // namespace test_shop_numbers
+} // namespace sparkout::test_shop_numbers
 
 SPARKOUT_TEST(test_shop_numbers, TestShopNumbers)
 #include "test_shop_numbers.moc"

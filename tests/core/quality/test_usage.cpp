@@ -10,9 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace test_usage {
-
-using namespace sparkout;
+namespace sparkout::test_usage {
 
 class TestUsage : public QObject {
     Q_OBJECT
@@ -59,7 +57,7 @@ private slots:
     }
 };
 
-} // namespace test_usage
+} // namespace sparkout::test_usage
 
 SPARKOUT_TEST(test_usage, TestUsage)
 #include "test_usage.moc"

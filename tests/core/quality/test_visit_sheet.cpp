@@ -9,9 +9,8 @@
 #include <cmath>
 #include <string>
 
-namespace test_visit_sheet {
+namespace sparkout::test_visit_sheet {
 
-using namespace sparkout;
 using fixtures::within;
 
 const FormulaTerm* termOf(const FormulaSheet& sheet, const std::string& symbol) {
@@ -98,7 +97,7 @@ private slots:
     }
 };
 
-} // namespace test_visit_sheet
+} // namespace sparkout::test_visit_sheet
 
 SPARKOUT_TEST(test_visit_sheet, TestVisitSheet)
 #include "test_visit_sheet.moc"

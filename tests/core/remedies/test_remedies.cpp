@@ -42,9 +42,8 @@
 #include <utility>
 #include <vector>
 
-namespace test_remedies {
+namespace sparkout::test_remedies {
 
-using namespace sparkout;
 using namespace std::chrono_literals;
 
 /// Of this thread: what others do beside it does not count.
@@ -936,7 +935,7 @@ private slots:
     }
 };
 
-} // namespace test_remedies
+} // namespace sparkout::test_remedies
 
 SPARKOUT_TEST(test_remedies, TestRemedies)
 #include "test_remedies.moc"

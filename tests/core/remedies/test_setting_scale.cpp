@@ -10,9 +10,7 @@
 #include <string>
 #include <utility>
 
-namespace test_setting_scale {
-
-using namespace sparkout;
+namespace sparkout::test_setting_scale {
 
 const SettingScale scales[] = {SettingScale::digits(), SettingScale::steps(0.0005, 0.0005),
                                SettingScale::steps(0, 1), SettingScale::revolutions(180),
@@ -88,7 +86,7 @@ private slots:
     }
 };
 
-} // namespace test_setting_scale
+} // namespace sparkout::test_setting_scale
 
 SPARKOUT_TEST(test_setting_scale, TestSettingScale)
 #include "test_setting_scale.moc"

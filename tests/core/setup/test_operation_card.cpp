@@ -9,9 +9,8 @@
 #include <cmath>
 #include <numbers>
 
-namespace test_operation_card {
+namespace sparkout::test_operation_card {
 
-using namespace sparkout;
 using namespace setup_samples;
 
 bool isNear(double a, double b) {
@@ -174,7 +173,7 @@ private slots:
     }
 };
 
-} // namespace test_operation_card
+} // namespace sparkout::test_operation_card
 
 SPARKOUT_TEST(test_operation_card, TestOperationCard)
 #include "test_operation_card.moc"

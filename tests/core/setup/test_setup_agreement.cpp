@@ -15,9 +15,8 @@
 #include <tuple>
 #include <utility>
 
-namespace test_setup_agreement {
+namespace sparkout::test_setup_agreement {
 
-using namespace sparkout;
 using namespace setup_samples;
 using nlohmann::json;
 
@@ -178,7 +177,7 @@ private:
     std::map<std::string, int> m_kinds;
 };
 
-} // namespace test_setup_agreement
+} // namespace sparkout::test_setup_agreement
 
 SPARKOUT_TEST(test_setup_agreement, TestSetupAgreement)
 #include "test_setup_agreement.moc"

@@ -12,9 +12,8 @@
 
 #include <algorithm>
 
-namespace test_setup_file {
+namespace sparkout::test_setup_file {
 
-using namespace sparkout;
 using namespace setup_samples;
 using nlohmann::json;
 
@@ -282,7 +281,7 @@ private slots:
     }
 };
 
-} // namespace test_setup_file
+} // namespace sparkout::test_setup_file
 
 SPARKOUT_TEST(test_setup_file, TestSetupFile)
 #include "test_setup_file.moc"

@@ -20,9 +20,8 @@
 #include <thread>
 #include <utility>
 
-namespace test_setup_run {
+namespace sparkout::test_setup_run {
 
-using namespace sparkout;
 using namespace setup_samples;
 using nlohmann::json;
 
@@ -235,7 +234,7 @@ private slots:
     }
 };
 
-} // namespace test_setup_run
+} // namespace sparkout::test_setup_run
 
 SPARKOUT_TEST(test_setup_run, TestSetupRun)
 #include "test_setup_run.moc"

@@ -21,9 +21,8 @@
 #include <numbers>
 #include <vector>
 
-namespace test_worn_wheel {
+namespace sparkout::test_worn_wheel {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::within;
 
@@ -320,7 +319,7 @@ private slots:
     }
 };
 
-} // namespace test_worn_wheel
+} // namespace sparkout::test_worn_wheel
 
 SPARKOUT_TEST(test_worn_wheel, TestWornWheel)
 #include "test_worn_wheel.moc"

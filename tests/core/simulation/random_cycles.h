@@ -17,9 +17,8 @@
 #include <vector>
 
 /// Random cycles, small and varied, that shrink when a law fails, and what the laws of them share.
-namespace random_cycles {
+namespace sparkout::random_cycles {
 
-using namespace sparkout;
 using fixtures::between;
 using fixtures::close;
 using fixtures::decades;
@@ -181,4 +180,4 @@ bool holds(const char* law, Check check) {
     return rc::check(law, check);
 }
 
-} // namespace random_cycles
+} // namespace sparkout::random_cycles

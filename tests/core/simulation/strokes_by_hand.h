@@ -11,9 +11,7 @@
 #include <vector>
 
 /// Double strokes whose every pass is computed by hand.
-namespace strokes_by_hand {
-
-using namespace sparkout;
+namespace sparkout::strokes_by_hand {
 
 inline constexpr double um = 1e-3; // [mm]
 
@@ -89,4 +87,4 @@ inline QString difference(const fixtures::Traced& run, const std::vector<Cut>& t
     return {};
 }
 
-} // namespace strokes_by_hand
+} // namespace sparkout::strokes_by_hand

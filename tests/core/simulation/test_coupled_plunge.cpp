@@ -17,9 +17,8 @@
 #include <stop_token>
 #include <vector>
 
-namespace test_coupled_plunge {
+namespace sparkout::test_coupled_plunge {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::plungeStage;
 using fixtures::sparkStage;
@@ -446,7 +445,7 @@ private slots:
     }
 };
 
-} // namespace test_coupled_plunge
+} // namespace sparkout::test_coupled_plunge
 
 SPARKOUT_TEST(test_coupled_plunge, TestCoupledPlunge)
 #include "test_coupled_plunge.moc"

@@ -5,9 +5,8 @@
 #include "tests/core/simulation/random_cycles.h"
 #include "tests/registry.h"
 
-namespace test_cycle_properties {
+namespace sparkout::test_cycle_properties {
 
-using namespace sparkout;
 using namespace random_cycles;
 
 class TestCycleProperties : public QObject {
@@ -305,7 +304,7 @@ private slots:
     }
 };
 
-} // namespace test_cycle_properties
+} // namespace sparkout::test_cycle_properties
 
 SPARKOUT_TEST(test_cycle_properties, TestCycleProperties)
 #include "test_cycle_properties.moc"

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string>
 
-namespace test_delays {
+namespace sparkout::test_delays {
 
 using namespace random_cycles;
 
@@ -283,7 +283,7 @@ private slots:
     }
 };
 
-} // namespace test_delays
+} // namespace sparkout::test_delays
 
 SPARKOUT_TEST(test_delays, TestDelays)
 #include "test_delays.moc"

@@ -11,9 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace test_feed_series {
-
-using namespace sparkout;
+namespace sparkout::test_feed_series {
 
 struct Run {
     SimulationResult result;
@@ -286,7 +284,7 @@ private:
     Run m_traverse, m_plunge;
 };
 
-} // namespace test_feed_series
+} // namespace sparkout::test_feed_series
 
 SPARKOUT_TEST(test_feed_series, TestFeedSeries)
 #include "test_feed_series.moc"

@@ -9,9 +9,8 @@
 
 #include <cmath>
 
-namespace test_grinding_scene {
+namespace sparkout::test_grinding_scene {
 
-using namespace sparkout;
 using fixtures::within;
 
 Project plungeOf(int sections) {
@@ -141,7 +140,7 @@ private slots:
     }
 };
 
-} // namespace test_grinding_scene
+} // namespace sparkout::test_grinding_scene
 
 SPARKOUT_TEST(test_grinding_scene, TestGrindingScene)
 #include "test_grinding_scene.moc"

@@ -18,9 +18,8 @@
 #include <variant>
 #include <vector>
 
-namespace test_internal_traverse {
+namespace sparkout::test_internal_traverse {
 
-using namespace sparkout;
 using fixtures::Traced;
 using fixtures::within;
 using strokes_by_hand::Cut;
@@ -257,7 +256,7 @@ private slots:
     }
 };
 
-} // namespace test_internal_traverse
+} // namespace sparkout::test_internal_traverse
 
 SPARKOUT_TEST(test_internal_traverse, TestInternalTraverse)
 #include "test_internal_traverse.moc"

@@ -28,9 +28,8 @@
 #include <string>
 #include <vector>
 
-namespace test_interrupted {
+namespace sparkout::test_interrupted {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::Traced;
 using fixtures::within;
@@ -384,7 +383,7 @@ private slots:
     }
 };
 
-} // namespace test_interrupted
+} // namespace sparkout::test_interrupted
 
 SPARKOUT_TEST(test_interrupted, TestInterrupted)
 #include "test_interrupted.moc"

@@ -5,9 +5,8 @@
 #include "tests/core/simulation/random_cycles.h"
 #include "tests/registry.h"
 
-namespace test_model_properties {
+namespace sparkout::test_model_properties {
 
-using namespace sparkout;
 using namespace random_cycles;
 
 class TestModelProperties : public QObject {
@@ -331,7 +330,7 @@ private slots:
     }
 };
 
-} // namespace test_model_properties
+} // namespace sparkout::test_model_properties
 
 SPARKOUT_TEST(test_model_properties, TestModelProperties)
 #include "test_model_properties.moc"

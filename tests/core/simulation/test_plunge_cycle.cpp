@@ -10,9 +10,8 @@
 #include <stop_token>
 #include <vector>
 
-namespace test_plunge_cycle {
+namespace sparkout::test_plunge_cycle {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::plungeStage;
 using fixtures::sparkStage;
@@ -338,7 +337,7 @@ private slots:
     }
 };
 
-} // namespace test_plunge_cycle
+} // namespace sparkout::test_plunge_cycle
 
 SPARKOUT_TEST(test_plunge_cycle, TestPlungeCycle)
 #include "test_plunge_cycle.moc"

@@ -10,9 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace test_progress {
+namespace sparkout::test_progress {
 
-using namespace sparkout;
 using fixtures::within;
 
 constexpr double allowed_mm = 1e-12;
@@ -142,7 +141,7 @@ private slots:
     }
 };
 
-} // namespace test_progress
+} // namespace sparkout::test_progress
 
 SPARKOUT_TEST(test_progress, TestProgress)
 #include "test_progress.moc"

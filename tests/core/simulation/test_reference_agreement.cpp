@@ -17,9 +17,8 @@
 #include <set>
 #include <string>
 
-namespace test_reference_agreement {
+namespace sparkout::test_reference_agreement {
 
-using namespace sparkout;
 using nlohmann::json;
 
 constexpr int rowLength = 100;
@@ -253,7 +252,7 @@ private:
     int m_skippedStages = 0; ///< cycles in which several stages ended at one reading
 };
 
-} // namespace test_reference_agreement
+} // namespace sparkout::test_reference_agreement
 
 SPARKOUT_TEST(test_reference_agreement, TestReferenceAgreement)
 #include "test_reference_agreement.moc"

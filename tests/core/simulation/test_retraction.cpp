@@ -11,9 +11,8 @@
 #include <cmath>
 #include <vector>
 
-namespace test_retraction {
+namespace sparkout::test_retraction {
 
-using namespace sparkout;
 using fixtures::plungeStage;
 using fixtures::sparkStage;
 using fixtures::Traced;
@@ -142,7 +141,7 @@ private slots:
     }
 };
 
-} // namespace test_retraction
+} // namespace sparkout::test_retraction
 
 SPARKOUT_TEST(test_retraction, TestRetraction)
 #include "test_retraction.moc"

@@ -18,9 +18,8 @@
 #include <numbers>
 #include <vector>
 
-namespace test_run_limits {
+namespace sparkout::test_run_limits {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::plungeStage;
 using fixtures::sparkStage;
@@ -389,7 +388,7 @@ private slots:
     }
 };
 
-} // namespace test_run_limits
+} // namespace sparkout::test_run_limits
 
 SPARKOUT_TEST(test_run_limits, TestRunLimits)
 #include "test_run_limits.moc"

@@ -14,9 +14,8 @@
 #include <memory>
 #include <vector>
 
-namespace test_run_options {
+namespace sparkout::test_run_options {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::plungeStage;
 using fixtures::sparkStage;
@@ -280,7 +279,7 @@ private slots:
     }
 };
 
-} // namespace test_run_options
+} // namespace sparkout::test_run_options
 
 SPARKOUT_TEST(test_run_options, TestRunOptions)
 #include "test_run_options.moc"

@@ -6,9 +6,8 @@
 
 #include <vector>
 
-namespace test_stage_control {
+namespace sparkout::test_stage_control {
 
-using namespace sparkout;
 using fixtures::within;
 
 constexpr double total = 0.25; ///< |R_first − R_t| [mm]
@@ -206,7 +205,7 @@ private slots:
     }
 };
 
-} // namespace test_stage_control
+} // namespace sparkout::test_stage_control
 
 SPARKOUT_TEST(test_stage_control, TestStageControl)
 #include "test_stage_control.moc"

@@ -15,9 +15,8 @@
 #include <numeric>
 #include <vector>
 
-namespace test_step_shares {
+namespace sparkout::test_step_shares {
 
-using namespace sparkout;
 using fixtures::within;
 
 struct Shared {
@@ -165,7 +164,7 @@ private slots:
     }
 };
 
-} // namespace test_step_shares
+} // namespace sparkout::test_step_shares
 
 SPARKOUT_TEST(test_step_shares, TestStepShares)
 #include "test_step_shares.moc"

@@ -9,9 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace test_stock_layers {
+namespace sparkout::test_stock_layers {
 
-using namespace sparkout;
 using fixtures::within;
 
 constexpr double allowed_mm = 1e-12;
@@ -183,7 +182,7 @@ private slots:
     }
 };
 
-} // namespace test_stock_layers
+} // namespace sparkout::test_stock_layers
 
 SPARKOUT_TEST(test_stock_layers, TestStockLayers)
 #include "test_stock_layers.moc"

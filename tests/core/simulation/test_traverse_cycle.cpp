@@ -14,9 +14,8 @@
 #include <thread>
 #include <vector>
 
-namespace test_traverse_cycle {
+namespace sparkout::test_traverse_cycle {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::sparkStage;
 using fixtures::strokeStage;
@@ -424,7 +423,7 @@ private slots:
     }
 };
 
-} // namespace test_traverse_cycle
+} // namespace sparkout::test_traverse_cycle
 
 SPARKOUT_TEST(test_traverse_cycle, TestTraverseCycle)
 #include "test_traverse_cycle.moc"

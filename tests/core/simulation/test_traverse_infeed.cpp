@@ -18,9 +18,8 @@
 #include <string>
 #include <vector>
 
-namespace test_traverse_infeed {
+namespace sparkout::test_traverse_infeed {
 
-using namespace sparkout;
 using fixtures::sparkStage;
 using fixtures::strokeStage;
 using fixtures::Traced;
@@ -364,7 +363,7 @@ private:
     }
 };
 
-} // namespace test_traverse_infeed
+} // namespace sparkout::test_traverse_infeed
 
 SPARKOUT_TEST(test_traverse_infeed, TestTraverseInfeed)
 #include "test_traverse_infeed.moc"

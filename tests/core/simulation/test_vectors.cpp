@@ -15,9 +15,8 @@
 #include <map>
 #include <vector>
 
-namespace test_vectors {
+namespace sparkout::test_vectors {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::within;
 using nlohmann::json;
@@ -276,7 +275,7 @@ private:
     }
 };
 
-} // namespace test_vectors
+} // namespace sparkout::test_vectors
 
 SPARKOUT_TEST(test_vectors, TestVectors)
 #include "test_vectors.moc"

@@ -19,7 +19,7 @@
 #include <random>
 #include <set>
 
-namespace test_zone_blank {
+namespace sparkout::test_zone_blank {
 
 using namespace search_checks;
 using fixtures::within;
@@ -283,7 +283,7 @@ private slots:
     }
 };
 
-} // namespace test_zone_blank
+} // namespace sparkout::test_zone_blank
 
 SPARKOUT_TEST(test_zone_blank, TestZoneBlank)
 #include "test_zone_blank.moc"

@@ -22,9 +22,8 @@
 #include <string>
 #include <vector>
 
-namespace test_zone_sections {
+namespace sparkout::test_zone_sections {
 
-using namespace sparkout;
 using fixtures::close;
 using fixtures::Traced;
 using fixtures::within;
@@ -296,7 +295,7 @@ private slots:
     }
 };
 
-} // namespace test_zone_sections
+} // namespace sparkout::test_zone_sections
 
 SPARKOUT_TEST(test_zone_sections, TestZoneSections)
 #include "test_zone_sections.moc"

@@ -10,9 +10,8 @@
 #include <optional>
 
 /// The profiles of cycles run for it.
-namespace profile_series_bench {
+namespace sparkout::profile_series_bench {
 
-using namespace sparkout;
 using fixtures::traverseProject;
 
 inline Project plungeProject(int sections) {
@@ -56,4 +55,4 @@ inline bool close(double a, double b, double within = 1e-12) {
     return std::abs(a - b) <= within;
 }
 
-} // namespace profile_series_bench
+} // namespace sparkout::profile_series_bench

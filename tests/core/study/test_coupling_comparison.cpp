@@ -11,9 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace test_coupling_comparison {
-
-using namespace sparkout;
+namespace sparkout::test_coupling_comparison {
 
 Project onShaft(int sections) {
     Project p = fixtures::plunge();
@@ -88,7 +86,7 @@ private slots:
     }
 };
 
-} // namespace test_coupling_comparison
+} // namespace sparkout::test_coupling_comparison
 
 SPARKOUT_TEST(test_coupling_comparison, TestCouplingComparison)
 #include "test_coupling_comparison.moc"

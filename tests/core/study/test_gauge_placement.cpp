@@ -9,9 +9,8 @@
 #include <cmath>
 #include <vector>
 
-namespace test_gauge_placement {
+namespace sparkout::test_gauge_placement {
 
-using namespace sparkout;
 using fixtures::plungeStage;
 using fixtures::within;
 
@@ -222,7 +221,7 @@ private slots:
     }
 };
 
-} // namespace test_gauge_placement
+} // namespace sparkout::test_gauge_placement
 
 SPARKOUT_TEST(test_gauge_placement, TestGaugePlacement)
 #include "test_gauge_placement.moc"

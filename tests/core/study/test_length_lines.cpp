@@ -6,9 +6,8 @@
 
 #include <algorithm>
 
-namespace test_length_lines {
+namespace sparkout::test_length_lines {
 
-using namespace sparkout;
 using namespace profile_series_bench;
 
 class TestLengthLines : public QObject {
@@ -126,7 +125,7 @@ void TestLengthLines::theShaftBeginsBeforeItsGroundLength() {
     QVERIFY(shaftSteps(p).empty());
 }
 
-} // namespace test_length_lines
+} // namespace sparkout::test_length_lines
 
 SPARKOUT_TEST(test_length_lines, TestLengthLines)
 #include "test_length_lines.moc"

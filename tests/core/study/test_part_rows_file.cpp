@@ -14,9 +14,8 @@
 #include <string>
 #include <vector>
 
-namespace test_part_rows_file {
+namespace sparkout::test_part_rows_file {
 
-using namespace sparkout;
 using Existing = SafeFileWriter::Existing;
 
 constexpr int parts = 7;
@@ -113,7 +112,7 @@ private:
     std::filesystem::path m_path;
 };
 
-} // namespace test_part_rows_file
+} // namespace sparkout::test_part_rows_file
 
 SPARKOUT_TEST(test_part_rows_file, TestPartRowsFile)
 #include "test_part_rows_file.moc"

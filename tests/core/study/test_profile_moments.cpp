@@ -6,9 +6,8 @@
 
 #include <algorithm>
 
-namespace test_profile_moments {
+namespace sparkout::test_profile_moments {
 
-using namespace sparkout;
 using namespace profile_series_bench;
 
 class TestProfileMoments : public QObject {
@@ -163,7 +162,7 @@ void TestProfileMoments::outOfFieldIsTheVerdictsRule() {
     QVERIFY(outOfField(s, p));
 }
 
-} // namespace test_profile_moments
+} // namespace sparkout::test_profile_moments
 
 SPARKOUT_TEST(test_profile_moments, TestProfileMoments)
 #include "test_profile_moments.moc"

@@ -16,9 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace test_run_comparison {
-
-using namespace sparkout;
+namespace sparkout::test_run_comparison {
 
 struct Ran {
     explicit Ran(const Project& of) : project(of) {
@@ -327,7 +325,7 @@ private slots:
     }
 };
 
-} // namespace test_run_comparison
+} // namespace sparkout::test_run_comparison
 
 SPARKOUT_TEST(test_run_comparison, TestRunComparison)
 #include "test_run_comparison.moc"

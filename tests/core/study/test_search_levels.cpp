@@ -17,9 +17,8 @@
 #include <set>
 #include <vector>
 
-namespace test_search_levels {
+namespace sparkout::test_search_levels {
 
-using namespace sparkout;
 using search_cases::holds;
 using search_cases::smallCase;
 
@@ -242,7 +241,7 @@ private slots:
     }
 };
 
-} // namespace test_search_levels
+} // namespace sparkout::test_search_levels
 
 SPARKOUT_TEST(test_search_levels, TestSearchLevels)
 #include "test_search_levels.moc"

@@ -13,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace test_stock_edits {
-
-using namespace sparkout;
+namespace sparkout::test_stock_edits {
 
 double sum(const Project& project) {
     double sum = 0;
@@ -119,7 +117,7 @@ private slots:
     }
 };
 
-} // namespace test_stock_edits
+} // namespace sparkout::test_stock_edits
 
 SPARKOUT_TEST(test_stock_edits, TestStockEdits)
 #include "test_stock_edits.moc"

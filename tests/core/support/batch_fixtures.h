@@ -3,7 +3,7 @@
 
 #include "tests/core/support/project_fixtures.h"
 
-namespace fixtures {
+namespace sparkout::fixtures {
 
 inline Factor uniform(double low, double high) {
     Factor factor;
@@ -50,4 +50,4 @@ inline Project stiffBatch(int parts) {
     return project;
 }
 
-} // namespace fixtures
+} // namespace sparkout::fixtures

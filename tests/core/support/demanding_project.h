@@ -3,7 +3,7 @@
 
 #include "tests/whole_project.h"
 
-namespace fixtures {
+namespace sparkout::fixtures {
 
 /// The project held to every requirement of the drawing and of the process: form and roughness,
 /// burn, both drives, the strengths of grain and bond.
@@ -19,4 +19,4 @@ inline sparkout::Project demanding(sparkout::Project p) {
     return p;
 }
 
-} // namespace fixtures
+} // namespace sparkout::fixtures

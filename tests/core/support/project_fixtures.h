@@ -21,9 +21,7 @@
 
 /// Projects and small measures that the engine's tests share. The formulas here are written a
 /// second time on purpose: a test must not ask the engine for the law it holds the engine against.
-namespace fixtures {
-
-using namespace sparkout;
+namespace sparkout::fixtures {
 
 inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -201,4 +199,4 @@ inline bool sameBits(const SimulationResult& a, const SimulationResult& b) {
     return same;
 }
 
-} // namespace fixtures
+} // namespace sparkout::fixtures

@@ -8,7 +8,7 @@
 #include <cmath>
 
 /// Random contacts of wheel and part for the laws of the depth's limits. Call within rc::check.
-namespace fixtures {
+namespace sparkout::fixtures {
 
 inline int pick(int low, int high) {
     return *rc::gen::inRange(low, high);
@@ -51,4 +51,4 @@ inline Project anyCutting() {
     return p;
 }
 
-} // namespace fixtures
+} // namespace sparkout::fixtures

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-namespace reference {
+namespace sparkout::reference {
 
 using nlohmann::json;
 
@@ -280,4 +280,4 @@ Cycle readCycle(const json& project) {
     return c;
 }
 
-} // namespace reference
+} // namespace sparkout::reference

@@ -17,9 +17,7 @@
 #include <utility>
 
 /// What differs between the engine and the second implementation, in words.
-namespace reference {
-
-using namespace sparkout;
+namespace sparkout::reference {
 
 inline std::string statusName(RunStatus status) {
     switch (status) {
@@ -169,4 +167,4 @@ inline QString difference(const SimulationResult& engine, const Result& second,
     return {};
 }
 
-} // namespace reference
+} // namespace sparkout::reference

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-namespace reference {
+namespace sparkout::reference {
 
 using nlohmann::json;
 
@@ -115,4 +115,4 @@ SetupResult simulateSetup(const json& file) {
     return setup;
 }
 
-} // namespace reference
+} // namespace sparkout::reference

@@ -19,9 +19,7 @@
 #include <set>
 #include <thread>
 
-namespace test_sweep {
-
-using namespace sparkout;
+namespace sparkout::test_sweep {
 
 SweepAxis axis(std::string input, double from, double to, int points = 9,
                SweepSpacing spacing = SweepSpacing::linear) {
@@ -376,7 +374,7 @@ private slots:
     }
 };
 
-} // namespace test_sweep
+} // namespace sparkout::test_sweep
 
 SPARKOUT_TEST(test_sweep, TestSweep)
 #include "test_sweep.moc"

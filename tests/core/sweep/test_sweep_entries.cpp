@@ -10,9 +10,7 @@
 #include <set>
 #include <string>
 
-namespace test_sweep_entries {
-
-using namespace sparkout;
+namespace sparkout::test_sweep_entries {
 
 SweepQuantity quantity(const std::string& name, int section = -1) {
     return {name, "µm", section < 0 ? Zone::section : static_cast<Zone>(section), section};
@@ -109,7 +107,7 @@ private slots:
     }
 };
 
-} // namespace test_sweep_entries
+} // namespace sparkout::test_sweep_entries
 
 SPARKOUT_TEST(test_sweep_entries, TestSweepEntries)
 #include "test_sweep_entries.moc"

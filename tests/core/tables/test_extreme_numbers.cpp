@@ -11,9 +11,7 @@
 #include <cmath>
 #include <random>
 
-namespace test_extreme_numbers {
-
-using namespace sparkout;
+namespace sparkout::test_extreme_numbers {
 
 /// Texts that are numbers somewhere, and usual ones among them.
 class Numbers {
@@ -165,7 +163,7 @@ private slots:
     }
 };
 
-} // namespace test_extreme_numbers
+} // namespace sparkout::test_extreme_numbers
 
 SPARKOUT_TEST(test_extreme_numbers, TestExtremeNumbers)
 #include "test_extreme_numbers.moc"

@@ -12,9 +12,7 @@
 #include <cmath>
 #include <random>
 
-namespace test_table_reader {
-
-using namespace sparkout;
+namespace sparkout::test_table_reader {
 
 using Rows = std::vector<std::vector<std::string>>;
 
@@ -227,7 +225,7 @@ private slots:
     }
 };
 
-} // namespace test_table_reader
+} // namespace sparkout::test_table_reader
 
 SPARKOUT_TEST(test_table_reader, TestTableReader)
 #include "test_table_reader.moc"

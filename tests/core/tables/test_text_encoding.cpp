@@ -10,9 +10,7 @@
 
 #include <random>
 
-namespace test_text_encoding {
-
-using namespace sparkout;
+namespace sparkout::test_text_encoding {
 
 /// А…я of Windows-1251 and what else Russian tables have.
 QByteArray windows1251(const QString& text) {
@@ -111,7 +109,7 @@ private slots:
     }
 };
 
-} // namespace test_text_encoding
+} // namespace sparkout::test_text_encoding
 
 SPARKOUT_TEST(test_text_encoding, TestTextEncoding)
 #include "test_text_encoding.moc"

@@ -22,9 +22,7 @@
 #include <set>
 #include <utility>
 
-namespace test_bar_chart {
-
-using namespace sparkout;
+namespace sparkout::test_bar_chart {
 
 using Shape = BarChart::Shape;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -489,7 +487,7 @@ private slots:
     }
 };
 
-} // namespace test_bar_chart
+} // namespace sparkout::test_bar_chart
 
 SPARKOUT_TEST(test_bar_chart, TestBarChart)
 #include "test_bar_chart.moc"

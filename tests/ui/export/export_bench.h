@@ -18,9 +18,7 @@
 #include <vector>
 
 /// Results on their way to other programs.
-namespace export_bench {
-
-using namespace sparkout;
+namespace sparkout::export_bench {
 
 /// Few radii: another program reads every row.
 inline Project smallProject(Operation operation) {
@@ -70,4 +68,4 @@ inline void checkNoFormula(const XlsxReader& read) {
     }
 }
 
-} // namespace export_bench
+} // namespace sparkout::export_bench

@@ -35,9 +35,8 @@
 #include <memory>
 #include <utility>
 
-namespace test_export_dialog {
+namespace sparkout::test_export_dialog {
 
-using namespace sparkout;
 using namespace export_bench;
 
 /// An outcome whose middle zone has more rows than a sheet takes.
@@ -350,7 +349,7 @@ private slots:
     }
 };
 
-} // namespace test_export_dialog
+} // namespace sparkout::test_export_dialog
 
 SPARKOUT_TEST(test_export_dialog, TestExportDialog)
 #include "test_export_dialog.moc"

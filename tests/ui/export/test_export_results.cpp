@@ -9,9 +9,8 @@
 
 #include <QProcess>
 
-namespace test_export_results {
+namespace sparkout::test_export_results {
 
-using namespace sparkout;
 using namespace export_bench;
 
 QList<QStringList> linesOf(QByteArray csv, QChar separator) {
@@ -214,7 +213,7 @@ private:
     }
 };
 
-} // namespace test_export_results
+} // namespace sparkout::test_export_results
 
 SPARKOUT_TEST(test_export_results, TestExportResults)
 #include "test_export_results.moc"

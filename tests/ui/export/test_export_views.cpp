@@ -18,9 +18,8 @@
 #include <QMenu>
 #include <QRegularExpression>
 
-namespace test_export_views {
+namespace sparkout::test_export_views {
 
-using namespace sparkout;
 using namespace export_bench;
 
 QString traverseExample() {
@@ -179,7 +178,7 @@ private:
     }
 };
 
-} // namespace test_export_views
+} // namespace sparkout::test_export_views
 
 SPARKOUT_TEST(test_export_views, TestExportViews)
 #include "test_export_views.moc"

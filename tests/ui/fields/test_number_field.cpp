@@ -15,9 +15,7 @@
 #include <clocale>
 #include <random>
 
-namespace test_number_field {
-
-using namespace sparkout;
+namespace sparkout::test_number_field {
 
 NumberSpec spec(Range hard = {}) {
     NumberSpec made;
@@ -302,7 +300,7 @@ private slots:
     }
 };
 
-} // namespace test_number_field
+} // namespace sparkout::test_number_field
 
 SPARKOUT_TEST(test_number_field, TestNumberField)
 #include "test_number_field.moc"

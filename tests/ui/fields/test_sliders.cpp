@@ -24,9 +24,7 @@
 
 #include <clocale>
 
-namespace test_sliders {
-
-using namespace sparkout;
+namespace sparkout::test_sliders {
 
 enum PageIndex { partPage = 0, wheelPage = 2, machinePage = 3, cyclePage = 5 };
 
@@ -300,7 +298,7 @@ private slots:
     }
 };
 
-} // namespace test_sliders
+} // namespace sparkout::test_sliders
 
 SPARKOUT_TEST(test_sliders, TestSliders)
 #include "test_sliders.moc"

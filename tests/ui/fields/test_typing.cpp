@@ -26,9 +26,7 @@
 
 #include <algorithm>
 
-namespace test_typing {
-
-using namespace sparkout;
+namespace sparkout::test_typing {
 
 /// The inputs with a document whose outcomes they show at once.
 struct Bench {
@@ -306,7 +304,7 @@ private slots:
     }
 };
 
-} // namespace test_typing
+} // namespace sparkout::test_typing
 
 SPARKOUT_TEST(test_typing, TestTyping)
 #include "test_typing.moc"

@@ -16,9 +16,8 @@
 
 #include <algorithm>
 
-namespace test_catalogue_store {
+namespace sparkout::test_catalogue_store {
 
-using namespace sparkout;
 using namespace catalogue_bench;
 
 QString textOf(const Project& project, CatalogueKind kind) {
@@ -204,7 +203,7 @@ private:
     QTemporaryDir m_folder;
 };
 
-} // namespace test_catalogue_store
+} // namespace sparkout::test_catalogue_store
 
 SPARKOUT_TEST(test_catalogue_store, TestCatalogueStore)
 #include "test_catalogue_store.moc"

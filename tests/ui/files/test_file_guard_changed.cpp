@@ -9,9 +9,8 @@
 #include <QDateTime>
 #include <QSignalSpy>
 
-namespace test_file_guard_changed {
+namespace sparkout::test_file_guard_changed {
 
-using namespace sparkout;
 using namespace file_guard_bench;
 
 class TestFileGuardChanged : public QObject {
@@ -174,7 +173,7 @@ private slots:
     }
 };
 
-} // namespace test_file_guard_changed
+} // namespace sparkout::test_file_guard_changed
 
 SPARKOUT_TEST(test_file_guard_changed, TestFileGuardChanged)
 #include "test_file_guard_changed.moc"

@@ -9,9 +9,8 @@
 
 #include <chrono>
 
-namespace test_file_guard_history {
+namespace sparkout::test_file_guard_history {
 
-using namespace sparkout;
 using namespace file_guard_bench;
 
 class TestFileGuardHistory : public QObject {
@@ -110,7 +109,7 @@ private slots:
     }
 };
 
-} // namespace test_file_guard_history
+} // namespace sparkout::test_file_guard_history
 
 SPARKOUT_TEST(test_file_guard_history, TestFileGuardHistory)
 #include "test_file_guard_history.moc"

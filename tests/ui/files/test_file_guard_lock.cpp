@@ -8,9 +8,8 @@
 #include <QElapsedTimer>
 #include <QLockFile>
 
-namespace test_file_guard_lock {
+namespace sparkout::test_file_guard_lock {
 
-using namespace sparkout;
 using namespace file_guard_bench;
 
 /// The lock file as a program on another computer writes it.
@@ -256,7 +255,7 @@ private slots:
     }
 };
 
-} // namespace test_file_guard_lock
+} // namespace sparkout::test_file_guard_lock
 
 SPARKOUT_TEST(test_file_guard_lock, TestFileGuardLock)
 #include "test_file_guard_lock.moc"

@@ -12,9 +12,8 @@
 
 #include <cerrno>
 
-namespace test_file_guard_save {
+namespace sparkout::test_file_guard_save {
 
-using namespace sparkout;
 using namespace file_guard_bench;
 
 #ifdef Q_OS_WIN
@@ -198,7 +197,7 @@ private slots:
     }
 };
 
-} // namespace test_file_guard_save
+} // namespace sparkout::test_file_guard_save
 
 SPARKOUT_TEST(test_file_guard_save, TestFileGuardSave)
 #include "test_file_guard_save.moc"

@@ -20,9 +20,8 @@
 #include <atomic>
 #include <thread>
 
-namespace test_recovery {
+namespace sparkout::test_recovery {
 
-using namespace sparkout;
 using namespace std::chrono_literals;
 
 constexpr EditText editText{"Input", "Diameter"};
@@ -578,7 +577,7 @@ private slots:
     }
 };
 
-} // namespace test_recovery
+} // namespace sparkout::test_recovery
 
 SPARKOUT_TEST(test_recovery, TestRecovery)
 #include "test_recovery.moc"

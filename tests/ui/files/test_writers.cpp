@@ -24,9 +24,7 @@
 #include <functional>
 #include <memory>
 
-namespace test_writers {
-
-using namespace sparkout;
+namespace sparkout::test_writers {
 
 /// How a kind of file is written and read back, grown by a number of bytes.
 struct Writer {
@@ -265,7 +263,7 @@ private slots:
     }
 };
 
-} // namespace test_writers
+} // namespace sparkout::test_writers
 
 SPARKOUT_TEST(test_writers, TestWriters)
 #include "test_writers.moc"

@@ -13,9 +13,7 @@
 
 #include <algorithm>
 
-namespace test_glossary {
-
-using namespace sparkout;
+namespace sparkout::test_glossary {
 
 struct Message {
     QString source, translation;
@@ -139,7 +137,7 @@ private slots:
     }
 };
 
-} // namespace test_glossary
+} // namespace sparkout::test_glossary
 
 SPARKOUT_TEST(test_glossary, TestGlossary)
 #include "test_glossary.moc"

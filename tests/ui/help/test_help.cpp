@@ -31,9 +31,7 @@
 #include <map>
 #include <set>
 
-namespace test_help {
-
-using namespace sparkout;
+namespace sparkout::test_help {
 
 constexpr int patience_ms = 60'000; ///< with a window that comes to the front on a busy machine
 
@@ -459,7 +457,7 @@ private slots:
     }
 };
 
-} // namespace test_help
+} // namespace sparkout::test_help
 
 SPARKOUT_TEST(test_help, TestHelp)
 #include "test_help.moc"

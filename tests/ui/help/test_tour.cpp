@@ -15,9 +15,7 @@
 #include <QTemporaryDir>
 #include <QToolBar>
 
-namespace test_tour {
-
-using namespace sparkout;
+namespace sparkout::test_tour {
 
 constexpr int steps = 7;
 
@@ -192,7 +190,7 @@ private slots:
     }
 };
 
-} // namespace test_tour
+} // namespace sparkout::test_tour
 
 SPARKOUT_TEST(test_tour, TestTour)
 #include "test_tour.moc"

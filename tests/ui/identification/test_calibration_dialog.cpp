@@ -33,9 +33,7 @@
 #include <cmath>
 #include <functional>
 
-namespace test_calibration_dialog {
-
-using namespace sparkout;
+namespace sparkout::test_calibration_dialog {
 
 template <typename Widget>
 Widget* part(const QWidget& in, const char* name) {
@@ -437,7 +435,7 @@ private slots:
     }
 };
 
-} // namespace test_calibration_dialog
+} // namespace sparkout::test_calibration_dialog
 
 SPARKOUT_TEST(test_calibration_dialog, TestCalibrationDialog)
 #include "test_calibration_dialog.moc"

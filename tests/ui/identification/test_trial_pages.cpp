@@ -30,9 +30,7 @@
 #include <cmath>
 #include <functional>
 
-namespace test_trial_pages {
-
-using namespace sparkout;
+namespace sparkout::test_trial_pages {
 
 constexpr double headstock = 45, tailstock = 30; ///< of the truth [N/µm]
 constexpr int stiffnessTab = 2, trialTab = 3;
@@ -279,7 +277,7 @@ private slots:
     }
 };
 
-} // namespace test_trial_pages
+} // namespace sparkout::test_trial_pages
 
 SPARKOUT_TEST(test_trial_pages, TestTrialPages)
 #include "test_trial_pages.moc"

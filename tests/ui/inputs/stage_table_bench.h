@@ -14,9 +14,7 @@
 #include <vector>
 
 /// The table of the stages beside a document of its own.
-namespace stage_table_bench {
-
-using namespace sparkout;
+namespace sparkout::stage_table_bench {
 
 struct Bench {
     explicit Bench(Operation operation = Operation::traverse) : table(document) {
@@ -55,4 +53,4 @@ inline QComboBox* sparkOutEditor(Bench& bench) {
     return bench.table.view().findChild<QComboBox*>();
 }
 
-} // namespace stage_table_bench
+} // namespace sparkout::stage_table_bench

@@ -22,9 +22,7 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 
-namespace test_batch_page {
-
-using namespace sparkout;
+namespace sparkout::test_batch_page {
 
 constexpr int batchPage = 6;
 
@@ -326,7 +324,7 @@ private slots:
     }
 };
 
-} // namespace test_batch_page
+} // namespace sparkout::test_batch_page
 
 SPARKOUT_TEST(test_batch_page, TestBatchPage)
 #include "test_batch_page.moc"

@@ -14,9 +14,8 @@
 
 #include <string>
 
-namespace test_card_inputs {
+namespace sparkout::test_card_inputs {
 
-using namespace sparkout;
 using namespace catalogue_bench;
 
 void type(Window& window, const char* path, const QString& text) {
@@ -107,7 +106,7 @@ private slots:
     }
 };
 
-} // namespace test_card_inputs
+} // namespace sparkout::test_card_inputs
 
 SPARKOUT_TEST(test_card_inputs, TestCardInputs)
 #include "test_card_inputs.moc"

@@ -19,9 +19,8 @@
 #include <QTemporaryDir>
 #include <QTreeWidget>
 
-namespace test_catalogue_dialog {
+namespace sparkout::test_catalogue_dialog {
 
-using namespace sparkout;
 using namespace catalogue_bench;
 
 QStringList visibleEntries(const QDialog& dialog) {
@@ -232,7 +231,7 @@ private:
     QTemporaryDir m_folder;
 };
 
-} // namespace test_catalogue_dialog
+} // namespace sparkout::test_catalogue_dialog
 
 SPARKOUT_TEST(test_catalogue_dialog, TestCatalogueDialog)
 #include "test_catalogue_dialog.moc"

@@ -33,9 +33,7 @@
 #include <clocale>
 #include <functional>
 
-namespace test_forms {
-
-using namespace sparkout;
+namespace sparkout::test_forms {
 
 /// Types into the widget of a row, whatever it is, so that its value changes.
 void changeByHand(QWidget* widget, int places) {
@@ -513,7 +511,7 @@ private slots:
     }
 };
 
-} // namespace test_forms
+} // namespace sparkout::test_forms
 
 SPARKOUT_TEST(test_forms, TestForms)
 #include "test_forms.moc"

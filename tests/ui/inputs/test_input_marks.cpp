@@ -31,9 +31,7 @@
 #include <clocale>
 #include <functional>
 
-namespace test_input_marks {
-
-using namespace sparkout;
+namespace sparkout::test_input_marks {
 
 struct Bench {
     Bench() : panel(document) {
@@ -402,7 +400,7 @@ private:
     }
 };
 
-} // namespace test_input_marks
+} // namespace sparkout::test_input_marks
 
 SPARKOUT_TEST(test_input_marks, TestInputMarks)
 #include "test_input_marks.moc"

@@ -15,9 +15,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace test_page_columns {
-
-using namespace sparkout;
+namespace sparkout::test_page_columns {
 
 constexpr int high = 3000; ///< nothing is scrolled
 
@@ -163,7 +161,7 @@ private slots:
     }
 };
 
-} // namespace test_page_columns
+} // namespace sparkout::test_page_columns
 
 SPARKOUT_TEST(test_page_columns, TestPageColumns)
 #include "test_page_columns.moc"

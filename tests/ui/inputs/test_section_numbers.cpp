@@ -27,9 +27,7 @@
 #include <optional>
 #include <variant>
 
-namespace test_section_numbers {
-
-using namespace sparkout;
+namespace sparkout::test_section_numbers {
 
 Project fourSections(std::optional<int> gauged) {
     Project project = withSections(newProject(Operation::plunge), 4);
@@ -122,7 +120,7 @@ private slots:
     }
 };
 
-} // namespace test_section_numbers
+} // namespace sparkout::test_section_numbers
 
 SPARKOUT_TEST(test_section_numbers, TestSectionNumbers)
 #include "test_section_numbers.moc"

@@ -30,9 +30,7 @@
 
 #include <clocale>
 
-namespace test_shaft_form {
-
-using namespace sparkout;
+namespace sparkout::test_shaft_form {
 
 constexpr int partPage = 0;
 constexpr int machinePage = 3;
@@ -316,7 +314,7 @@ private slots:
     }
 };
 
-} // namespace test_shaft_form
+} // namespace sparkout::test_shaft_form
 
 SPARKOUT_TEST(test_shaft_form, TestShaftForm)
 #include "test_shaft_form.moc"

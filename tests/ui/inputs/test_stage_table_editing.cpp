@@ -13,9 +13,8 @@
 #include <functional>
 #include <initializer_list>
 
-namespace test_stage_table_editing {
+namespace sparkout::test_stage_table_editing {
 
-using namespace sparkout;
 using namespace stage_table_bench;
 using stage_table_bench::Bench;
 
@@ -187,7 +186,7 @@ private slots:
     }
 };
 
-} // namespace test_stage_table_editing
+} // namespace sparkout::test_stage_table_editing
 
 SPARKOUT_TEST(test_stage_table_editing, TestStageTableEditing)
 #include "test_stage_table_editing.moc"

@@ -16,9 +16,8 @@
 
 #include <random>
 
-namespace test_stage_table_paste {
+namespace sparkout::test_stage_table_paste {
 
-using namespace sparkout;
 using namespace stage_table_bench;
 using stage_table_bench::Bench;
 
@@ -240,7 +239,7 @@ private slots:
     }
 };
 
-} // namespace test_stage_table_paste
+} // namespace sparkout::test_stage_table_paste
 
 SPARKOUT_TEST(test_stage_table_paste, TestStageTablePaste)
 #include "test_stage_table_paste.moc"

@@ -15,9 +15,8 @@
 #include <cmath>
 #include <initializer_list>
 
-namespace test_stage_table_shown {
+namespace sparkout::test_stage_table_shown {
 
-using namespace sparkout;
 using namespace stage_table_bench;
 using stage_table_bench::Bench;
 
@@ -151,7 +150,7 @@ private slots:
     }
 };
 
-} // namespace test_stage_table_shown
+} // namespace sparkout::test_stage_table_shown
 
 SPARKOUT_TEST(test_stage_table_shown, TestStageTableShown)
 #include "test_stage_table_shown.moc"

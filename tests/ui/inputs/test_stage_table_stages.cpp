@@ -19,9 +19,8 @@
 #include <cmath>
 #include <optional>
 
-namespace test_stage_table_stages {
+namespace sparkout::test_stage_table_stages {
 
-using namespace sparkout;
 using namespace stage_table_bench;
 using stage_table_bench::Bench;
 
@@ -268,7 +267,7 @@ private slots:
     }
 };
 
-} // namespace test_stage_table_stages
+} // namespace sparkout::test_stage_table_stages
 
 SPARKOUT_TEST(test_stage_table_stages, TestStageTableStages)
 #include "test_stage_table_stages.moc"

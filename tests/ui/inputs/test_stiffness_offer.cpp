@@ -20,9 +20,8 @@
 #include <variant>
 #include <vector>
 
-namespace test_stiffness_offer {
+namespace sparkout::test_stiffness_offer {
 
-using namespace sparkout;
 using namespace catalogue_bench;
 
 /// A shaft whose compliance follows from stiffness and steps.
@@ -135,7 +134,7 @@ private slots:
     }
 };
 
-} // namespace test_stiffness_offer
+} // namespace sparkout::test_stiffness_offer
 
 SPARKOUT_TEST(test_stiffness_offer, TestStiffnessOffer)
 #include "test_stiffness_offer.moc"

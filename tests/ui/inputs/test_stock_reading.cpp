@@ -23,9 +23,7 @@
 #include <algorithm>
 #include <array>
 
-namespace test_stock_reading {
-
-using namespace sparkout;
+namespace sparkout::test_stock_reading {
 
 constexpr int stockColumn = 2;
 
@@ -200,7 +198,7 @@ private slots:
     }
 };
 
-} // namespace test_stock_reading
+} // namespace sparkout::test_stock_reading
 
 SPARKOUT_TEST(test_stock_reading, TestStockReading)
 #include "test_stock_reading.moc"

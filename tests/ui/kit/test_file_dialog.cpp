@@ -26,9 +26,7 @@
 
 #include <functional>
 
-namespace test_file_dialog {
-
-using namespace sparkout;
+namespace sparkout::test_file_dialog {
 
 /// The texts of a widget as they are drawn, elided or not.
 QString drawnOn(QWidget& widget) {
@@ -141,7 +139,7 @@ private:
     QTemporaryDir m_folder;
 };
 
-} // namespace test_file_dialog
+} // namespace sparkout::test_file_dialog
 
 SPARKOUT_TEST(test_file_dialog, TestFileDialog)
 #include "test_file_dialog.moc"

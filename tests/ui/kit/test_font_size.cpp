@@ -17,9 +17,7 @@
 #include <QTableView>
 #include <qcustomplot.h>
 
-namespace test_font_size {
-
-using namespace sparkout;
+namespace sparkout::test_font_size {
 
 /// What has type of its own, and how large that is, in points.
 using Sizes = QMap<QString, double>;
@@ -214,7 +212,7 @@ private slots:
     }
 };
 
-} // namespace test_font_size
+} // namespace sparkout::test_font_size
 
 SPARKOUT_TEST(test_font_size, TestFontSize)
 #include "test_font_size.moc"

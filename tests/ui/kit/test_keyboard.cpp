@@ -30,9 +30,7 @@
 #include <QShortcut>
 #include <QVBoxLayout>
 
-namespace test_keyboard {
-
-using namespace sparkout;
+namespace sparkout::test_keyboard {
 
 void languages() {
     QTest::addColumn<QString>("language");
@@ -397,7 +395,7 @@ private slots:
     }
 };
 
-} // namespace test_keyboard
+} // namespace sparkout::test_keyboard
 
 SPARKOUT_TEST(test_keyboard, TestKeyboard)
 #include "test_keyboard.moc"

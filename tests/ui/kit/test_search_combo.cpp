@@ -10,9 +10,7 @@
 #include <QListView>
 #include <QSignalSpy>
 
-namespace test_search_combo {
-
-using namespace sparkout;
+namespace sparkout::test_search_combo {
 
 struct Bench {
     Bench() {
@@ -152,7 +150,7 @@ private slots:
     }
 };
 
-} // namespace test_search_combo
+} // namespace sparkout::test_search_combo
 
 SPARKOUT_TEST(test_search_combo, TestSearchCombo)
 #include "test_search_combo.moc"

@@ -26,9 +26,7 @@
 #include <array>
 #include <cmath>
 
-namespace test_theme {
-
-using namespace sparkout;
+namespace sparkout::test_theme {
 
 /// Relative luminance, WCAG 2.1.
 double luminance(const QColor& colour) {
@@ -454,7 +452,7 @@ private slots:
     }
 };
 
-} // namespace test_theme
+} // namespace sparkout::test_theme
 
 SPARKOUT_TEST(test_theme, TestTheme)
 #include "test_theme.moc"

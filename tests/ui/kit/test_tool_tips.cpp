@@ -22,9 +22,7 @@
 #include <QToolTip>
 #include <QVBoxLayout>
 
-namespace test_tool_tips {
-
-using namespace sparkout;
+namespace sparkout::test_tool_tips {
 
 /// What Qt sends when the mouse rests.
 QString tipAt(QWidget& widget, const QPoint& at) {
@@ -181,7 +179,7 @@ private slots:
     }
 };
 
-} // namespace test_tool_tips
+} // namespace sparkout::test_tool_tips
 
 SPARKOUT_TEST(test_tool_tips, TestToolTips)
 #include "test_tool_tips.moc"

@@ -29,9 +29,7 @@
 
 #include <algorithm>
 
-namespace test_packs {
-
-using namespace sparkout;
+namespace sparkout::test_packs {
 
 const QString lessonName = QStringLiteral("02-actual-feed.sparkout-lesson");
 
@@ -395,7 +393,7 @@ private slots:
     }
 };
 
-} // namespace test_packs
+} // namespace sparkout::test_packs
 
 SPARKOUT_TEST(test_packs, TestPacks)
 #include "test_packs.moc"

@@ -22,9 +22,8 @@
 #include <numeric>
 #include <set>
 
-namespace test_pdf_tags {
+namespace sparkout::test_pdf_tags {
 
-using namespace sparkout;
 using handout_bench::exampleOutcome;
 using handout_bench::today;
 using reading::PdfElement;
@@ -326,7 +325,7 @@ private:
     report::Subject m_subject;
 };
 
-} // namespace test_pdf_tags
+} // namespace sparkout::test_pdf_tags
 
 SPARKOUT_TEST(test_pdf_tags, TestPdfTags)
 #include "test_pdf_tags.moc"

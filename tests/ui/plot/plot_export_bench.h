@@ -22,9 +22,8 @@
 #include <memory>
 
 /// What the plot tools write, through the real menu and the real file dialog.
-namespace plot_export_bench {
+namespace sparkout::plot_export_bench {
 
-using namespace sparkout;
 using namespace fixtures;
 
 inline QByteArray contentOf(const QString& path) {
@@ -116,4 +115,4 @@ protected:
     std::unique_ptr<FeedsView> m_view;
 };
 
-} // namespace plot_export_bench
+} // namespace sparkout::plot_export_bench

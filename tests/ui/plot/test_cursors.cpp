@@ -33,9 +33,8 @@
 #include <clocale>
 #include <cmath>
 
-namespace test_cursors {
+namespace sparkout::test_cursors {
 
-using namespace sparkout;
 using namespace fixtures;
 
 void settle() {
@@ -399,7 +398,7 @@ private:
     OutcomePtr m_run;
 };
 
-} // namespace test_cursors
+} // namespace sparkout::test_cursors
 
 SPARKOUT_TEST(test_cursors, TestCursors)
 #include "test_cursors.moc"

@@ -5,9 +5,7 @@
 
 #include <cmath>
 
-namespace test_free_place {
-
-using namespace sparkout;
+namespace sparkout::test_free_place {
 
 const QRectF plot(100, 50, 400, 200);
 const QSizeF text(90, 24);
@@ -111,7 +109,7 @@ private slots:
     }
 };
 
-} // namespace test_free_place
+} // namespace sparkout::test_free_place
 
 SPARKOUT_TEST(test_free_place, TestFreePlace)
 #include "test_free_place.moc"

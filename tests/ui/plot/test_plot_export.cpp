@@ -10,9 +10,8 @@
 
 #include <algorithm>
 
-namespace test_plot_export {
+namespace sparkout::test_plot_export {
 
-using namespace sparkout;
 using namespace plot_export_bench;
 
 /// Cells of a line of numbers and plain texts.
@@ -163,7 +162,7 @@ void TestPlotExport::savingDoesNotStallTheWindow() {
     QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files).size(), 5);
 }
 
-} // namespace test_plot_export
+} // namespace sparkout::test_plot_export
 
 SPARKOUT_TEST(test_plot_export, TestPlotExport)
 #include "test_plot_export.moc"

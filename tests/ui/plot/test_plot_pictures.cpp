@@ -12,9 +12,8 @@
 
 #include <cmath>
 
-namespace test_plot_pictures {
+namespace sparkout::test_plot_pictures {
 
-using namespace sparkout;
 using namespace plot_export_bench;
 
 QPalette darkPalette() {
@@ -232,7 +231,7 @@ void TestPlotPictures::hiddenCurvesAreInNoFile() {
     QVERIFY(!csv.contains("normal force"));
 }
 
-} // namespace test_plot_pictures
+} // namespace sparkout::test_plot_pictures
 
 SPARKOUT_TEST(test_plot_pictures, TestPlotPictures)
 #include "test_plot_pictures.moc"

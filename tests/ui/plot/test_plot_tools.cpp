@@ -20,9 +20,8 @@
 #include <clocale>
 #include <memory>
 
-namespace test_plot_tools {
+namespace sparkout::test_plot_tools {
 
-using namespace sparkout;
 using namespace fixtures;
 
 /// A plot of y = x² over 0…10, with its tools.
@@ -334,7 +333,7 @@ private slots:
     }
 };
 
-} // namespace test_plot_tools
+} // namespace sparkout::test_plot_tools
 
 SPARKOUT_TEST(test_plot_tools, TestPlotTools)
 #include "test_plot_tools.moc"

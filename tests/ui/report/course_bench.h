@@ -29,9 +29,8 @@
 
 /// The lessons that are shipped, works of a student who knows the engine's answers, and the papers
 /// that are made from them.
-namespace course_bench {
+namespace sparkout::course_bench {
 
-using namespace sparkout;
 using report::Report;
 
 inline Lesson lessonIn(const QString& path) {
@@ -188,4 +187,4 @@ inline std::vector<Report> allPapers(const Lesson& lesson) {
             report::worksheetKey(lesson, wish()), report::methodicalGuide(lesson, wish())};
 }
 
-} // namespace course_bench
+} // namespace sparkout::course_bench

@@ -16,9 +16,8 @@
 #include <vector>
 
 /// The course hand-out of the examples, and what stands in it.
-namespace handout_bench {
+namespace sparkout::handout_bench {
 
-using namespace sparkout;
 using report::Format;
 using report::Formula;
 using report::HandoutOptions;
@@ -86,4 +85,4 @@ inline const Visit* visitOf(const Trajectory& trajectory, const Place& place, in
     return nullptr;
 }
 
-} // namespace handout_bench
+} // namespace sparkout::handout_bench

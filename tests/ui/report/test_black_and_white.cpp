@@ -18,9 +18,8 @@
 #include <map>
 #include <set>
 
-namespace test_black_and_white {
+namespace sparkout::test_black_and_white {
 
-using namespace sparkout;
 using passport_bench::day;
 
 constexpr double apart = 0.8; ///< of weights [px of the figure]
@@ -289,7 +288,7 @@ private:
     report::Subject m_subject;
 };
 
-} // namespace test_black_and_white
+} // namespace sparkout::test_black_and_white
 
 SPARKOUT_TEST(test_black_and_white, TestBlackAndWhite)
 #include "test_black_and_white.moc"

@@ -28,9 +28,8 @@
 #include <cmath>
 #include <optional>
 
-namespace test_card_sheets {
+namespace sparkout::test_card_sheets {
 
-using namespace sparkout;
 using namespace handout_bench;
 using report::CardRow;
 using report::CardRows;
@@ -631,7 +630,7 @@ private:
     Language m_language;
 };
 
-} // namespace test_card_sheets
+} // namespace sparkout::test_card_sheets
 
 SPARKOUT_TEST(test_card_sheets, TestCardSheets)
 #include "test_card_sheets.moc"

@@ -17,7 +17,7 @@
 #include <map>
 #include <set>
 
-namespace test_course_papers {
+namespace sparkout::test_course_papers {
 
 using namespace course_bench;
 using report::Blank;
@@ -555,7 +555,7 @@ private:
     Language m_language;
 };
 
-} // namespace test_course_papers
+} // namespace sparkout::test_course_papers
 
 SPARKOUT_TEST(test_course_papers, TestCoursePapers)
 #include "test_course_papers.moc"

@@ -18,9 +18,8 @@
 #include <tuple>
 #include <utility>
 
-namespace test_handout_exercises {
+namespace sparkout::test_handout_exercises {
 
-using namespace sparkout;
 using namespace handout_bench;
 
 QString onOneLine(QString text) {
@@ -317,7 +316,7 @@ private:
     Language m_language;
 };
 
-} // namespace test_handout_exercises
+} // namespace sparkout::test_handout_exercises
 
 SPARKOUT_TEST(test_handout_exercises, TestHandoutExercises)
 #include "test_handout_exercises.moc"

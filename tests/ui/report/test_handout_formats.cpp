@@ -15,9 +15,8 @@
 
 #include <utility>
 
-namespace test_handout_formats {
+namespace sparkout::test_handout_formats {
 
-using namespace sparkout;
 using namespace handout_bench;
 
 class TestHandoutFormats : public QObject {
@@ -195,7 +194,7 @@ private:
     Language m_language;
 };
 
-} // namespace test_handout_formats
+} // namespace sparkout::test_handout_formats
 
 SPARKOUT_TEST(test_handout_formats, TestHandoutFormats)
 #include "test_handout_formats.moc"

@@ -13,9 +13,8 @@
 #include <set>
 #include <utility>
 
-namespace test_handout_formulas {
+namespace sparkout::test_handout_formulas {
 
-using namespace sparkout;
 using namespace handout_bench;
 
 /// A printed number as C reads it: "8,38·10⁻⁷" as "8.38e-07", "10⁻⁷" as "1e-07".
@@ -177,7 +176,7 @@ private:
     Language m_language;
 };
 
-} // namespace test_handout_formulas
+} // namespace sparkout::test_handout_formulas
 
 SPARKOUT_TEST(test_handout_formulas, TestHandoutFormulas)
 #include "test_handout_formulas.moc"

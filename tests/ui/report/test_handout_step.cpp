@@ -19,9 +19,8 @@
 #include <memory>
 #include <set>
 
-namespace test_handout_step {
+namespace sparkout::test_handout_step {
 
-using namespace sparkout;
 using namespace handout_bench;
 
 class TestHandoutStep : public QObject {
@@ -147,7 +146,7 @@ private:
     Language m_language;
 };
 
-} // namespace test_handout_step
+} // namespace sparkout::test_handout_step
 
 SPARKOUT_TEST(test_handout_step, TestHandoutStep)
 #include "test_handout_step.moc"

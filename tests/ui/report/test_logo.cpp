@@ -9,9 +9,8 @@
 
 #include <sys/resource.h>
 
-namespace test_logo {
+namespace sparkout::test_logo {
 
-using namespace sparkout;
 using report::Logo;
 
 long peakMemory_kB() {
@@ -162,7 +161,7 @@ private slots:
     }
 };
 
-} // namespace test_logo
+} // namespace sparkout::test_logo
 
 SPARKOUT_TEST(test_logo, TestLogo)
 #include "test_logo.moc"

@@ -25,9 +25,8 @@
 #include <string>
 #include <utility>
 
-namespace test_passport {
+namespace sparkout::test_passport {
 
-using namespace sparkout;
 using namespace passport_bench;
 
 /// What the prediction says, in the present language.
@@ -329,7 +328,7 @@ private:
     Language m_language;
 };
 
-} // namespace test_passport
+} // namespace sparkout::test_passport
 
 SPARKOUT_TEST(test_passport, TestPassport)
 #include "test_passport.moc"

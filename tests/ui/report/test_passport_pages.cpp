@@ -11,9 +11,8 @@
 #include <algorithm>
 #include <ctime>
 
-namespace test_passport_pages {
+namespace sparkout::test_passport_pages {
 
-using namespace sparkout;
 using namespace passport_bench;
 
 /// What this thread has computed so far, however busy the machine is.
@@ -233,7 +232,7 @@ private:
     Language m_language;
 };
 
-} // namespace test_passport_pages
+} // namespace sparkout::test_passport_pages
 
 SPARKOUT_TEST(test_passport_pages, TestPassportPages)
 #include "test_passport_pages.moc"

@@ -32,9 +32,7 @@
 
 #include <utility>
 
-namespace test_report_commands {
-
-using namespace sparkout;
+namespace sparkout::test_report_commands {
 
 QByteArray bytesOf(const QString& path) {
     QFile file(path);
@@ -367,7 +365,7 @@ private slots:
     }
 };
 
-} // namespace test_report_commands
+} // namespace sparkout::test_report_commands
 
 SPARKOUT_TEST(test_report_commands, TestReportCommands)
 #include "test_report_commands.moc"

@@ -15,9 +15,8 @@
 #include <algorithm>
 #include <map>
 
-namespace test_report_layout {
+namespace sparkout::test_report_layout {
 
-using namespace sparkout;
 using report::Pages;
 using report::Table;
 using report::TextBox;
@@ -410,7 +409,7 @@ private:
     std::map<QString, report::Subject> m_batches;
 };
 
-} // namespace test_report_layout
+} // namespace sparkout::test_report_layout
 
 SPARKOUT_TEST(test_report_layout, TestReportLayout)
 #include "test_report_layout.moc"

@@ -22,9 +22,8 @@
 #include <memory>
 #include <string_view>
 
-namespace test_report_numbers {
+namespace sparkout::test_report_numbers {
 
-using namespace sparkout;
 using namespace passport_bench;
 using report::CycleCard;
 using report::PassportPrediction;
@@ -312,7 +311,7 @@ private:
     Language m_language;
 };
 
-} // namespace test_report_numbers
+} // namespace sparkout::test_report_numbers
 
 SPARKOUT_TEST(test_report_numbers, TestReportNumbers)
 #include "test_report_numbers.moc"

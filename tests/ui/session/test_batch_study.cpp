@@ -9,9 +9,7 @@
 #include <QElapsedTimer>
 #include <QSignalSpy>
 
-namespace test_batch_study {
-
-using namespace sparkout;
+namespace sparkout::test_batch_study {
 
 /// A study of batches, and what it reports.
 struct Heard {
@@ -185,7 +183,7 @@ private slots:
     }
 };
 
-} // namespace test_batch_study
+} // namespace sparkout::test_batch_study
 
 SPARKOUT_TEST(test_batch_study, TestBatchStudy)
 #include "test_batch_study.moc"

@@ -10,9 +10,7 @@
 #include <cmath>
 #include <set>
 
-namespace test_cycle_cursor {
-
-using namespace sparkout;
+namespace sparkout::test_cycle_cursor {
 
 Project traverse() {
     Project p = fixtures::traverseProject();
@@ -203,7 +201,7 @@ private slots:
     }
 };
 
-} // namespace test_cycle_cursor
+} // namespace sparkout::test_cycle_cursor
 
 SPARKOUT_TEST(test_cycle_cursor, TestCycleCursor)
 #include "test_cycle_cursor.moc"

@@ -19,9 +19,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
-namespace test_document {
-
-using namespace sparkout;
+namespace sparkout::test_document {
 
 constexpr EditText editText{"Input", "Diameter"};
 
@@ -477,7 +475,7 @@ private slots:
     }
 };
 
-} // namespace test_document
+} // namespace sparkout::test_document
 
 SPARKOUT_TEST(test_document, TestDocument)
 #include "test_document.moc"

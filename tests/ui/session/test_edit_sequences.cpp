@@ -23,9 +23,7 @@
 #include <thread>
 #include <vector>
 
-namespace test_edit_sequences {
-
-using namespace sparkout;
+namespace sparkout::test_edit_sequences {
 
 constexpr int commands = 100;
 
@@ -168,7 +166,7 @@ private slots:
     }
 };
 
-} // namespace test_edit_sequences
+} // namespace sparkout::test_edit_sequences
 
 SPARKOUT_TEST(test_edit_sequences, TestEditSequences)
 #include "test_edit_sequences.moc"

@@ -11,9 +11,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
-namespace test_kept_runs {
-
-using namespace sparkout;
+namespace sparkout::test_kept_runs {
 
 constexpr EditText editText{"Input", "Diameter"};
 
@@ -246,7 +244,7 @@ private slots:
     }
 };
 
-} // namespace test_kept_runs
+} // namespace sparkout::test_kept_runs
 
 SPARKOUT_TEST(test_kept_runs, TestKeptRuns)
 #include "test_kept_runs.moc"

@@ -22,9 +22,7 @@
 
 #include <algorithm>
 
-namespace test_operation_return {
-
-using namespace sparkout;
+namespace sparkout::test_operation_return {
 
 /// What the operation field does.
 void switchTo(Document& document, Operation operation) {
@@ -298,7 +296,7 @@ private slots:
     }
 };
 
-} // namespace test_operation_return
+} // namespace sparkout::test_operation_return
 
 SPARKOUT_TEST(test_operation_return, TestOperationReturn)
 #include "test_operation_return.moc"

@@ -13,9 +13,8 @@
 #include <atomic>
 #include <thread>
 
-namespace test_run_controller {
+namespace sparkout::test_run_controller {
 
-using namespace sparkout;
 using namespace std::chrono_literals;
 
 Project numbered(int number) {
@@ -154,7 +153,7 @@ private slots:
     }
 };
 
-} // namespace test_run_controller
+} // namespace sparkout::test_run_controller
 
 SPARKOUT_TEST(test_run_controller, TestRunController)
 #include "test_run_controller.moc"

@@ -9,9 +9,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
-namespace test_settings {
-
-using namespace sparkout;
+namespace sparkout::test_settings {
 
 /// A path is whole with its drive, which Linux has none of.
 QString inRoot(const QString& path) {
@@ -372,7 +370,7 @@ private slots:
     }
 };
 
-} // namespace test_settings
+} // namespace sparkout::test_settings
 
 SPARKOUT_TEST(test_settings, TestSettings)
 #include "test_settings.moc"

@@ -12,9 +12,7 @@
 #include <cmath>
 #include <set>
 
-namespace test_slider_scale {
-
-using namespace sparkout;
+namespace sparkout::test_slider_scale {
 
 /// Every input with a slider, by the tables.
 void collect(const Project& project, const StructInfo& table, const void* owner,
@@ -210,7 +208,7 @@ private:
     }
 };
 
-} // namespace test_slider_scale
+} // namespace sparkout::test_slider_scale
 
 SPARKOUT_TEST(test_slider_scale, TestSliderScale)
 #include "test_slider_scale.moc"

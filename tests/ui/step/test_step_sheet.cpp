@@ -19,9 +19,7 @@
 #include <QTextEdit>
 #include <QToolButton>
 
-namespace test_step_sheet {
-
-using namespace sparkout;
+namespace sparkout::test_step_sheet {
 
 struct Sheet {
     explicit Sheet(const Project& project) : outcome(fixtures::run(project)), view(cycle) {
@@ -163,7 +161,7 @@ private slots:
     }
 };
 
-} // namespace test_step_sheet
+} // namespace sparkout::test_step_sheet
 
 SPARKOUT_TEST(test_step_sheet, TestStepSheet)
 #include "test_step_sheet.moc"

@@ -13,9 +13,8 @@
 #include <QTest>
 
 /// The guard of a file, and what it guards it from.
-namespace file_guard_bench {
+namespace sparkout::file_guard_bench {
 
-using namespace sparkout;
 using State = FileLock::State;
 using Access = FileGuard::Access;
 
@@ -55,4 +54,4 @@ struct Bench {
     Access access = Access::conflict;
 };
 
-} // namespace file_guard_bench
+} // namespace sparkout::file_guard_bench

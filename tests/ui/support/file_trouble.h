@@ -23,7 +23,7 @@
 #endif
 
 /// Trouble with disks and rights, made on purpose and in folders of the test's own.
-namespace trouble {
+namespace sparkout::trouble {
 
 inline QByteArray bytesOf(const QString& path) {
     QFile file(path);
@@ -205,4 +205,4 @@ inline bool mountSmallDisk(const QString& folder, int kilobytes) {
 
 #endif
 
-} // namespace trouble
+} // namespace sparkout::trouble

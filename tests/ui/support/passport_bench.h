@@ -13,9 +13,8 @@
 #include <QTest>
 
 /// The accuracy passport of a project and its batch.
-namespace passport_bench {
+namespace sparkout::passport_bench {
 
-using namespace sparkout;
 using namespace reading;
 using report::Format;
 
@@ -63,4 +62,4 @@ inline void addLanguages() {
     QTest::newRow("ru") << QStringLiteral("ru");
 }
 
-} // namespace passport_bench
+} // namespace sparkout::passport_bench

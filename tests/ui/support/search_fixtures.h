@@ -3,7 +3,7 @@
 
 #include "tests/core/support/project_fixtures.h"
 
-namespace fixtures {
+namespace sparkout::fixtures {
 
 /// The shaft with a small grid, of which some cycles hold.
 inline Project searchedShaft() {
@@ -27,4 +27,4 @@ inline Project endlessSearch() {
     return project;
 }
 
-} // namespace fixtures
+} // namespace sparkout::fixtures

@@ -10,11 +10,10 @@
 #include <QFile>
 #include <QString>
 
-namespace setup_fixtures {
+namespace sparkout::setup_fixtures {
 
 /// A shaft of three steps, a surface on each of them; the last one turns slower.
 inline sparkout::Setup steppedShaft() {
-    using namespace sparkout;
     Setup setup;
     const char* const names[] = {"Journal A", "Seat", "Journal B"};
     Project project = newProject(Operation::traverse);
@@ -49,4 +48,4 @@ inline void writeSetupFile(const sparkout::Setup& setup, const QString& path) {
     }
 }
 
-} // namespace setup_fixtures
+} // namespace sparkout::setup_fixtures

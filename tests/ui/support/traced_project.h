@@ -5,9 +5,7 @@
 #include "tests/core/support/project_samples.h"
 
 /// A plunge whose cycle was recorded at a machine that yields more and whose wheel is sharper.
-namespace traced {
-
-using namespace sparkout;
+namespace sparkout::traced {
 
 inline constexpr double yields = 1.25, sharper = 0.7; ///< of the truth
 inline constexpr double gamma = 5e-4;                 ///< of the project [mm/N]
@@ -58,4 +56,4 @@ inline Project project(bool withPower = false, double shift_s = 0) {
     return project;
 }
 
-} // namespace traced
+} // namespace sparkout::traced

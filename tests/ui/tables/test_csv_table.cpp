@@ -8,9 +8,7 @@
 #include <limits>
 #include <random>
 
-namespace test_csv_table {
-
-using namespace sparkout;
+namespace sparkout::test_csv_table {
 
 /// A plain CSV reader: cells of lines, quotation marks undone.
 QList<QStringList> cellsOf(const QByteArray& bytes, QChar separator) {
@@ -142,7 +140,7 @@ private slots:
     }
 };
 
-} // namespace test_csv_table
+} // namespace sparkout::test_csv_table
 
 SPARKOUT_TEST(test_csv_table, TestCsvTable)
 #include "test_csv_table.moc"

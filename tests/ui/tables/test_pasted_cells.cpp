@@ -15,9 +15,7 @@
 #include <cmath>
 #include <random>
 
-namespace test_pasted_cells {
-
-using namespace sparkout;
+namespace sparkout::test_pasted_cells {
 
 const QList<QLocale> locales{QLocale(QLocale::English, QLocale::UnitedStates),
                              QLocale(QLocale::Russian, QLocale::Russia)};
@@ -211,7 +209,7 @@ private slots:
     }
 };
 
-} // namespace test_pasted_cells
+} // namespace sparkout::test_pasted_cells
 
 SPARKOUT_TEST(test_pasted_cells, TestPastedCells)
 #include "test_pasted_cells.moc"

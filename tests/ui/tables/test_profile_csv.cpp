@@ -4,9 +4,7 @@
 
 #include "tests/registry.h"
 
-namespace test_profile_csv {
-
-using namespace sparkout;
+namespace sparkout::test_profile_csv {
 
 using Values = std::vector<double>;
 
@@ -103,7 +101,7 @@ private slots:
     }
 };
 
-} // namespace test_profile_csv
+} // namespace sparkout::test_profile_csv
 
 SPARKOUT_TEST(test_profile_csv, TestProfileCsv)
 #include "test_profile_csv.moc"

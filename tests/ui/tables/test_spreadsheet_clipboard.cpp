@@ -22,9 +22,8 @@
 
 #include <memory>
 
-namespace test_spreadsheet_clipboard {
+namespace sparkout::test_spreadsheet_clipboard {
 
-using namespace sparkout;
 using stage_table_bench::Bench;
 
 QString calcData(const QString& suffix) {
@@ -168,7 +167,7 @@ private slots:
     }
 };
 
-} // namespace test_spreadsheet_clipboard
+} // namespace sparkout::test_spreadsheet_clipboard
 
 SPARKOUT_TEST(test_spreadsheet_clipboard, TestSpreadsheetClipboard)
 #include "test_spreadsheet_clipboard.moc"

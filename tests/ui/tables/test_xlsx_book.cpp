@@ -16,9 +16,7 @@
 #include <random>
 #include <set>
 
-namespace test_xlsx_book {
-
-using namespace sparkout;
+namespace sparkout::test_xlsx_book {
 
 Book bookOf(std::vector<Sheet> sheets) {
     return {QStringLiteral("Вал 30h6 <&>"), QStringLiteral("А. Иванов"),
@@ -351,7 +349,7 @@ private slots:
     }
 };
 
-} // namespace test_xlsx_book
+} // namespace sparkout::test_xlsx_book
 
 SPARKOUT_TEST(test_xlsx_book, TestXlsxBook)
 #include "test_xlsx_book.moc"

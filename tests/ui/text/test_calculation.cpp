@@ -9,9 +9,7 @@
 #include <cmath>
 #include <random>
 
-namespace test_calculation {
-
-using namespace sparkout;
+namespace sparkout::test_calculation {
 
 __extension__ using Wide = __int128;
 
@@ -230,7 +228,7 @@ private slots:
     }
 };
 
-} // namespace test_calculation
+} // namespace sparkout::test_calculation
 
 SPARKOUT_TEST(test_calculation, TestCalculation)
 #include "test_calculation.moc"

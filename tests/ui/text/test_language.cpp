@@ -9,9 +9,7 @@
 #include <QRegularExpression>
 #include <QXmlStreamReader>
 
-namespace test_language {
-
-using namespace sparkout;
+namespace sparkout::test_language {
 
 const QRegularExpression parted(QStringLiteral("\\d %(?![0-9A-Za-z])"));
 
@@ -69,7 +67,7 @@ private slots:
     }
 };
 
-} // namespace test_language
+} // namespace sparkout::test_language
 
 SPARKOUT_TEST(test_language, TestLanguage)
 #include "test_language.moc"

@@ -9,9 +9,8 @@
 
 #include <utility>
 
-namespace test_marking_fields {
+namespace sparkout::test_marking_fields {
 
-using namespace sparkout;
 using namespace catalogue_bench;
 
 class TestMarkingFields : public QObject {
@@ -193,7 +192,7 @@ private slots:
     }
 };
 
-} // namespace test_marking_fields
+} // namespace sparkout::test_marking_fields
 
 SPARKOUT_TEST(test_marking_fields, TestMarkingFields)
 #include "test_marking_fields.moc"

@@ -12,9 +12,7 @@
 #include <cmath>
 #include <random>
 
-namespace test_number_text {
-
-using namespace sparkout;
+namespace sparkout::test_number_text {
 
 const QList<QLocale> locales{QLocale(QLocale::English, QLocale::UnitedStates),
                              QLocale(QLocale::Russian, QLocale::Russia),
@@ -247,7 +245,7 @@ private slots:
     }
 };
 
-} // namespace test_number_text
+} // namespace sparkout::test_number_text
 
 SPARKOUT_TEST(test_number_text, TestNumberText)
 #include "test_number_text.moc"

@@ -10,9 +10,7 @@
 #include <QRegularExpression>
 #include <QSet>
 
-namespace test_unit_text {
-
-using namespace sparkout;
+namespace sparkout::test_unit_text {
 
 void addUnits(const StructInfo& table, QSet<QByteArray>& units) {
     for (const Field& field : table.fields) {
@@ -47,7 +45,7 @@ private slots:
     }
 };
 
-} // namespace test_unit_text
+} // namespace sparkout::test_unit_text
 
 SPARKOUT_TEST(test_unit_text, TestUnitText)
 #include "test_unit_text.moc"

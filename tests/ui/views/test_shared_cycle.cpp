@@ -21,9 +21,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace test_shared_cycle {
-
-using namespace sparkout;
+namespace sparkout::test_shared_cycle {
 
 struct CycleBench : Bench {
     CycleBench() : Bench(QStringLiteral("en")) {}
@@ -189,7 +187,7 @@ private slots:
     }
 };
 
-} // namespace test_shared_cycle
+} // namespace sparkout::test_shared_cycle
 
 SPARKOUT_TEST(test_shared_cycle, TestSharedCycle)
 #include "test_shared_cycle.moc"

@@ -13,9 +13,8 @@
 #include <cmath>
 #include <limits>
 
-namespace test_views {
+namespace sparkout::test_views {
 
-using namespace sparkout;
 using namespace fixtures;
 
 void settle(VerdictPanel& panel, const OutcomePtr& outcome) {
@@ -216,7 +215,7 @@ void TestViews::theVerdictIsRetranslated() {
              QStringLiteral("Value"));
 }
 
-} // namespace test_views
+} // namespace sparkout::test_views
 
 SPARKOUT_TEST(test_views, TestViews)
 #include "test_views.moc"

@@ -11,9 +11,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 
-namespace test_views_of_before {
-
-using namespace sparkout;
+namespace sparkout::test_views_of_before {
 
 /// Every row, entry and box of a view, as if by a user.
 void chooseAll(const View& view) {
@@ -69,7 +67,7 @@ private slots:
     }
 };
 
-} // namespace test_views_of_before
+} // namespace sparkout::test_views_of_before
 
 SPARKOUT_TEST(test_views_of_before, TestViewsOfBefore)
 #include "test_views_of_before.moc"

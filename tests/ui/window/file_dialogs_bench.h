@@ -16,9 +16,8 @@
 #include <memory>
 
 /// The window with a project of its own, whose questions about files are answered.
-namespace file_dialogs_bench {
+namespace sparkout::file_dialogs_bench {
 
-using namespace sparkout;
 using namespace std::chrono_literals;
 
 inline constexpr EditText editText{"Input", "Diameter"};
@@ -62,6 +61,6 @@ struct Bench {
     std::unique_ptr<MainWindow> window;
 };
 
-} // namespace file_dialogs_bench
+} // namespace sparkout::file_dialogs_bench
 
 #define ANSWERED(answers) QVERIFY2((answers).fault().isEmpty(), qPrintable((answers).fault()))

@@ -31,9 +31,7 @@
 #include <stop_token>
 #include <thread>
 
-namespace test_cancel {
-
-using namespace sparkout;
+namespace sparkout::test_cancel {
 
 const int rounds = qEnvironmentVariableIsSet("SPARKOUT_LONG") ? 100 : 25;
 const bool longTest = qEnvironmentVariableIsSet("SPARKOUT_LONG");
@@ -244,7 +242,7 @@ private slots:
     }
 };
 
-} // namespace test_cancel
+} // namespace sparkout::test_cancel
 
 SPARKOUT_TEST(test_cancel, TestCancel)
 #include "test_cancel.moc"

@@ -16,9 +16,7 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 
-namespace test_dressing_dialog {
-
-using namespace sparkout;
+namespace sparkout::test_dressing_dialog {
 
 /// A plunge that its drive's limit ends after some parts.
 Setup dullingPlunge() {
@@ -109,7 +107,7 @@ private slots:
     }
 };
 
-} // namespace test_dressing_dialog
+} // namespace sparkout::test_dressing_dialog
 
 SPARKOUT_TEST(test_dressing_dialog, TestDressingDialog)
 #include "test_dressing_dialog.moc"

@@ -6,9 +6,8 @@
 
 #include <QLabel>
 
-namespace test_file_dialogs_changed {
+namespace sparkout::test_file_dialogs_changed {
 
-using namespace sparkout;
 using namespace file_dialogs_bench;
 
 /// Another program writes into the file of the window, which tells so.
@@ -126,7 +125,7 @@ private slots:
     }
 };
 
-} // namespace test_file_dialogs_changed
+} // namespace sparkout::test_file_dialogs_changed
 
 SPARKOUT_TEST(test_file_dialogs_changed, TestFileDialogsChanged)
 #include "test_file_dialogs_changed.moc"

@@ -22,9 +22,8 @@
 #include <algorithm>
 #include <limits>
 
-namespace test_file_dialogs_open {
+namespace sparkout::test_file_dialogs_open {
 
-using namespace sparkout;
 using namespace file_dialogs_bench;
 
 /// A project of some megabytes: a thousand kept runs with their summaries.
@@ -183,7 +182,7 @@ private slots:
     }
 };
 
-} // namespace test_file_dialogs_open
+} // namespace sparkout::test_file_dialogs_open
 
 SPARKOUT_TEST(test_file_dialogs_open, TestFileDialogsOpen)
 #include "test_file_dialogs_open.moc"

@@ -9,9 +9,8 @@
 #include <QLabel>
 #include <QTreeWidget>
 
-namespace test_file_dialogs_recovery {
+namespace sparkout::test_file_dialogs_recovery {
 
-using namespace sparkout;
 using namespace file_dialogs_bench;
 
 class TestFileDialogsRecovery : public QObject {
@@ -161,7 +160,7 @@ private slots:
     }
 };
 
-} // namespace test_file_dialogs_recovery
+} // namespace sparkout::test_file_dialogs_recovery
 
 SPARKOUT_TEST(test_file_dialogs_recovery, TestFileDialogsRecovery)
 #include "test_file_dialogs_recovery.moc"

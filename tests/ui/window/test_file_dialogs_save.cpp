@@ -9,9 +9,8 @@
 #include <cerrno>
 #include <cstring>
 
-namespace test_file_dialogs_save {
+namespace sparkout::test_file_dialogs_save {
 
-using namespace sparkout;
 using namespace file_dialogs_bench;
 
 class TestFileDialogsSave : public QObject {
@@ -183,7 +182,7 @@ private slots:
     }
 };
 
-} // namespace test_file_dialogs_save
+} // namespace sparkout::test_file_dialogs_save
 
 SPARKOUT_TEST(test_file_dialogs_save, TestFileDialogsSave)
 #include "test_file_dialogs_save.moc"

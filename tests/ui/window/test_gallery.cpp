@@ -34,9 +34,7 @@
 #include <utility>
 #include <vector>
 
-namespace test_gallery {
-
-using namespace sparkout;
+namespace sparkout::test_gallery {
 
 constexpr int leastColours = 40; ///< an empty window of frames and grounds has fewer
 
@@ -342,7 +340,7 @@ private slots:
     }
 };
 
-} // namespace test_gallery
+} // namespace sparkout::test_gallery
 
 SPARKOUT_TEST(test_gallery, TestGallery)
 #include "test_gallery.moc"

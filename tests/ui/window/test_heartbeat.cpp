@@ -37,9 +37,7 @@
 #include <functional>
 #include <vector>
 
-namespace test_heartbeat {
-
-using namespace sparkout;
+namespace sparkout::test_heartbeat {
 
 constexpr int frame_ms = 16; ///< 60 Hz
 const bool longTest = qEnvironmentVariableIsSet("SPARKOUT_LONG");
@@ -364,7 +362,7 @@ private slots:
     }
 };
 
-} // namespace test_heartbeat
+} // namespace sparkout::test_heartbeat
 
 SPARKOUT_TEST(test_heartbeat, TestHeartbeat)
 #include "test_heartbeat.moc"

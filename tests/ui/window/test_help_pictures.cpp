@@ -14,9 +14,7 @@
 #include <functional>
 #include <utility>
 
-namespace test_help_pictures {
-
-using namespace sparkout;
+namespace sparkout::test_help_pictures {
 
 constexpr int patience_ms = 60'000;
 
@@ -132,7 +130,7 @@ private slots:
     }
 };
 
-} // namespace test_help_pictures
+} // namespace sparkout::test_help_pictures
 
 SPARKOUT_TEST(test_help_pictures, TestHelpPictures)
 #include "test_help_pictures.moc"

@@ -22,9 +22,7 @@
 #include <QScrollArea>
 #include <QTabBar>
 
-namespace test_labels {
-
-using namespace sparkout;
+namespace sparkout::test_labels {
 
 /// Goes through every view and every page of the inputs; neither takes room from the other.
 template <typename Visit>
@@ -285,7 +283,7 @@ private slots:
     }
 };
 
-} // namespace test_labels
+} // namespace sparkout::test_labels
 
 SPARKOUT_TEST(test_labels, TestLabels)
 #include "test_labels.moc"

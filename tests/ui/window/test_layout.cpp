@@ -25,9 +25,7 @@
 
 #include <algorithm>
 
-namespace test_layout {
-
-using namespace sparkout;
+namespace sparkout::test_layout {
 
 /// A view that shows nothing but its name.
 class PlainView : public View {
@@ -574,7 +572,7 @@ private slots:
     }
 };
 
-} // namespace test_layout
+} // namespace sparkout::test_layout
 
 SPARKOUT_TEST(test_layout, TestLayout)
 #include "test_layout.moc"

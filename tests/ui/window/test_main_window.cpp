@@ -39,9 +39,7 @@
 
 #include <clocale>
 
-namespace test_main_window {
-
-using namespace sparkout;
+namespace sparkout::test_main_window {
 
 QString example(const char* name) {
     return QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/") + QString::fromUtf8(name);
@@ -356,7 +354,7 @@ private slots:
     }
 };
 
-} // namespace test_main_window
+} // namespace sparkout::test_main_window
 
 SPARKOUT_TEST(test_main_window, TestMainWindow)
 #include "test_main_window.moc"

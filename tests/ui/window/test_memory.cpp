@@ -17,9 +17,7 @@
 #include <malloc.h>
 #include <unistd.h>
 
-namespace test_memory {
-
-using namespace sparkout;
+namespace sparkout::test_memory {
 
 /// Resident memory of this process [MB], after the free parts of the heap were given back.
 double resident_mb() {
@@ -94,7 +92,7 @@ private slots:
     }
 };
 
-} // namespace test_memory
+} // namespace sparkout::test_memory
 
 SPARKOUT_TEST(test_memory, TestMemory)
 #include "test_memory.moc"

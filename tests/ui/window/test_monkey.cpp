@@ -11,9 +11,7 @@
 
 #include <QElapsedTimer>
 
-namespace test_monkey {
-
-using namespace sparkout;
+namespace sparkout::test_monkey {
 
 // Of each of the monkeys.
 constexpr int usualEvents = 2'500;
@@ -81,7 +79,7 @@ private slots:
     }
 };
 
-} // namespace test_monkey
+} // namespace sparkout::test_monkey
 
 SPARKOUT_TEST(test_monkey, TestMonkey)
 #include "test_monkey.moc"

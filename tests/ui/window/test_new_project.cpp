@@ -25,9 +25,7 @@
 #include <cstdlib>
 #include <map>
 
-namespace test_new_project {
-
-using namespace sparkout;
+namespace sparkout::test_new_project {
 
 const std::map<std::string, QString> drawing{{"/part/diameter_mm", QStringLiteral("40")},
                                              {"/part/upper_deviation_um", QStringLiteral("0")},
@@ -225,7 +223,7 @@ private slots:
     }
 };
 
-} // namespace test_new_project
+} // namespace sparkout::test_new_project
 
 SPARKOUT_TEST(test_new_project, TestNewProject)
 #include "test_new_project.moc"

@@ -9,9 +9,7 @@
 #include <QSlider>
 #include <QToolButton>
 
-namespace test_playback {
-
-using namespace sparkout;
+namespace sparkout::test_playback {
 
 struct Bench {
     Bench() : bar(cursor) {
@@ -144,7 +142,7 @@ private slots:
     }
 };
 
-} // namespace test_playback
+} // namespace sparkout::test_playback
 
 SPARKOUT_TEST(test_playback, TestPlayback)
 #include "test_playback.moc"

@@ -32,9 +32,7 @@
 #include <string>
 #include <vector>
 
-namespace test_reader_maxima {
-
-using namespace sparkout;
+namespace sparkout::test_reader_maxima {
 
 const bool longTest = qEnvironmentVariableIsSet("SPARKOUT_LONG");
 constexpr double target_ms = 100;
@@ -533,7 +531,7 @@ private slots:
     }
 };
 
-} // namespace test_reader_maxima
+} // namespace sparkout::test_reader_maxima
 
 SPARKOUT_TEST(test_reader_maxima, TestReaderMaxima)
 #include "test_reader_maxima.moc"

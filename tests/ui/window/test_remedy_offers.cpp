@@ -23,9 +23,7 @@
 
 #include <algorithm>
 
-namespace test_remedy_offers {
-
-using namespace sparkout;
+namespace sparkout::test_remedy_offers {
 
 QString example(const char* name) {
     return QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
@@ -259,7 +257,7 @@ private slots:
     }
 };
 
-} // namespace test_remedy_offers
+} // namespace sparkout::test_remedy_offers
 
 SPARKOUT_TEST(test_remedy_offers, TestRemedyOffers)
 #include "test_remedy_offers.moc"

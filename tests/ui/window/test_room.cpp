@@ -34,9 +34,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace test_room {
-
-using namespace sparkout;
+namespace sparkout::test_room {
 
 QString example(const char* name) {
     const QStringList all = examplePaths();
@@ -729,7 +727,7 @@ private slots:
     }
 };
 
-} // namespace test_room
+} // namespace sparkout::test_room
 
 SPARKOUT_TEST(test_room, TestRoom)
 #include "test_room.moc"

@@ -23,9 +23,7 @@
 #include <clocale>
 #include <vector>
 
-namespace test_speed {
-
-using namespace sparkout;
+namespace sparkout::test_speed {
 
 class TestSpeed : public QObject {
     Q_OBJECT
@@ -152,7 +150,7 @@ private slots:
     }
 };
 
-} // namespace test_speed
+} // namespace sparkout::test_speed
 
 SPARKOUT_TEST(test_speed, TestSpeed)
 #include "test_speed.moc"

@@ -40,9 +40,8 @@
 #include <memory>
 #include <string>
 
-namespace test_surfaces {
+namespace sparkout::test_surfaces {
 
-using namespace sparkout;
 using namespace setup_fixtures;
 
 /// A window with the stepped shaft in a file of its own.
@@ -622,7 +621,7 @@ private slots:
     }
 };
 
-} // namespace test_surfaces
+} // namespace sparkout::test_surfaces
 
 SPARKOUT_TEST(test_surfaces, TestSurfaces)
 #include "test_surfaces.moc"

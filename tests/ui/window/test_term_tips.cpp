@@ -15,9 +15,7 @@
 
 #include <algorithm>
 
-namespace test_term_tips {
-
-using namespace sparkout;
+namespace sparkout::test_term_tips {
 
 class Terms {
 public:
@@ -118,7 +116,7 @@ private slots:
     }
 };
 
-} // namespace test_term_tips
+} // namespace sparkout::test_term_tips
 
 SPARKOUT_TEST(test_term_tips, TestTermTips)
 #include "test_term_tips.moc"

@@ -33,9 +33,7 @@
 #include <memory>
 #include <string_view>
 
-namespace test_batch_view {
-
-using namespace sparkout;
+namespace sparkout::test_batch_view {
 
 constexpr int patience_ms = 60'000;
 constexpr int endless = 1'000'000; ///< parts: a minute or so, too many to run by itself
@@ -541,7 +539,7 @@ private slots:
     }
 };
 
-} // namespace test_batch_view
+} // namespace sparkout::test_batch_view
 
 SPARKOUT_TEST(test_batch_view, TestBatchView)
 #include "test_batch_view.moc"

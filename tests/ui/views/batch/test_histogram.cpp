@@ -6,9 +6,7 @@
 
 #include <string>
 
-namespace test_histogram {
-
-using namespace sparkout;
+namespace sparkout::test_histogram {
 
 /// The mean diameter of the three zones of a batch.
 std::vector<CharacteristicSummary> diameters(int parts) {
@@ -127,7 +125,7 @@ private slots:
     }
 };
 
-} // namespace test_histogram
+} // namespace sparkout::test_histogram
 
 SPARKOUT_TEST(test_histogram, TestHistogram)
 #include "test_histogram.moc"

@@ -18,9 +18,7 @@
 #include <utility>
 
 /// The view "Compare" and what stands in it.
-namespace compare_bench {
-
-using namespace sparkout;
+namespace sparkout::compare_bench {
 
 inline constexpr EditText editText{"Input", "Diameter"};
 
@@ -84,4 +82,4 @@ inline void quicker(Project& project) {
     project.wheel->dullness = 0.03;
 }
 
-} // namespace compare_bench
+} // namespace sparkout::compare_bench

@@ -14,9 +14,8 @@
 #include <variant>
 #include <vector>
 
-namespace test_compare_plot {
+namespace sparkout::test_compare_plot {
 
-using namespace sparkout;
 using namespace compare_bench;
 
 /// The curve of a quantity as the run's own feeds have it, by minutes.
@@ -200,7 +199,7 @@ private slots:
     }
 };
 
-} // namespace test_compare_plot
+} // namespace sparkout::test_compare_plot
 
 SPARKOUT_TEST(test_compare_plot, TestComparePlot)
 #include "test_compare_plot.moc"

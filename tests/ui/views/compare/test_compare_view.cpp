@@ -24,9 +24,8 @@
 
 #include <variant>
 
-namespace test_compare_view {
+namespace sparkout::test_compare_view {
 
-using namespace sparkout;
 using namespace compare_bench;
 
 class TestCompareView : public QObject {
@@ -343,7 +342,7 @@ private slots:
     }
 };
 
-} // namespace test_compare_view
+} // namespace sparkout::test_compare_view
 
 SPARKOUT_TEST(test_compare_view, TestCompareView)
 #include "test_compare_view.moc"

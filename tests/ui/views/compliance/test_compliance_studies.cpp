@@ -24,9 +24,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace test_compliance_studies {
-
-using namespace sparkout;
+namespace sparkout::test_compliance_studies {
 
 Project example(const char* name) {
     return loadProject(QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
@@ -326,7 +324,7 @@ private:
     }
 };
 
-} // namespace test_compliance_studies
+} // namespace sparkout::test_compliance_studies
 
 SPARKOUT_TEST(test_compliance_studies, TestComplianceStudies)
 #include "test_compliance_studies.moc"

@@ -16,9 +16,7 @@
 
 #include <cmath>
 
-namespace test_compliance_view {
-
-using namespace sparkout;
+namespace sparkout::test_compliance_view {
 
 Project projectOf(const QString& name) {
     const QString path =
@@ -220,7 +218,7 @@ private slots:
     }
 };
 
-} // namespace test_compliance_view
+} // namespace sparkout::test_compliance_view
 
 SPARKOUT_TEST(test_compliance_view, TestComplianceView)
 #include "test_compliance_view.moc"

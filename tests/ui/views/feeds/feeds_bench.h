@@ -11,9 +11,8 @@
 #include <clocale>
 
 /// The view "Feeds by stage" on a traverse and a plunge.
-namespace feeds_bench {
+namespace sparkout::feeds_bench {
 
-using namespace sparkout;
 using namespace fixtures;
 
 inline void show(FeedsView& view, const OutcomePtr& outcome) {
@@ -41,4 +40,4 @@ protected:
     OutcomePtr m_traverse, m_plunge;
 };
 
-} // namespace feeds_bench
+} // namespace sparkout::feeds_bench

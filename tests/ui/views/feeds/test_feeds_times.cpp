@@ -13,9 +13,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace test_feeds_times {
+namespace sparkout::test_feeds_times {
 
-using namespace sparkout;
 using namespace feeds_bench;
 
 class TestFeedsTimes : public FeedsTest {
@@ -283,7 +282,7 @@ void TestFeedsTimes::theOverviewIsMovedByKeys() {
     QVERIFY(stands(0, 1));
 }
 
-} // namespace test_feeds_times
+} // namespace sparkout::test_feeds_times
 
 SPARKOUT_TEST(test_feeds_times, TestFeedsTimes)
 #include "test_feeds_times.moc"

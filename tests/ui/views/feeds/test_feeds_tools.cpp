@@ -17,9 +17,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace test_feeds_tools {
+namespace sparkout::test_feeds_tools {
 
-using namespace sparkout;
 using namespace feeds_bench;
 
 /// The place of an entry of the legend, by its text.
@@ -316,7 +315,7 @@ void TestFeedsTools::aLongPlungeDoesNotStallTheWindow() {
     QVERIFY(worst <= 4 * target_ms && zoomed <= 4 * target_ms);
 }
 
-} // namespace test_feeds_tools
+} // namespace sparkout::test_feeds_tools
 
 SPARKOUT_TEST(test_feeds_tools, TestFeedsTools)
 #include "test_feeds_tools.moc"

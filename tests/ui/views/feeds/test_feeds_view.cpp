@@ -13,9 +13,8 @@
 #include <cmath>
 #include <limits>
 
-namespace test_feeds_view {
+namespace sparkout::test_feeds_view {
 
-using namespace sparkout;
 using namespace feeds_bench;
 
 QStringList names(const FeedsView& view, int column) {
@@ -321,7 +320,7 @@ void TestFeedsView::aNewOutcomeIsDrawnQuickly() {
     QVERIFY(best < 100); // four times the bound of a release build
 }
 
-} // namespace test_feeds_view
+} // namespace sparkout::test_feeds_view
 
 SPARKOUT_TEST(test_feeds_view, TestFeedsView)
 #include "test_feeds_view.moc"

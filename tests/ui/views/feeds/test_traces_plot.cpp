@@ -20,9 +20,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace test_traces_plot {
+namespace sparkout::test_traces_plot {
 
-using namespace sparkout;
 using namespace fixtures;
 
 /// A window with a project in the view of the feeds, its traces compared.
@@ -221,7 +220,7 @@ private slots:
     }
 };
 
-} // namespace test_traces_plot
+} // namespace sparkout::test_traces_plot
 
 SPARKOUT_TEST(test_traces_plot, TestTracesPlot)
 #include "test_traces_plot.moc"

@@ -17,9 +17,7 @@
 
 #include <cmath>
 
-namespace test_layers_view {
-
-using namespace sparkout;
+namespace sparkout::test_layers_view {
 
 /// A view as it stands in the window, with a run drawn.
 struct Bench {
@@ -279,7 +277,7 @@ private slots:
     }
 };
 
-} // namespace test_layers_view
+} // namespace sparkout::test_layers_view
 
 SPARKOUT_TEST(test_layers_view, TestLayersView)
 #include "test_layers_view.moc"

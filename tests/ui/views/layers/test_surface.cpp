@@ -11,9 +11,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace test_surface {
-
-using namespace sparkout;
+namespace sparkout::test_surface {
 
 /// A surface alone, with a run.
 struct Alone {
@@ -107,7 +105,7 @@ private slots:
     }
 };
 
-} // namespace test_surface
+} // namespace sparkout::test_surface
 
 SPARKOUT_TEST(test_surface, TestSurface)
 #include "test_surface.moc"

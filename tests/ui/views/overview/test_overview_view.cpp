@@ -40,9 +40,7 @@
 #include <cmath>
 #include <limits>
 
-namespace test_overview_view {
-
-using namespace sparkout;
+namespace sparkout::test_overview_view {
 
 using enum OverviewChart;
 
@@ -509,7 +507,7 @@ private slots:
     }
 };
 
-} // namespace test_overview_view
+} // namespace sparkout::test_overview_view
 
 SPARKOUT_TEST(test_overview_view, TestOverviewView)
 #include "test_overview_view.moc"

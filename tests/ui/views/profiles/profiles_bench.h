@@ -20,9 +20,8 @@
 #include <cmath>
 
 /// The view "Zone profiles" on cycles, and a hand on its plots.
-namespace profiles_bench {
+namespace sparkout::profiles_bench {
 
-using namespace sparkout;
 using fixtures::hover;
 using fixtures::Marking;
 using fixtures::plungeProject;
@@ -118,4 +117,4 @@ struct Cycles {
     OutcomePtr traverse, plunge, many;
 };
 
-} // namespace profiles_bench
+} // namespace sparkout::profiles_bench

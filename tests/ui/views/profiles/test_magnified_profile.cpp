@@ -9,9 +9,8 @@
 #include <cmath>
 #include <numbers>
 
-namespace test_magnified_profile {
+namespace sparkout::test_magnified_profile {
 
-using namespace sparkout;
 using namespace profile_series_bench;
 
 class TestMagnifiedProfile : public QObject {
@@ -224,7 +223,7 @@ void TestMagnifiedProfile::aBoreIsDrawnOutsideItsBlank() {
     }
 }
 
-} // namespace test_magnified_profile
+} // namespace sparkout::test_magnified_profile
 
 SPARKOUT_TEST(test_magnified_profile, TestMagnifiedProfile)
 #include "test_magnified_profile.moc"

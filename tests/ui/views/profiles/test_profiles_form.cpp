@@ -20,9 +20,8 @@
 #include <cmath>
 #include <numbers>
 
-namespace test_profiles_form {
+namespace sparkout::test_profiles_form {
 
-using namespace sparkout;
 using namespace profiles_bench;
 
 class TestProfilesForm : public QObject {
@@ -430,7 +429,7 @@ void TestProfilesForm::radiiUpToThirtySixAreMarked() {
     QCOMPARE(view.across()->curve(0, ProfileLine::profile)->data()->size(), 73);
 }
 
-} // namespace test_profiles_form
+} // namespace sparkout::test_profiles_form
 
 SPARKOUT_TEST(test_profiles_form, TestProfilesForm)
 #include "test_profiles_form.moc"

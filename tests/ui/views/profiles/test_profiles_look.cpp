@@ -17,9 +17,8 @@
 #include <QTemporaryDir>
 #include <QToolButton>
 
-namespace test_profiles_look {
+namespace sparkout::test_profiles_look {
 
-using namespace sparkout;
 using namespace profiles_bench;
 
 class TestProfilesLook : public QObject {
@@ -396,7 +395,7 @@ void TestProfilesLook::aNewOutcomeIsDrawnQuickly() {
     QVERIFY(most < 200);
 }
 
-} // namespace test_profiles_look
+} // namespace sparkout::test_profiles_look
 
 SPARKOUT_TEST(test_profiles_look, TestProfilesLook)
 #include "test_profiles_look.moc"

@@ -10,9 +10,8 @@
 #include <QSpinBox>
 #include <QToolButton>
 
-namespace test_profiles_view {
+namespace sparkout::test_profiles_view {
 
-using namespace sparkout;
 using namespace profiles_bench;
 
 class TestProfilesView : public QObject {
@@ -409,7 +408,7 @@ void TestProfilesView::internalGrindingDrawsTheBlankInside() {
     }
 }
 
-} // namespace test_profiles_view
+} // namespace sparkout::test_profiles_view
 
 SPARKOUT_TEST(test_profiles_view, TestProfilesView)
 #include "test_profiles_view.moc"

@@ -20,9 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace test_phase_plot {
-
-using namespace sparkout;
+namespace sparkout::test_phase_plot {
 
 constexpr int patience_ms = 60'000;
 constexpr double fine_um = 1e-6;
@@ -342,7 +340,7 @@ private slots:
     }
 };
 
-} // namespace test_phase_plot
+} // namespace sparkout::test_phase_plot
 
 SPARKOUT_TEST(test_phase_plot, TestPhasePlot)
 #include "test_phase_plot.moc"

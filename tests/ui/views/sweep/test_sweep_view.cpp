@@ -31,9 +31,7 @@
 #include <cmath>
 #include <set>
 
-namespace test_sweep_view {
-
-using namespace sparkout;
+namespace sparkout::test_sweep_view {
 
 constexpr int patience_ms = 60'000;
 const std::string dullness = "/wheel/dullness";
@@ -500,7 +498,7 @@ private slots:
     }
 };
 
-} // namespace test_sweep_view
+} // namespace sparkout::test_sweep_view
 
 SPARKOUT_TEST(test_sweep_view, TestSweepView)
 #include "test_sweep_view.moc"
