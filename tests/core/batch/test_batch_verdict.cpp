@@ -4,8 +4,6 @@
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-
 namespace sparkout::test_batch_verdict {
 
 /// Fifty good parts of three characteristics: of the P_pk's bounds 1.3 and 1.1, and without one.

@@ -7,7 +7,6 @@
 #include "tests/registry.h"
 #include "words/issue_words.h"
 
-#include <QFile>
 #include <QTemporaryDir>
 #include <nlohmann/json.hpp>
 

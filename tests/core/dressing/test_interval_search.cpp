@@ -14,8 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
-#include <numeric>
 #include <vector>
 
 namespace sparkout::test_interval_search {

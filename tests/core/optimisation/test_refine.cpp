@@ -9,7 +9,6 @@
 #include "tests/registry.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 

@@ -10,7 +10,6 @@
 #include "tests/registry.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>

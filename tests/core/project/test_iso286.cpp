@@ -8,7 +8,6 @@
 #include <map>
 #include <string>
 #include <tuple>
-#include <vector>
 
 namespace sparkout::test_iso286 {
 

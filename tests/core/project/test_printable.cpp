@@ -4,7 +4,6 @@
 #include "core/printable.h"
 #include "tests/registry.h"
 
-#include <string>
 #ifdef __GLIBC__
 #include <gnu/libc-version.h>
 #endif

@@ -5,8 +5,6 @@
 #include "tests/registry.h"
 #include "tests/whole_project.h"
 
-#include <algorithm>
-
 namespace sparkout::test_shoulders {
 
 using samples::holds;

@@ -14,7 +14,6 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>

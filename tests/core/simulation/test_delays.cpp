@@ -7,7 +7,6 @@
 #include "tests/registry.h"
 
 #include <cmath>
-#include <string>
 
 namespace sparkout::test_delays {
 

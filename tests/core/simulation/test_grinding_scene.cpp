@@ -7,8 +7,6 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <cmath>
-
 namespace sparkout::test_grinding_scene {
 
 using fixtures::within;

@@ -8,7 +8,6 @@
 #include "tests/registry.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace sparkout::test_progress {
 

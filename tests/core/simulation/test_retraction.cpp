@@ -8,7 +8,6 @@
 #include "tests/registry.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace sparkout::test_retraction {

@@ -11,7 +11,6 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <cmath>
 #include <numeric>
 #include <vector>
 

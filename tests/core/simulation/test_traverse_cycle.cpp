@@ -5,11 +5,8 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <QElapsedTimer>
-
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <stop_token>
 #include <thread>
 #include <vector>

@@ -12,9 +12,7 @@
 #include "tests/registry.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <limits>
 #include <numeric>
 #include <random>
 #include <set>

@@ -6,7 +6,6 @@
 #include "tests/registry.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace sparkout::test_gauge_placement {

@@ -6,7 +6,6 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <algorithm>
 #include <set>
 #include <string>
 

@@ -30,7 +30,6 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include <algorithm>
 #include <bit>
 #include <clocale>
 #include <csignal>

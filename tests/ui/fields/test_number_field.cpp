@@ -12,7 +12,6 @@
 #include <QSignalSpy>
 #include <QToolTip>
 
-#include <clocale>
 #include <random>
 
 namespace sparkout::test_number_field {

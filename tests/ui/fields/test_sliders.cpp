@@ -18,11 +18,8 @@
 #include <QApplication>
 #include <QScrollBar>
 #include <QSignalSpy>
-#include <QTableView>
 #include <QWheelEvent>
 #include <QtTest/qtestspontaneevent.h>
-
-#include <clocale>
 
 namespace sparkout::test_sliders {
 

@@ -19,9 +19,6 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QLabel>
-#include <QSignalSpy>
-#include <QStackedWidget>
-#include <QTableView>
 #include <QToolButton>
 
 #include <algorithm>

@@ -6,7 +6,6 @@
 
 #include <QDateTime>
 #include <QElapsedTimer>
-#include <QLockFile>
 
 namespace sparkout::test_file_guard_lock {
 

@@ -18,7 +18,6 @@
 #include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
 
-#include <QAction>
 #include <QFileInfo>
 #include <QProcess>
 #include <QTemporaryDir>

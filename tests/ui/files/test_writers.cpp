@@ -22,7 +22,6 @@
 #include <QTemporaryDir>
 
 #include <functional>
-#include <memory>
 
 namespace sparkout::test_writers {
 

@@ -19,7 +19,6 @@
 #include "ui/window/view_tabs.h"
 
 #include <QAction>
-#include <QApplication>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QRegularExpression>

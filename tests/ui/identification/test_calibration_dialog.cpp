@@ -17,9 +17,7 @@
 
 #include <QApplication>
 #include <QCheckBox>
-#include <QComboBox>
 #include <QLabel>
-#include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QScopeGuard>
@@ -29,7 +27,6 @@
 #include <QTableView>
 #include <QTimer>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 

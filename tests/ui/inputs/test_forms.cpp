@@ -11,7 +11,6 @@
 #include "ui/inputs/inputs_panel.h"
 #include "ui/session/document.h"
 #include "ui/text/hint_text.h"
-#include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
 #include "core/format/project_file.h"
@@ -30,7 +29,6 @@
 #include <QPointer>
 #include <QTextDocumentFragment>
 
-#include <clocale>
 #include <functional>
 
 namespace sparkout::test_forms {

@@ -19,16 +19,13 @@
 #include "tests/registry.h"
 
 #include <QApplication>
-#include <QComboBox>
 #include <QContextMenuEvent>
 #include <QFile>
 #include <QLabel>
 #include <QMenu>
 #include <QPlainTextEdit>
 #include <QRegularExpression>
-#include <QTableView>
 
-#include <clocale>
 #include <functional>
 
 namespace sparkout::test_input_marks {

@@ -20,7 +20,6 @@
 
 #include "tests/registry.h"
 
-#include <QLabel>
 #include <QLocale>
 
 #include <algorithm>

@@ -28,8 +28,6 @@
 #include <QTimer>
 #include <QToolButton>
 
-#include <clocale>
-
 namespace sparkout::test_shaft_form {
 
 constexpr int partPage = 0;

@@ -10,7 +10,6 @@
 #include "tests/whole_project.h"
 #include "ui/inputs/forms/form_page.h"
 #include "ui/inputs/inputs_panel.h"
-#include "ui/text/hint_text.h"
 #include "ui/text/stock_reading.h"
 #include "ui/text/texts.h"
 
@@ -18,10 +17,8 @@
 #include <QClipboard>
 #include <QLabel>
 #include <QLocale>
-#include <QPushButton>
 
 #include <algorithm>
-#include <array>
 
 namespace sparkout::test_stock_reading {
 

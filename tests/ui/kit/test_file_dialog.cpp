@@ -10,7 +10,6 @@
 #include "ui/text/language.h"
 
 #include <QApplication>
-#include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>

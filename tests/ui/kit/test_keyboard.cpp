@@ -6,7 +6,6 @@
 #include "tests/ui/support/window_bench.h"
 #include "ui/inputs/forms/form_page.h"
 #include "ui/inputs/inputs_panel.h"
-#include "ui/inputs/messages_panel.h"
 #include "ui/kit/focus_frame.h"
 #include "ui/kit/keyboard.h"
 #include "ui/plot/view.h"
@@ -17,7 +16,6 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
-#include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QImage>
 #include <QLabel>

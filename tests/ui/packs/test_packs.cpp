@@ -23,11 +23,8 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QPlainTextEdit>
 #include <QTemporaryDir>
 #include <QTreeWidget>
-
-#include <algorithm>
 
 namespace sparkout::test_packs {
 

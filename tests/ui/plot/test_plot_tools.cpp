@@ -11,7 +11,6 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QMenu>
-#include <QSignalSpy>
 #include <QTimer>
 #include <QToolButton>
 

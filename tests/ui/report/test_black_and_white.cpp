@@ -16,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
 
 namespace sparkout::test_black_and_white {
 

@@ -25,7 +25,6 @@
 #include <QXmlStreamReader>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace sparkout::test_card_sheets {

@@ -22,7 +22,6 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPrintPreviewDialog>
 #include <QPrintPreviewWidget>
 #include <QProgressBar>
 #include <QPushButton>

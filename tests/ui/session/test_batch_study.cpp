@@ -7,7 +7,6 @@
 #include "ui/session/studies.h"
 
 #include <QElapsedTimer>
-#include <QSignalSpy>
 
 namespace sparkout::test_batch_study {
 

@@ -6,7 +6,6 @@
 #include "core/study/operation_return.h"
 #include "ui/session/document.h"
 #include "ui/text/file_error_text.h"
-#include "ui/text/texts.h"
 
 #include "core/format/project_file.h"
 #include "tests/check_line.h"

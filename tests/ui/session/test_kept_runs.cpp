@@ -8,7 +8,6 @@
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 
-#include <QSignalSpy>
 #include <QTemporaryDir>
 
 namespace sparkout::test_kept_runs {

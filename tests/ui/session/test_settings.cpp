@@ -5,7 +5,6 @@
 #include "ui/session/settings.h"
 
 #include <QFileInfo>
-#include <QLocale>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 

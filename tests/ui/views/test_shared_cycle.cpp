@@ -18,7 +18,6 @@
 #include <QSpinBox>
 #include <QToolButton>
 
-#include <algorithm>
 #include <cmath>
 
 namespace sparkout::test_shared_cycle {

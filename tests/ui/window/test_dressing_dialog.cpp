@@ -13,7 +13,6 @@
 #include <QAction>
 #include <QComboBox>
 #include <QLabel>
-#include <QPushButton>
 #include <QTemporaryDir>
 
 namespace sparkout::test_dressing_dialog {

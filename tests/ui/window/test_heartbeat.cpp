@@ -29,7 +29,6 @@
 #include <QSlider>
 #include <QStyleOption>
 #include <QTemporaryDir>
-#include <QTimer>
 #include <QToolButton>
 
 #include <algorithm>

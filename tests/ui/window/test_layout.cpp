@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: own_language
 // Torn-off views, the layout that is remembered, and what becomes of a damaged one.
-#include "core/study/operation.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/inputs/inputs_panel.h"
@@ -11,7 +10,6 @@
 #include "ui/window/view_tabs.h"
 
 #include <QAction>
-#include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>

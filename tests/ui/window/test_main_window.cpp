@@ -26,18 +26,14 @@
 
 #include <QAbstractButton>
 #include <QAction>
-#include <QApplication>
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QStatusBar>
-#include <QStyleFactory>
 #include <QTableView>
 #include <QTemporaryDir>
-
-#include <clocale>
 
 namespace sparkout::test_main_window {
 

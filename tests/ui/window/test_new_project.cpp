@@ -20,9 +20,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QLabel>
-#include <QTemporaryDir>
 
-#include <cstdlib>
 #include <map>
 
 namespace sparkout::test_new_project {

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What would help, beneath the verdict: offered after a run, taken by a click, undone.
 #include "core/format/project_file.h"
-#include "core/study/evaluate.h"
 #include "core/study/operation.h"
 #include "tests/registry.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/whole_project.h"
 #include "ui/kit/font_size.h"
-#include "ui/session/project_io.h"
 #include "ui/session/remedy_finder.h"
 #include "ui/views/verdict/remedy_section.h"
 #include "ui/views/verdict/remedy_text.h"

@@ -17,7 +17,6 @@
 #include <QElapsedTimer>
 #include <QMouseEvent>
 #include <QSignalSpy>
-#include <QTableView>
 
 #include <algorithm>
 #include <clocale>

@@ -37,7 +37,6 @@
 #include <QTemporaryDir>
 
 #include <algorithm>
-#include <memory>
 #include <string>
 
 namespace sparkout::test_surfaces {

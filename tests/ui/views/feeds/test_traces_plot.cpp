@@ -15,7 +15,6 @@
 
 #include <QScopeGuard>
 #include <QScrollArea>
-#include <QToolButton>
 
 #include <algorithm>
 #include <cmath>

@@ -27,9 +27,7 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QFile>
-#include <QLabel>
 #include <QPushButton>
 #include <QScopeGuard>
 #include <QScrollArea>
