@@ -13,8 +13,6 @@
 #include <QTemporaryDir>
 
 #include <clocale>
-#include <csignal>
-#include <fstream>
 
 namespace test_cli_batch {
 

@@ -114,13 +114,10 @@ private slots:
     }
 
     void whatIsOfSomethingElseIsRefusedAndStays_data() {
-        QTest::addColumn<QStringList>("options");
-        QTest::addColumn<QByteArray>("said");
-        QTest::addColumn<bool>("other");
-        QTest::newRow("options") << QStringList{"--robust"} << QByteArray("other options") << false;
-        QTest::newRow("stages") << QStringList{"--stages", "1"} << QByteArray("other options")
-                                << false;
-        QTest::newRow("project") << QStringList{} << QByteArray("another project") << true;
+        addColumns<QStringList, QByteArray, bool>("options", "said", "other");
+        addRow("options", QStringList{"--robust"}, QByteArray("other options"), false);
+        addRow("stages", QStringList{"--stages", "1"}, QByteArray("other options"), false);
+        addRow("project", QStringList{}, QByteArray("another project"), true);
     }
 
     void whatIsOfSomethingElseIsRefusedAndStays() {

@@ -9,8 +9,6 @@
 #include "tests/registry.h"
 
 #include <cmath>
-#include <iterator>
-#include <sstream>
 
 namespace test_cli_simulate {
 

@@ -8,7 +8,6 @@
 #include <QDir>
 #include <QFile>
 
-#include <filesystem>
 #include <map>
 #include <random>
 

@@ -5,7 +5,6 @@
 #include "tests/cli/cli_bench.h"
 #include "tests/registry.h"
 
-#include <functional>
 #include <string_view>
 
 namespace test_cli_terminal {

@@ -7,10 +7,8 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <stdexcept>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace sparkout::test_indirect {
 

@@ -95,8 +95,7 @@ private slots:
     }
 
     void filesIncludeWhatTheirRowNames_data() {
-        QTest::addColumn<QString>("folder");
-        QTest::addColumn<QStringList>("may");
+        addColumns<QString, QStringList>("folder", "may");
         for (const Row& row : rows()) {
             QTest::newRow(qPrintable(row.folder)) << row.folder << row.may;
         }

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <atomic>
-#include <memory>
 #include <thread>
 
 namespace sparkout::test_thread_ends {

@@ -13,7 +13,6 @@
 
 #include <QElapsedTimer>
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -141,10 +140,7 @@ private slots:
     }
 
     void verdicts_data() {
-        QTest::addColumn<double>("mean");
-        QTest::addColumn<double>("deviation");
-        QTest::addColumn<int>("count");
-        QTest::addColumn<int>("verdict");
+        addColumns<double, double, int, int>("mean", "deviation", "count", "verdict");
         const auto row = [](const char* name, double mean, double deviation, int count,
                             AdequacyVerdict verdict) {
             QTest::newRow(name) << mean << deviation << count << static_cast<int>(verdict);

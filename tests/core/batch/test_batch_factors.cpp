@@ -9,7 +9,6 @@
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
 
-#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -65,9 +64,9 @@ class TestBatchFactors : public QObject {
 private slots:
     void aTriangularFactorHasItsShares_data() {
         QTest::addColumn<double>("mode");
-        QTest::newRow("inside") << 0.16;
-        QTest::newRow("at the low end") << 0.1;
-        QTest::newRow("at the high end") << 0.2;
+        addRow("inside", 0.16);
+        addRow("at the low end", 0.1);
+        addRow("at the high end", 0.2);
     }
     void aTriangularFactorHasItsShares() {
         QFETCH(double, mode);
@@ -246,13 +245,13 @@ private slots:
 
     void bothDialectsAreRead_data() {
         QTest::addColumn<QByteArray>("csv");
-        QTest::newRow("comma") << QByteArray("stock_mm,dullness\n0.15,0.02\n0.16,0.03\n");
-        QTest::newRow("semicolon, decimal comma")
-            << QByteArray("stock_mm;dullness\r\n0,15;0,02\r\n0,16;0,03\r\n");
-        QTest::newRow("tab") << QByteArray("stock_mm\tdullness\n0.15\t0,02\n0,16\t0.03");
-        QTest::newRow("other columns, gaps, quotes, byte order mark")
-            << QByteArray("\xEF\xBB\xBF\"no\";\"stock_mm\";\"note\";dullness\n1;\"0,15\";x;0,02\n"
-                          "\n2;;y;\n3;0.16;;3e-2\n");
+        addRow("comma", QByteArray("stock_mm,dullness\n0.15,0.02\n0.16,0.03\n"));
+        addRow("semicolon, decimal comma",
+               QByteArray("stock_mm;dullness\r\n0,15;0,02\r\n0,16;0,03\r\n"));
+        addRow("tab", QByteArray("stock_mm\tdullness\n0.15\t0,02\n0,16\t0.03"));
+        addRow("other columns, gaps, quotes, byte order mark",
+               QByteArray("\xEF\xBB\xBF\"no\";\"stock_mm\";\"note\";dullness\n1;\"0,15\";x;0,02\n"
+                          "\n2;;y;\n3;0.16;;3e-2\n"));
     }
     void bothDialectsAreRead() {
         QFETCH(QByteArray, csv);
@@ -270,18 +269,14 @@ private slots:
     }
 
     void aTableThatIsNoneIsRefusedWithItsLine_data() {
-        QTest::addColumn<QByteArray>("csv");
-        QTest::addColumn<int>("line");
-        QTest::addColumn<QByteArray>("text");
-        QTest::newRow("nothing") << QByteArray() << 1 << QByteArray();
-        QTest::newRow("no heading") << QByteArray("0.15\n0.16\n") << 1 << QByteArray();
-        QTest::newRow("twice") << QByteArray("stock_mm,stock_mm\n1,2\n") << 1
-                               << QByteArray("stock_mm");
-        QTest::newRow("a word") << QByteArray("stock_mm\n0.1\n\nwide\n") << 4 << QByteArray("wide");
-        QTest::newRow("no number") << QByteArray("stock_mm\nnan\n") << 2 << QByteArray("nan");
-        QTest::newRow("infinite") << QByteArray("stock_mm\n0.1\ninf\n") << 3 << QByteArray("inf");
-        QTest::newRow("two points")
-            << QByteArray("stock_mm;a\n1.0.0;\n") << 2 << QByteArray("1.0.0");
+        addColumns<QByteArray, int, QByteArray>("csv", "line", "text");
+        addRow("nothing", QByteArray(), 1, QByteArray());
+        addRow("no heading", QByteArray("0.15\n0.16\n"), 1, QByteArray());
+        addRow("twice", QByteArray("stock_mm,stock_mm\n1,2\n"), 1, QByteArray("stock_mm"));
+        addRow("a word", QByteArray("stock_mm\n0.1\n\nwide\n"), 4, QByteArray("wide"));
+        addRow("no number", QByteArray("stock_mm\nnan\n"), 2, QByteArray("nan"));
+        addRow("infinite", QByteArray("stock_mm\n0.1\ninf\n"), 3, QByteArray("inf"));
+        addRow("two points", QByteArray("stock_mm;a\n1.0.0;\n"), 2, QByteArray("1.0.0"));
     }
     void aTableThatIsNoneIsRefusedWithItsLine() {
         QFETCH(QByteArray, csv);

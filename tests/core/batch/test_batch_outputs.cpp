@@ -4,11 +4,7 @@
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
 
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
 #include <sstream>
-#include <string>
 
 namespace sparkout::test_batch_outputs {
 

@@ -8,14 +8,11 @@
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <sstream>
 #include <stop_token>
-#include <string>
 #include <thread>
-#include <vector>
 
 namespace sparkout::test_batch_rows {
 

@@ -11,17 +11,13 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <cstdint>
 #include <map>
 #include <set>
 #include <stop_token>
-#include <string>
 #include <thread>
-#include <vector>
 
 namespace sparkout::test_batch_run {
 
@@ -179,8 +175,7 @@ private slots:
     }
 
     void aShardThatContradictsItselfIsRefused_data() {
-        QTest::addColumn<QByteArray>("path");
-        QTest::addColumn<double>("value");
+        addColumns<QByteArray, double>("path", "value");
         const auto row = [](const char* path, double value) {
             QTest::addRow("%s = %g", path, value) << QByteArray(path) << value;
         };

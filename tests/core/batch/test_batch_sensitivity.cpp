@@ -4,9 +4,6 @@
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
 
-#include <cmath>
-#include <string>
-
 namespace sparkout::test_batch_sensitivity {
 
 using fixtures::uniform;

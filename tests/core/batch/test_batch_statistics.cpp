@@ -7,8 +7,6 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 

@@ -10,8 +10,6 @@
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
 
-#include <cmath>
-
 namespace sparkout::test_batch_strips {
 
 using nlohmann::json;

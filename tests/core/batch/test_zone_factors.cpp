@@ -9,18 +9,13 @@
 #include "core/batch/part_table.h"
 #include "core/batch/scenario_source.h"
 #include "core/batch/sensitivity.h"
-#include "core/format/project_file.h"
 #include "core/optimisation/robust.h"
-#include "core/simulation/simulate.h"
 #include "core/study/operation.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
 #include <set>
-#include <string>
 
 namespace sparkout::test_zone_factors {
 

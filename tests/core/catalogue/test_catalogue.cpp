@@ -5,15 +5,8 @@
 #include "tests/core/catalogue/shipped_catalogues.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
-#include "words/issue_words.h"
 
 #include <QTemporaryDir>
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
 
 namespace sparkout::test_catalogue {
 
@@ -47,9 +40,7 @@ private slots:
     }
 
     void faultsAreRefusedWithTheirPath_data() {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QString>("path");
-        QTest::addColumn<int>("code");
+        addColumns<QByteArray, QString, int>("text", "path", "code");
         const auto row = [](const char* name, const json& text, const char* path, IssueCode code) {
             QTest::newRow(name) << QByteArray::fromStdString(text.dump()) << path << int(code);
         };

@@ -5,13 +5,9 @@
 #include "tests/core/catalogue/shipped_catalogues.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
-#include "words/issue_words.h"
 
 #include <regex>
 #include <set>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace sparkout::test_catalogue_shipped {
 

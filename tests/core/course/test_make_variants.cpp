@@ -38,8 +38,7 @@ private slots:
     void everyVariantIsSolvableAndUnsolved_data() {
         QTest::addColumn<QString>("file");
         for (const auto& file : samples::lessonFiles()) {
-            QTest::newRow(file.filename().string().c_str())
-                << QString::fromStdString(file.string());
+            addRow(file.filename().string().c_str(), QString::fromStdString(file.string()));
         }
     }
     void everyVariantIsSolvableAndUnsolved() {
@@ -112,13 +111,10 @@ private slots:
     }
 
     void impossibleDemandsSayWhatRefusedThem_data() {
-        QTest::addColumn<QString>("pointer");
-        QTest::addColumn<QString>("value");
-        QTest::addColumn<int>("fault");
+        addColumns<QString, QString, int>("pointer", "value", "fault");
         const auto row = [](const char* name, const char* pointer, const char* value,
                             VariantFault fault) {
-            QTest::newRow(name) << QString::fromLatin1(pointer) << QString::fromLatin1(value)
-                                << static_cast<int>(fault);
+            addRow(name, pointer, value, static_cast<int>(fault));
         };
         row("best too slow", "/variants/difficulty", R"({"most_time_percent": 100})",
             VariantFault::tooSlow);

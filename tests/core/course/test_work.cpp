@@ -6,8 +6,6 @@
 #include "tests/core/support/project_mutator.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-
 namespace sparkout::test_work {
 
 using nlohmann::json;
@@ -150,14 +148,10 @@ private slots:
     }
 
     void everyFaultHasItsPath_data() {
-        QTest::addColumn<QString>("pointer");
-        QTest::addColumn<QString>("value");
-        QTest::addColumn<int>("code");
-        QTest::addColumn<QString>("path");
+        addColumns<QString, QString, int, QString>("pointer", "value", "code", "path");
         const auto row = [](const char* name, const char* pointer, const char* value,
                             IssueCode code, const char* path) {
-            QTest::newRow(name) << QString::fromUtf8(pointer) << QString::fromUtf8(value)
-                                << static_cast<int>(code) << QString::fromUtf8(path);
+            addRow(name, pointer, value, static_cast<int>(code), path);
         };
         row("other format", "/format", "\"sparkout-lesson\"", IssueCode::notOneOf, "/format");
         row("no lesson", "/lesson", "", IssueCode::missingKey, "/lesson");

@@ -5,19 +5,12 @@
 #include "core/process/force.h"
 #include "core/quality/shop_numbers.h"
 #include "core/setup/surface_wear.h"
-#include "core/simulation/simulate.h"
 #include "tests/core/setup/setup_samples.h"
 #include "tests/core/support/batch_fixtures.h"
-#include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <numbers>
 #include <stop_token>
-#include <vector>
 
 namespace sparkout::test_dressing_interval {
 

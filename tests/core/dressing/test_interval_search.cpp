@@ -11,10 +11,7 @@
 #include "tests/registry.h"
 #include "words/search_words.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <vector>
 
 namespace sparkout::test_interval_search {
 

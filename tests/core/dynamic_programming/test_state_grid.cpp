@@ -5,18 +5,12 @@
 #include "core/dynamic_programming/exact_answer.h"
 #include "core/dynamic_programming/state_grid.h"
 #include "core/optimisation/cycle_runner.h"
-#include "core/quality/constraints.h"
-#include "core/simulation/simulate.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 
 #include <QElapsedTimer>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <limits>
-#include <vector>
 
 namespace sparkout::test_state_grid {
 

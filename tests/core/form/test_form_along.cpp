@@ -105,9 +105,7 @@ private slots:
     }
 
     void formIsNamedByItsLargerPart_data() {
-        QTest::addColumn<double>("taper_um");
-        QTest::addColumn<double>("crown_um");
-        QTest::addColumn<LongitudinalForm>("form");
+        addColumns<double, double, LongitudinalForm>("taper_um", "crown_um", "form");
         QTest::newRow("straight") << 0.005 << -0.005 << LongitudinalForm::straight;
         QTest::newRow("taper up") << 3.0 << 1.0 << LongitudinalForm::taper;
         QTest::newRow("taper down") << -3.0 << 1.0 << LongitudinalForm::taper;

@@ -7,12 +7,7 @@
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
 #include <functional>
-#include <limits>
-#include <numbers>
-#include <vector>
 
 namespace sparkout::test_roundness {
 
@@ -128,8 +123,7 @@ private slots:
 
     // shared/vectors: e·cos φ has a runout of 2e and no roundness; e·cos 2φ and e·cos 3φ have 2e.
     void formsOfTheVectors_data() {
-        QTest::addColumn<int>("lobes");
-        QTest::addColumn<double>("roundness_um");
+        addColumns<int, double>("lobes", "roundness_um");
         QTest::newRow("e·cos φ") << 1 << 0.0;
         QTest::newRow("e·cos 2φ") << 2 << 10.0;
         QTest::newRow("e·cos 3φ") << 3 << 10.0;

@@ -12,12 +12,7 @@
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
 #include <functional>
-#include <limits>
-#include <numbers>
-#include <vector>
 
 namespace sparkout::test_roundness_readings {
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reliability checks 5 and 7: files that are damaged or meant to harm.
 #include "core/files/safe_file.h"
-#include "core/format/project_file.h"
 #include "core/project/validate.h"
 #include "tests/check_line.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/processor_time.h"
 #include "tests/registry.h"
-#include "words/issue_words.h"
 
 #include <QElapsedTimer>
 
@@ -111,8 +109,7 @@ class TestHostileFiles : public QObject {
 
 private slots:
     void file_data() {
-        QTest::addColumn<int>("index");
-        QTest::addColumn<bool>("accepted");
+        addColumns<int, bool>("index", "accepted");
         encodingRows();
         numberRows();
         syntaxRows();

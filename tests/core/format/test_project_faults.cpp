@@ -5,7 +5,6 @@
 #include "tests/core/project/project_places.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
-#include "words/issue_words.h"
 
 namespace sparkout::test_project_faults {
 
@@ -157,9 +156,7 @@ private slots:
 
     /// The limits themselves, apart from the table and the page that is made of it.
     void dwellsAndDrivesHaveTheirLimits_data() {
-        QTest::addColumn<QString>("key");
-        QTest::addColumn<double>("value");
-        QTest::addColumn<bool>("allowed");
+        addColumns<QString, double, bool>("key", "value", "allowed");
         for (const char* dwell : {"dwell_entry_s", "dwell_exit_s"}) {
             QTest::addRow("%s none", dwell) << QString(dwell) << 0.0 << true;
             QTest::addRow("%s an hour", dwell) << QString(dwell) << 3600.0 << true;

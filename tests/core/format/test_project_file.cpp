@@ -5,8 +5,6 @@
 #include "tests/registry.h"
 #include "tests/whole_project.h"
 
-#include <algorithm>
-
 namespace sparkout::test_project_file {
 
 using namespace project_places;
@@ -131,9 +129,7 @@ private slots:
     }
 
     void numbers_data() {
-        QTest::addColumn<QByteArray>("written");
-        QTest::addColumn<double>("value");
-        QTest::addColumn<QByteArray>("again");
+        addColumns<QByteArray, double, QByteArray>("written", "value", "again");
         QTest::newRow("shortest") << QByteArray("0.1") << 0.1 << QByteArray("0.1");
         QTest::newRow("sum") << QByteArray("0.30000000000000004") << 0.1 + 0.2
                              << QByteArray("0.30000000000000004");

@@ -7,7 +7,6 @@
 #include "core/identification/robust_weights.h"
 #include "core/process/scaled_compliance.h"
 #include "core/process/system_compliance.h"
-#include "core/simulation/simulate.h"
 #include "tests/core/identification/measured_cycles.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/core/support/random_project.h"

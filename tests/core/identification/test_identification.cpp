@@ -342,9 +342,7 @@ private slots:
     }
 
     void noiseOfATraceIsFoundFromTheTrace_data() {
-        QTest::addColumn<double>("noise");
-        QTest::addColumn<double>("quantum");
-        QTest::addColumn<bool>("isUneven");
+        addColumns<double, double, bool>("noise", "quantum", "isUneven");
         QTest::newRow("white noise") << 1e-3 << 0.0 << false;
         QTest::newRow("uneven times") << 1e-3 << 0.0 << true;
         QTest::newRow("coarser steps than noise") << 1e-5 << 1e-3 << false;
@@ -377,8 +375,7 @@ private slots:
 
     /// Of the cycle that was run the residuals are the noise; of another one they are more.
     void fitOfAnotherCycleThanTheRecordedOneIsInDoubt_data() {
-        QTest::addColumn<double>("noise");
-        QTest::addColumn<double>("quantum");
+        addColumns<double, double>("noise", "quantum");
         QTest::newRow("no noise") << 0.0 << 0.0;
         QTest::newRow("digits of a file") << 0.0 << 1e-4;
         QTest::newRow("noise") << 3e-4 << 0.0;

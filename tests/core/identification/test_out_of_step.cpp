@@ -3,7 +3,6 @@
 // Power recorded late against the size: with its delay fitted the intervals cover the truth,
 // without it a warning says so; none where the clocks agree.
 #include "core/identification/identification.h"
-#include "core/statistics/intervals.h"
 #include "tests/core/identification/measured_cycles.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"

@@ -7,9 +7,6 @@
 #include "tests/registry.h"
 #include "tests/ui/support/traced_project.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace sparkout::test_trace_comparison {
 
 std::vector<int> stepsOf(const Project& project) {

@@ -17,7 +17,6 @@
 
 #include <QElapsedTimer>
 
-#include <algorithm>
 #include <cmath>
 
 namespace sparkout::test_trial_design {

@@ -12,7 +12,6 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace sparkout::test_wheel_calibration {

@@ -8,10 +8,7 @@
 #include "tests/registry.h"
 
 #include <array>
-#include <cmath>
 #include <functional>
-#include <numbers>
-#include <vector>
 
 namespace sparkout::test_burn {
 
@@ -89,8 +86,7 @@ private slots:
     // Values of 60-digit arithmetic; the first three are the vectors' (0.5641896, 0.1996412,
     // 0.0502545).
     void ierfcIsRightToALastBitOrTwo_data() {
-        QTest::addColumn<double>("x");
-        QTest::addColumn<double>("value");
+        addColumns<double, double>("x", "value");
         const std::pair<double, double> rows[] = {
             {0, 5.6418958354775628695e-1},      {0.5, 1.9964122837424566589e-1},
             {1, 5.0254541660012221011e-2},      {1e-8, 5.6418957354775634337e-1},
@@ -134,10 +130,7 @@ private slots:
 
     // shared/vectors, to the digits printed
     void vectorsComeOut_data() {
-        QTest::addColumn<double>("a_um");
-        QTest::addColumn<double>("length_mm");
-        QTest::addColumn<double>("flux_w_mm2");
-        QTest::addColumn<double>("rise_k");
+        addColumns<double, double, double, double>("a_um", "length_mm", "flux_w_mm2", "rise_k");
         QTest::newRow("1 µm") << 1.0 << 0.1690 << 196.0 << 416.6;
         QTest::newRow("2 µm") << 2.0 << 0.2390 << 199.9 << 505.2;
         QTest::newRow("5 µm") << 5.0 << 0.3780 << 207.6 << 659.8;

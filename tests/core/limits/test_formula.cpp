@@ -16,10 +16,8 @@
 
 #include <QFile>
 
-#include <cmath>
 #include <functional>
 #include <map>
-#include <vector>
 
 namespace sparkout::test_formula {
 
@@ -207,8 +205,7 @@ private slots:
 
     // The reader itself refuses what is wrong, else the tests above could not fail.
     void readerSeesWrongEquations_data() {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<bool>("readable");
+        addColumns<QByteArray, bool>("text", "readable");
         QTest::newRow("right") << QByteArray("{F} = {a}·{p}") << true;
         QTest::newRow("unit") << QByteArray("{F} = {a}/{p}") << false;
         QTest::newRow("sum") << QByteArray("{F} = {a}·{p} + {a}") << false;

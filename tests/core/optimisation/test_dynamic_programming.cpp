@@ -7,11 +7,8 @@
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
-#include <vector>
 
 namespace sparkout::test_dynamic_programming {
 

@@ -12,7 +12,6 @@
 #include "tests/registry.h"
 
 #include <map>
-#include <string>
 
 namespace sparkout::test_free_variables {
 

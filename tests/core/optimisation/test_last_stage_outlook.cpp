@@ -7,9 +7,6 @@
 #include "tests/core/optimisation/followed_cases.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace sparkout::test_last_stage_outlook {
 
 using search_cases::plunged;

@@ -13,9 +13,6 @@
 #include "tests/registry.h"
 #include "words/search_words.h"
 
-#include <algorithm>
-#include <vector>
-
 namespace sparkout::test_margin_within {
 
 using namespace search_checks;

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The search for the quickest cycle: the pruned search and the full one against plain runs.
-#include "core/optimisation/optimise.h"
 #include "core/project/validate.h"
 
-#include "core/format/project_file.h"
 #include "tests/check_line.h"
 #include "tests/core/optimisation/search_checks.h"
-#include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/reference_simulation.h"
 #include "tests/registry.h"
 
 #include <array>
 #include <map>
-#include <string>
 
 namespace sparkout::test_optimisation {
 

@@ -9,8 +9,6 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace sparkout::test_phase_cases {

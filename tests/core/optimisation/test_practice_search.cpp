@@ -2,7 +2,6 @@
 // Labels: unsanitized
 // The searches with delays of gauge and machine and with limits of practice: as exact as without.
 #include "core/optimisation/cycle_runner.h"
-#include "core/optimisation/optimise.h"
 #include "core/optimisation/robust.h"
 #include "core/optimisation/time_bound.h"
 
@@ -10,7 +9,6 @@
 #include "tests/registry.h"
 
 #include <array>
-#include <vector>
 
 namespace sparkout::test_practice_search {
 

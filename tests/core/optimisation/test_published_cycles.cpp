@@ -85,12 +85,8 @@ private slots:
     }
 
     void theProvenBestIsQuickerThanThePublishedCycleOfItsGrid_data() {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<double>("radial1");
-        QTest::addColumn<double>("axial1");
-        QTest::addColumn<double>("radial2");
-        QTest::addColumn<double>("axial2");
-        QTest::addColumn<double>("last");
+        addColumns<QString, double, double, double, double, double>("name", "radial1", "axial1",
+                                                                    "radial2", "axial2", "last");
         QTest::newRow("30h6") << "shaft-30h6-factory" << 0.005 << 2000.0 << 0.002 << 500.0 << 0.03;
         QTest::newRow("38.74h6") << "shaft-38-74h6" << 0.004 << 2500.0 << 0.002 << 900.0 << 0.02;
     }

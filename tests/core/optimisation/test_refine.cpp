@@ -8,10 +8,6 @@
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 namespace sparkout::test_refine {
 
 using namespace search_checks;

@@ -3,7 +3,6 @@
 // What a robust answer states of the phases it was not tried on, and what a stop leaves unsaid.
 #include "core/optimisation/binding.h"
 #include "core/optimisation/robust.h"
-#include "core/simulation/simulate.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
@@ -11,8 +10,6 @@
 #include <QElapsedTimer>
 
 #include <chrono>
-#include <cmath>
-#include <functional>
 #include <random>
 #include <stop_token>
 #include <thread>

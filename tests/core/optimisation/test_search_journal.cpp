@@ -9,8 +9,6 @@
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 
-#include <string>
-
 namespace sparkout::test_search_journal {
 
 using namespace search_checks;

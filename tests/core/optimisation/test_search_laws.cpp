@@ -14,7 +14,6 @@
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/registry.h"
 
-#include <numbers>
 #include <set>
 
 namespace sparkout::test_search_laws {

@@ -9,7 +9,6 @@
 #include <QElapsedTimer>
 
 #include <chrono>
-#include <limits>
 #include <stop_token>
 #include <thread>
 
@@ -61,8 +60,7 @@ class TestSearchPreparation : public QObject {
 
 private slots:
     void itIsStoppedWithinATenthOfASecond_data() {
-        QTest::addColumn<int>("delay_ms");
-        QTest::addColumn<bool>("robust");
+        addColumns<int, bool>("delay_ms", "robust");
         for (const int delay_ms : {0, 20, 300, 1000}) {
             QTest::addRow("%d ms", delay_ms) << delay_ms << false;
         }

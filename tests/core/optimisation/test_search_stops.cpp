@@ -9,7 +9,6 @@
 #include "core/process/compliance.h"
 #include "core/process/coupled_sections.h"
 #include "core/process/system_compliance.h"
-#include "core/simulation/simulate.h"
 #include "core/study/search.h"
 #include "tests/core/optimisation/search_cases.h"
 #include "tests/core/support/project_samples.h"
@@ -18,12 +17,7 @@
 
 #include <QElapsedTimer>
 
-#include <algorithm>
 #include <chrono>
-#include <cstdlib>
-#include <functional>
-#include <limits>
-#include <random>
 #include <stop_token>
 #include <thread>
 
@@ -103,8 +97,7 @@ class TestSearchStops : public QObject {
 
 private slots:
     void everySearchStopsWithinACycle_data() {
-        QTest::addColumn<int>("method");
-        QTest::addColumn<bool>("robust");
+        addColumns<int, bool>("method", "robust");
         QTest::newRow("full") << int(SearchMethod::full) << false;
         QTest::newRow("pruned") << int(SearchMethod::pruned) << false;
         QTest::newRow("published") << int(SearchMethod::published) << false;

@@ -9,10 +9,7 @@
 #include "tests/core/optimisation/followed_cases.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <memory>
 #include <utility>
-#include <vector>
 
 namespace sparkout::test_steady_lag {
 

@@ -10,21 +10,12 @@
 #include "core/process/force.h"
 #include "core/process/system_compliance.h"
 #include "core/quality/accuracy_limit.h"
-#include "core/quality/constraints.h"
 #include "core/quality/power.h"
 #include "core/simulation/stage_control.h"
-#include "tests/core/optimisation/search_cases.h"
 #include "tests/core/optimisation/search_checks.h"
-#include "tests/core/support/project_fixtures.h"
-#include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
-#include <random>
 #include <set>
-#include <string>
-#include <vector>
 
 namespace sparkout::test_stepless_limit {
 
@@ -365,8 +356,7 @@ class TestSteplessLimit : public QObject {
 
 private slots:
     void infeedAloneIsCountedInWholeSteps_data() {
-        QTest::addColumn<double>("stock_mm");
-        QTest::addColumn<int>("steps");
+        addColumns<double, int>("stock_mm", "steps");
         QTest::newRow("whole") << 0.2 << 20;
         QTest::newRow("a trifle more") << 0.2001 << 21;
         QTest::newRow("a half") << 0.195 << 20;
@@ -440,8 +430,7 @@ private slots:
 
     // Whatever cycle is drawn: of those that hold every requirement none is quicker.
     void noCycleThatHoldsIsQuicker_data() {
-        QTest::addColumn<bool>("plunge");
-        QTest::addColumn<double>("nearest");
+        addColumns<bool, double>("plunge", "nearest");
         QTest::newRow("plunge") << true << 0.7;
         QTest::newRow("traverse") << false << 0.7;
     }

@@ -1,28 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stocks of an interval by what their cycles do: a closed form, and stocks run one by one.
-#include "core/format/project_file.h"
 #include "core/phases/failing_share.h"
 #include "core/phases/failing_stock.h"
 #include "core/phases/phase_decision.h"
 #include "core/phases/phase_pieces.h"
 #include "core/phases/sampled_phases.h"
-#include "core/process/profile.h"
-#include "core/simulation/simulate.h"
 #include "core/simulation/stage_control.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/core/support/random_project.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <optional>
 #include <random>
 #include <stop_token>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace sparkout::test_phases {
 

@@ -8,10 +8,6 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 namespace sparkout::test_compliance {
 
 using namespace shafts;
@@ -95,8 +91,7 @@ private slots:
 
     // shared/vectors: shaft on centres
     void shaftOnCentresGivesThePublishedNumbers_data() {
-        QTest::addColumn<double>("x");
-        QTest::addColumn<double>("gamma");
+        addColumns<double, double>("x", "gamma");
         QTest::newRow("headstock") << 0.0 << 1.00000e-5;
         QTest::newRow("first quarter") << 50.0 << 1.81029e-5;
         QTest::newRow("middle") << 100.0 << 2.74606e-5;
@@ -121,10 +116,7 @@ private slots:
     }
 
     void uniformShaftEqualsTheClosedForm_data() {
-        QTest::addColumn<bool>("centres");
-        QTest::addColumn<double>("jh");
-        QTest::addColumn<double>("jt");
-        QTest::addColumn<double>("jw");
+        addColumns<bool, double, double, double>("centres", "jh", "jt", "jw");
         QTest::newRow("centres, all springs") << true << 6e4 << 4e4 << 5e4;
         QTest::newRow("centres, soft tailstock") << true << 1e6 << 1e3 << 5e4;
         QTest::newRow("centres, rigid") << true << rigid << rigid << rigid;

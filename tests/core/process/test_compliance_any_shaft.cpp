@@ -10,13 +10,9 @@
 
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
 #include <random>
 #include <stop_token>
 #include <utility>
-#include <vector>
 
 namespace sparkout::test_compliance_any_shaft {
 

@@ -8,9 +8,6 @@
 
 #include <rapidcheck.h>
 
-#include <cmath>
-#include <vector>
-
 namespace sparkout::test_contact_compliance {
 
 using fixtures::close;
@@ -102,8 +99,7 @@ private slots:
     }
 
     void deflectionIsTheIntegralOfTheTable_data() {
-        QTest::addColumn<int>("table");
-        QTest::addColumn<double>("force");
+        addColumns<int, double>("table", "force");
         for (int table = 0; table < 3; ++table) {
             for (const double force : {0.5, 10.0, 37.0, 100.0, 250.0, 400.0, 900.0}) {
                 QTest::addRow("table %d, %g N", table, force) << table << force;

@@ -9,7 +9,6 @@
 #include "tests/registry.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <random>
@@ -101,10 +100,7 @@ class TestCoupledRadii : public QObject {
 
 private slots:
     void everyRadiusIsInBalance_data() {
-        QTest::addColumn<int>("sections");
-        QTest::addColumn<int>("rests");
-        QTest::addColumn<bool>("isSharp");
-        QTest::addColumn<double>("stiffness");
+        addColumns<int, int, bool, double>("sections", "rests", "isSharp", "stiffness");
         QTest::newRow("a soft shaft") << 20 << 0 << true << 0.003;
         for (const int sections : {8, 20, 200}) {
             for (const int rests : {0, 1, 3}) {

@@ -3,18 +3,13 @@
 // (sanitizers). SPARKOUT_LONG=1: 100,000.
 #include "core/process/compliance.h"
 #include "core/project/validate.h"
-#include "core/simulation/simulate.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <random>
-#include <vector>
 
 namespace sparkout::test_coupled_random {
 

@@ -4,9 +4,6 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <cmath>
-#include <numbers>
-
 namespace sparkout::test_force {
 
 using fixtures::close;

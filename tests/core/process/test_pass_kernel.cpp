@@ -5,12 +5,8 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <limits>
 #include <random>
-#include <vector>
 
 namespace sparkout::test_pass_kernel {
 

@@ -4,10 +4,6 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 namespace sparkout::test_profile {
 
 using fixtures::within;
@@ -181,8 +177,7 @@ private slots:
 
 private:
     static void everyForm() {
-        QTest::addColumn<ProfileForm>("form");
-        QTest::addColumn<Surface>("surface");
+        addColumns<ProfileForm, Surface>("form", "surface");
         const std::pair<const char*, ProfileForm> forms[] = {{"ellipse", ProfileForm::ellipse},
                                                              {"eccentric", ProfileForm::eccentric},
                                                              {"lobes", ProfileForm::lobes},

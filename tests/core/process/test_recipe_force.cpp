@@ -3,23 +3,15 @@
 // the law of the model with the shares that the recipe comes to.
 #include "core/process/recipe_force.h"
 
-#include "core/format/project_file.h"
 #include "core/limits/cutting.h"
 #include "core/process/force.h"
 #include "core/project/number_input.h"
 #include "core/project/validate.h"
-#include "core/simulation/simulate.h"
 #include "tests/core/support/formula_reader.h"
-#include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/random_cutting.h"
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"
-#include "words/issue_words.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
 #include <variant>
 
 namespace sparkout::test_recipe_force {

@@ -6,9 +6,7 @@
 #include "tests/registry.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <random>
 #include <utility>
@@ -88,8 +86,7 @@ class TestSectionInfluence : public QObject {
 
 private slots:
     void aShaftIsCountedInTimeProportionalToItsSectionsAsByTheWholeMatrix_data() {
-        QTest::addColumn<int>("sections");
-        QTest::addColumn<int>("shaft");
+        addColumns<int, int>("sections", "shaft");
         for (const int sections : {8, 20, 51, 200}) {
             for (int shaft = 0; shaft < 6; ++shaft) {
                 QTest::addRow("%d of %d", shaft, sections) << sections << shaft;

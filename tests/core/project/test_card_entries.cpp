@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the operation card has beside the cycle: in the file, in a set-up, and the mass of a shaft.
-#include "core/format/project_file.h"
 #include "core/project/number_input.h"
 #include "core/setup/setup_file.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 #include "tests/whole_project.h"
-
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
 
 namespace sparkout::test_card_entries {
 

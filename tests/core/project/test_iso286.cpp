@@ -42,8 +42,7 @@ class TestIso286 : public QObject {
 private slots:
     // Values of ISO 286-2 as they stand in every handbook.
     void knownFields_data() {
-        QTest::addColumn<double>("upper");
-        QTest::addColumn<double>("lower");
+        addColumns<double, double>("upper", "lower");
         const std::tuple<const char*, double, double> rows[] = {
             {"30h6", 0, -13},    {"30H7", 21, 0},    {"50k6", 18, 2},      {"25g6", -7, -20},
             {"40f7", -25, -50},  {"80H8", 46, 0},    {"20js6", 6.5, -6.5}, {"50p6", 42, 26},
@@ -219,9 +218,7 @@ private slots:
     }
 
     void designationsAreReadAsTheyAreWritten_data() {
-        QTest::addColumn<double>("nominal");
-        QTest::addColumn<QString>("letters");
-        QTest::addColumn<int>("grade");
+        addColumns<double, QString, int>("nominal", "letters", "grade");
         QTest::newRow("30h6") << 30.0 << "h" << 6;
         QTest::newRow("38.74h6") << 38.74 << "h" << 6;
         QTest::newRow("38,74h6") << 38.74 << "h" << 6;

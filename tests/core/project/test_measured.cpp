@@ -110,14 +110,10 @@ private slots:
     }
 
     void faults_data() {
-        QTest::addColumn<QByteArray>("measured");
-        QTest::addColumn<int>("code");
-        QTest::addColumn<QByteArray>("path");
-        QTest::addColumn<bool>("refused");
+        addColumns<QByteArray, int, QByteArray, bool>("measured", "code", "path", "refused");
         const auto row = [](const char* name, const char* measured, IssueCode code,
                             const char* path, bool refused) {
-            QTest::newRow(name) << QByteArray(measured) << static_cast<int>(code)
-                                << QByteArray(path) << refused;
+            addRow(name, QByteArray(measured), static_cast<int>(code), QByteArray(path), refused);
         };
         row("unknown key", R"({"part": []})", IssueCode::unknownKey, "/measured/part", true);
         row("unknown quantity",

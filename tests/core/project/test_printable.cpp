@@ -15,8 +15,7 @@ class TestPrintable : public QObject {
 
 private slots:
     void whatSteersTheDisplayIsShownAsItsCode_data() {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QByteArray>("shown");
+        addColumns<QByteArray, QByteArray>("text", "shown");
         const auto row = [](const char* name, const QByteArray& text, const QByteArray& shown) {
             QTest::newRow(name) << text << shown;
         };

@@ -3,19 +3,13 @@
 // against every cut of random plunge cycles.
 #include "core/quality/accuracy_limit.h"
 
-#include "core/process/profile.h"
-#include "core/simulation/simulate.h"
-#include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/random_cutting.h"
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
 #include <functional>
 #include <numeric>
 #include <random>
-#include <vector>
 
 namespace sparkout::test_accuracy_limit {
 

@@ -8,9 +8,7 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <algorithm>
 #include <map>
-#include <string>
 
 namespace sparkout::test_constraint_sheet {
 

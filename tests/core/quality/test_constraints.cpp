@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/constraints.h"
 #include "core/quality/drawing_constraints.h"
-#include "core/simulation/simulate.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
 
 namespace sparkout::test_constraints {
 
@@ -96,24 +90,14 @@ private slots:
 
     // A margin is the way to the limit, positive inside, in µm.
     void marginIsTheDistanceToTheLimitFromInside_data() {
-        QTest::addColumn<ConstraintKind>("kind");
-        QTest::addColumn<int>("section");
-        QTest::addColumn<double>("limit");
-        QTest::addColumn<double>("value");
-        QTest::addColumn<double>("margin");
-        QTest::addColumn<double>("relative");
-        QTest::newRow("min 0") << ConstraintKind::diameterMin << 0 << -16.0 << -10.0 << 6.0
-                               << 6.0 / 16;
-        QTest::newRow("min 1") << ConstraintKind::diameterMin << 1 << -16.0 << -12.0 << 4.0
-                               << 4.0 / 16;
-        QTest::newRow("max 0") << ConstraintKind::diameterMax << 0 << 0.0 << -4.0 << 4.0
-                               << 4.0 / 16;
-        QTest::newRow("max 1") << ConstraintKind::diameterMax << 1 << 0.0 << -7.0 << 7.0
-                               << 7.0 / 16;
-        QTest::newRow("runout 0") << ConstraintKind::radialRunout << 0 << 6.0 << 3.0 << 3.0
-                                  << 3.0 / 6;
-        QTest::newRow("runout 1") << ConstraintKind::radialRunout << 1 << 6.0 << 5.0 << 1.0
-                                  << 1.0 / 6;
+        addColumns<ConstraintKind, int, double, double, double, double>(
+            "kind", "section", "limit", "value", "margin", "relative");
+        addRow("min 0", ConstraintKind::diameterMin, 0, -16.0, -10.0, 6.0, 6.0 / 16);
+        addRow("min 1", ConstraintKind::diameterMin, 1, -16.0, -12.0, 4.0, 4.0 / 16);
+        addRow("max 0", ConstraintKind::diameterMax, 0, 0.0, -4.0, 4.0, 4.0 / 16);
+        addRow("max 1", ConstraintKind::diameterMax, 1, 0.0, -7.0, 7.0, 7.0 / 16);
+        addRow("runout 0", ConstraintKind::radialRunout, 0, 6.0, 3.0, 3.0, 3.0 / 6);
+        addRow("runout 1", ConstraintKind::radialRunout, 1, 6.0, 5.0, 1.0, 1.0 / 6);
     }
     void marginIsTheDistanceToTheLimitFromInside() {
         QFETCH(ConstraintKind, kind);
@@ -148,11 +132,10 @@ private slots:
 
     // MODEL-8: each diameter within [lower, upper] + 1e-9 mm
     void slackOfAMillionthOfAMicrometreFailsNobody_data() {
-        QTest::addColumn<double>("beyond_mm");
-        QTest::addColumn<bool>("holds");
-        QTest::newRow("on the limit") << 0.0 << true;
-        QTest::newRow("inside the slack") << 0.9e-9 << true;
-        QTest::newRow("outside the slack") << 1.1e-9 << false;
+        addColumns<double, bool>("beyond_mm", "holds");
+        addRow("on the limit", 0.0, true);
+        addRow("inside the slack", 0.9e-9, true);
+        addRow("outside the slack", 1.1e-9, false);
     }
     void slackOfAMillionthOfAMicrometreFailsNobody() {
         QFETCH(double, beyond_mm);
@@ -401,15 +384,13 @@ private slots:
     }
 
     void aSettingIsHeldAgainstItsNearerEnd_data() {
-        QTest::addColumn<double>("speed");
-        QTest::addColumn<double>("limit");
-        QTest::addColumn<bool>("isLeast");
-        QTest::newRow("below") << 40.0 << 50.0 << true;
-        QTest::newRow("at the bottom") << 50.0 << 50.0 << true;
-        QTest::newRow("near the bottom") << 90.0 << 50.0 << true;
-        QTest::newRow("near the top") << 450.0 << 500.0 << false;
-        QTest::newRow("at the top") << 500.0 << 500.0 << false;
-        QTest::newRow("above") << 600.0 << 500.0 << false;
+        addColumns<double, double, bool>("speed", "limit", "isLeast");
+        addRow("below", 40.0, 50.0, true);
+        addRow("at the bottom", 50.0, 50.0, true);
+        addRow("near the bottom", 90.0, 50.0, true);
+        addRow("near the top", 450.0, 500.0, false);
+        addRow("at the top", 500.0, 500.0, false);
+        addRow("above", 600.0, 500.0, false);
     }
     void aSettingIsHeldAgainstItsNearerEnd() {
         QFETCH(double, speed);

@@ -8,9 +8,7 @@
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"
 
-#include <cmath>
 #include <functional>
-#include <numbers>
 
 namespace sparkout::test_depth_limits {
 

@@ -2,14 +2,9 @@
 #include "core/quality/diameter_shares.h"
 
 #include "core/project/validate.h"
-#include "core/simulation/simulate.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
-
-#include <algorithm>
-#include <cmath>
-#include <string>
 
 namespace sparkout::test_diameter_shares {
 

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cuts of a run against the limits of its feed, as the view "Constraints" draws them.
-#include "core/process/profile.h"
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/limit_series.h"
-#include "core/simulation/simulate.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <random>
 
 namespace sparkout::test_limit_series {

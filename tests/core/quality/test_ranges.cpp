@@ -5,8 +5,6 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <vector>
-
 namespace sparkout::test_ranges {
 
 using fixtures::within;
@@ -128,9 +126,7 @@ private slots:
     }
 
     void marginIsTheDistanceToTheNearerEnd_data() {
-        QTest::addColumn<double>("speed");
-        QTest::addColumn<double>("margin");
-        QTest::addColumn<bool>("holds");
+        addColumns<double, double, bool>("speed", "margin", "holds");
         QTest::newRow("inside") << 180.0 << 130.0 << true;
         QTest::newRow("near the top") << 450.0 << 50.0 << true;
         QTest::newRow("at the bottom") << 50.0 << 0.0 << true;
@@ -152,9 +148,7 @@ private slots:
     }
 
     void nearestSettingIsOnTheStepsFromTheLowestOn_data() {
-        QTest::addColumn<double>("feed");
-        QTest::addColumn<double>("nearest");
-        QTest::addColumn<bool>("onStep");
+        addColumns<double, double, bool>("feed", "nearest", "onStep");
         QTest::newRow("on a step") << 0.0035 << 0.0035 << true; // seven steps of a rounded 0.0005
         QTest::newRow("between") << 0.0033 << 0.0035 << false;
         QTest::newRow("a trifle off") << 0.0035 + 4e-10 << 0.0035 << true;

@@ -5,9 +5,6 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <cmath>
-#include <limits>
-
 namespace sparkout::test_remarks {
 
 Project example(const char* name) {

@@ -4,16 +4,12 @@
 #include "core/project/member.h"
 #include "core/quality/constraints.h"
 #include "core/quality/depth_limits.h"
-#include "core/simulation/simulate.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/core/support/random_project.h"
 #include "tests/registry.h"
 
-#include <algorithm>
 #include <set>
-#include <string>
-#include <vector>
 
 namespace sparkout::test_requirement_rows {
 

@@ -6,14 +6,6 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <numbers>
-#include <vector>
-
 namespace sparkout::test_shop_energy {
 
 using namespace shop_cycles;

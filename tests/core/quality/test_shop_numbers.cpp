@@ -5,9 +5,6 @@
 #include "tests/core/quality/shop_cycles.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace sparkout::test_shop_numbers {
 
 using namespace shop_cycles;
@@ -77,9 +74,7 @@ private slots:
     // BADGER2010: 40 m/s, work 200 rev/min, wheel worn from 500 to 350 mm: 1528…2182 rev/min,
     // ratio 7.63…10.91 (the article cuts the last digits off).
     void rotationRatioIsAsPublished_data() {
-        QTest::addColumn<double>("diameter");
-        QTest::addColumn<double>("rpm");
-        QTest::addColumn<double>("ratio");
+        addColumns<double, double, double>("diameter", "rpm", "ratio");
         QTest::newRow("new") << 500.0 << 1528.0 << 7.635;
         QTest::newRow("worn") << 350.0 << 2182.5 << 10.91;
     }
@@ -97,8 +92,7 @@ private slots:
     }
 
     void ratiosNearAWholeNumberAreFlagged_data() {
-        QTest::addColumn<double>("ratio");
-        QTest::addColumn<bool>("flagged");
+        addColumns<double, bool>("ratio", "flagged");
         QTest::newRow("whole") << 8.0 << true;
         QTest::newRow("just above") << 8.049 << true;
         QTest::newRow("just below") << 7.951 << true;
@@ -119,8 +113,7 @@ private slots:
     // --- bands and stages that do nothing -------------------------------------------------------
 
     void specificEnergyBandIsTwentyToAHundredAndTwenty_data() {
-        QTest::addColumn<double>("energy");
-        QTest::addColumn<BandSide>("band");
+        addColumns<double, BandSide>("energy", "band");
         QTest::newRow("below") << 19.99 << BandSide::below;
         QTest::newRow("at the least") << 20.0 << BandSide::inside;
         QTest::newRow("at the most") << 120.0 << BandSide::inside;

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the sheet of a visit says is what the engine cut, for every radius of every pass.
 #include "core/quality/visit_sheet.h"
-#include "core/simulation/simulate.h"
 #include "tests/core/support/formula_reader.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
-
-#include <cmath>
-#include <string>
 
 namespace sparkout::test_visit_sheet {
 

@@ -3,7 +3,6 @@
 // Changes of one setting after which all holds: each one is run again by itself.
 #include "core/remedies/remedies.h"
 
-#include "core/format/project_file.h"
 #include "core/phases/cycle_trial.h"
 #include "core/phases/failing_stock.h"
 #include "core/phases/phase_decision.h"
@@ -25,22 +24,14 @@
 
 #include <QElapsedTimer>
 
-#include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
-#include <cstdint>
 #include <cstdio>
 #include <ctime>
-#include <filesystem>
-#include <limits>
-#include <optional>
 #include <regex>
 #include <stop_token>
-#include <string>
 #include <thread>
 #include <utility>
-#include <vector>
 
 namespace sparkout::test_remedies {
 

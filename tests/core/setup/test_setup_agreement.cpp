@@ -7,13 +7,7 @@
 #include "tests/core/support/reference_setup.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <map>
-#include <string>
-#include <tuple>
-#include <utility>
 
 namespace sparkout::test_setup_agreement {
 

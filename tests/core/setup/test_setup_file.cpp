@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files of one surface and of several.
-#include "core/format/project_file.h"
 #include "core/format/project_json.h"
 #include "core/setup/shared_members.h"
 #include "core/setup/split_project.h"
@@ -9,8 +8,6 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 #include "tests/whole_project.h"
-
-#include <algorithm>
 
 namespace sparkout::test_setup_file {
 

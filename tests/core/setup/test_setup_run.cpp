@@ -15,7 +15,6 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <stop_token>
 #include <thread>
 #include <utility>

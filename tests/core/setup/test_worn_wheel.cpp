@@ -10,15 +10,8 @@
 #include "core/sweep/sweep_run.h"
 #include "tests/core/setup/setup_samples.h"
 #include "tests/core/support/batch_fixtures.h"
-#include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
-
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <numbers>
-#include <vector>
 
 namespace sparkout::test_worn_wheel {
 

@@ -3,7 +3,6 @@
 #include "core/process/compliance.h"
 #include "core/process/system_compliance.h"
 #include "core/project/validate.h"
-#include "core/simulation/simulate.h"
 
 #include "tests/check_line.h"
 #include "tests/core/support/allocation_counter.h"
@@ -11,10 +10,7 @@
 #include "tests/processor_time.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
 #include <stop_token>
-#include <vector>
 
 namespace sparkout::test_coupled_plunge {
 
@@ -70,9 +66,7 @@ class TestCoupledPlunge : public QObject {
 
 private slots:
     void everyRevolutionSatisfiesTheConditions_data() {
-        QTest::addColumn<int>("sections");
-        QTest::addColumn<double>("dullness");
-        QTest::addColumn<bool>("bore");
+        addColumns<int, double, bool>("sections", "dullness", "bore");
         QTest::newRow("usual") << 4 << 0.02 << false;
         QTest::newRow("many sections") << 25 << 0.02 << false;
         QTest::newRow("sharp") << 6 << 0.0 << false;

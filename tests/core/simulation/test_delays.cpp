@@ -6,8 +6,6 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <cmath>
-
 namespace sparkout::test_delays {
 
 using namespace random_cycles;

@@ -204,8 +204,7 @@ private slots:
     }
 
     void evenlyChosenSectionsHoldEndsAndGauge_data() {
-        QTest::addColumn<int>("count");
-        QTest::addColumn<int>("gauge");
+        addColumns<int, int>("count", "gauge");
         for (int count : {1, 2, 3, 4, 5, 20, 200}) {
             for (int gauge : {0, count / 2, count - 1}) {
                 QTest::addRow("%d sections, gauge at %d", count, gauge) << count << gauge;

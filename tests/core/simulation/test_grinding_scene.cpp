@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Wheel and part from the side: what is cut touches the wheel, and gives way by γ·P_y.
-#include "core/process/profile.h"
 #include "core/process/system_compliance.h"
 #include "core/simulation/grinding_scene.h"
-#include "core/simulation/simulate.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 

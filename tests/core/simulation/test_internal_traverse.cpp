@@ -2,21 +2,15 @@
 // Traverse grinding of a bore, through or blind [MODEL-3, 5].
 #include "core/project/validate.h"
 #include "core/quality/shop_numbers.h"
-#include "core/simulation/simulate.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
 
 #include "tests/core/simulation/random_cycles.h"
 #include "tests/core/simulation/strokes_by_hand.h"
-#include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <cstddef>
-#include <numbers>
-#include <string>
 #include <utility>
 #include <variant>
-#include <vector>
 
 namespace sparkout::test_internal_traverse {
 

@@ -2,31 +2,21 @@
 // Interrupted surfaces: keyways and splines [MODEL-4, 7].
 #include "core/form/accuracy.h"
 #include "core/form/harmonics.h"
-#include "core/format/project_file.h"
-#include "core/process/profile.h"
 #include "core/project/validate.h"
 #include "core/quality/diameter_shares.h"
 #include "core/quality/drawing_constraints.h"
 #include "core/quality/shop_numbers.h"
 #include "core/simulation/feed_series.h"
 #include "core/simulation/progress.h"
-#include "core/simulation/simulate.h"
 #include "core/simulation/stock_layers.h"
 #include "core/study/length_lines.h"
 #include "core/study/profile_series.h"
 
 #include "tests/core/simulation/random_cycles.h"
 #include "tests/core/simulation/strokes_by_hand.h"
-#include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <cstring>
-#include <numbers>
-#include <string>
-#include <vector>
 
 namespace sparkout::test_interrupted {
 

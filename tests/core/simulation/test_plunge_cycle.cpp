@@ -5,10 +5,7 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
 #include <stop_token>
-#include <vector>
 
 namespace sparkout::test_plunge_cycle {
 

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far a recorded cycle has run: what its last visits left, held against going through all.
-#include "core/process/profile.h"
 #include "core/simulation/progress.h"
-#include "core/simulation/simulate.h"
 #include "core/simulation/stock_layers.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
-
-#include <algorithm>
 
 namespace sparkout::test_progress {
 

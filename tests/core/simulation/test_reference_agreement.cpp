@@ -4,18 +4,12 @@
 #include "core/simulation/simulate.h"
 
 #include "tests/check_line.h"
-#include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/random_project.h"
 #include "tests/core/support/reference_difference.h"
-#include "tests/core/support/reference_simulation.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <map>
 #include <set>
-#include <string>
 
 namespace sparkout::test_reference_agreement {
 

@@ -2,13 +2,9 @@
 // Stages with a negative feed: the wheel head is drawn back so that the stored deflection is let go
 // sooner. An option beyond the sources [MODEL-7].
 #include "core/project/validate.h"
-#include "core/simulation/simulate.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
-
-#include <algorithm>
-#include <vector>
 
 namespace sparkout::test_retraction {
 
@@ -109,9 +105,7 @@ private slots:
     }
 
     void onlyAStageBetweenOthersMayRetract_data() {
-        QTest::addColumn<int>("place");
-        QTest::addColumn<bool>("position");
-        QTest::addColumn<bool>("allowed");
+        addColumns<int, bool, bool>("place", "position", "allowed");
         QTest::newRow("first") << 0 << false << false;
         QTest::newRow("between") << 1 << false << true;
         QTest::newRow("last") << 2 << false << false;

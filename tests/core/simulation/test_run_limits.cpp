@@ -12,11 +12,7 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <numbers>
-#include <vector>
 
 namespace sparkout::test_run_limits {
 
@@ -294,8 +290,7 @@ private slots:
     }
 
     void passesAllocateNothing_data() {
-        QTest::addColumn<bool>("contact");
-        QTest::addColumn<bool>("isCoupled");
+        addColumns<bool, bool>("contact", "isCoupled");
         QTest::newRow("plain") << false << false;
         QTest::newRow("contact") << true << false;
         QTest::newRow("coupled") << false << true;

@@ -10,10 +10,6 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <cmath>
-#include <memory>
-#include <vector>
-
 namespace sparkout::test_run_options {
 
 using fixtures::close;
@@ -217,8 +213,7 @@ private slots:
     // η = 0, every radius in contact: all that is left of a blank's form shrinks by
     // r = γ·b·k_s/(1 + γ·b·k_s) in a revolution, lobe number by lobe number.
     void lobesOfTheBlankDecayByTheLinearLaw_data() {
-        QTest::addColumn<ProfileForm>("form");
-        QTest::addColumn<int>("lobes");
+        addColumns<ProfileForm, int>("form", "lobes");
         QTest::newRow("ellipse") << ProfileForm::ellipse << 2;
         QTest::newRow("eccentric") << ProfileForm::eccentric << 1;
         QTest::newRow("5 lobes") << ProfileForm::lobes << 5;

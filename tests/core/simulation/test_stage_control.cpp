@@ -4,8 +4,6 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <vector>
-
 namespace sparkout::test_stage_control {
 
 using fixtures::within;
@@ -162,8 +160,7 @@ private slots:
 
     // Six radii: diameters pair k with k + 3. Depths 1, 2, 3 and 5, 4, 9 µm: sums 6, 6, 12.
     void gaugeReadsDiametersByItsRule_data() {
-        QTest::addColumn<GaugeRule>("rule");
-        QTest::addColumn<double>("depth_um");
+        addColumns<GaugeRule, double>("rule", "depth_um");
         QTest::newRow("min: the deepest") << GaugeRule::min << 6.0;
         QTest::newRow("mean") << GaugeRule::mean << 4.0;
         QTest::newRow("max: the shallowest") << GaugeRule::max << 3.0;

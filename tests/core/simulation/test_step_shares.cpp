@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What stages and steps take and take off: both add up, and a double stroke takes what the model
 // says [MODEL-5].
-#include "core/process/profile.h"
 #include "core/process/system_compliance.h"
 #include "core/project/validate.h"
-#include "core/simulation/simulate.h"
 #include "core/simulation/step_shares.h"
 #include "core/simulation/traverse.h"
 #include "tests/core/support/project_fixtures.h"
@@ -12,7 +10,6 @@
 #include "tests/registry.h"
 
 #include <numeric>
-#include <vector>
 
 namespace sparkout::test_step_shares {
 

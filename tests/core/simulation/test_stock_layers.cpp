@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The layers the stock comes off in: they add up to it, and merged ones add up the same.
-#include "core/process/profile.h"
-#include "core/simulation/simulate.h"
 #include "core/simulation/stock_layers.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace sparkout::test_stock_layers {
 

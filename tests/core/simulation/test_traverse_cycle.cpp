@@ -5,11 +5,9 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <algorithm>
 #include <chrono>
 #include <stop_token>
 #include <thread>
-#include <vector>
 
 namespace sparkout::test_traverse_cycle {
 
@@ -87,12 +85,9 @@ class TestTraverseCycle : public QObject {
 private slots:
     void doubleStrokeGoesThroughTheStepsInTheOrderOfTheTable_data() {
         QTest::addColumn<double>("dwellEntry_s"); // n = 180: a revolution takes a third of a second
-        QTest::addColumn<double>("dwellExit_s");
-        QTest::addColumn<double>("radialFeed_mm");
-        QTest::addColumn<double>("axialFeed_mm_min");
+        addColumns<double, double, double>("dwellExit_s", "radialFeed_mm", "axialFeed_mm_min");
         QTest::addColumn<int>("plungeIn"); // 180·S_t/0.5
-        QTest::addColumn<int>("n1");
-        QTest::addColumn<int>("n2");
+        addColumns<int, int>("n1", "n2");
         QTest::newRow("dwells") << 1.0 << 0.667 << 0.004 << 1800.0 << 2 << 3 << 2;
         QTest::newRow("no dwell") << 0.0 << 0.0 << 0.001 << 300.0 << 1 << 0 << 0;
         QTest::newRow("entry dwell only") << 0.334 << 0.0 << 0.01 << 1800.0 << 4 << 1 << 0;
@@ -162,8 +157,7 @@ private slots:
 
     // ⌊x + 0.5 + 1e-9⌋, at least 1 when there is a dwell; n = 60, so seconds are revolutions.
     void dwellIsRoundedToWholeRevolutions_data() {
-        QTest::addColumn<double>("dwell_s");
-        QTest::addColumn<int>("revolutions");
+        addColumns<double, int>("dwell_s", "revolutions");
         QTest::newRow("none") << 0.0 << 0;
         QTest::newRow("a little") << 0.001 << 1;
         QTest::newRow("less than a half") << 0.49 << 1;

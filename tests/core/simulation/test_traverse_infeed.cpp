@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Infeed at either or both reversals, and continuous infeed while the table travels [MODEL-5].
-#include "core/format/project_file.h"
 #include "core/project/validate.h"
 #include "core/quality/ranges.h"
 #include "core/simulation/feed_series.h"
-#include "core/simulation/simulate.h"
 #include "core/simulation/step_shares.h"
 #include "core/simulation/traverse.h"
 
 #include "tests/core/simulation/strokes_by_hand.h"
-#include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <algorithm>
 #include <cstring>
-#include <string>
-#include <vector>
 
 namespace sparkout::test_traverse_infeed {
 
@@ -118,11 +112,9 @@ class TestTraverseInfeed : public QObject {
 
 private slots:
     void twoDoubleStrokesAreAsByHand_data() {
-        QTest::addColumn<ReversalInfeed>("at");
-        QTest::addColumn<double>("reversal_um");
+        addColumns<ReversalInfeed, double>("at", "reversal_um");
         QTest::addColumn<double>("continuous_mm_min"); // 2 µm a turn
-        QTest::addColumn<double>("all_um");
-        QTest::addColumn<std::vector<Cut>>("table");
+        addColumns<double, std::vector<Cut>>("all_um", "table");
         QTest::newRow("at the exit") << ReversalInfeed::exit << 8.0 << 0.0 << 16.0 << exitInfeed;
         QTest::newRow("half at each") << ReversalInfeed::both << 8.0 << 0.0 << 16.0 << halfAtEach;
         QTest::newRow("continuous") << ReversalInfeed::entry << 0.0 << 0.12 << 92.0 << continuous;

@@ -11,9 +11,7 @@
 #include <QDir>
 #include <QFile>
 
-#include <cmath>
 #include <map>
-#include <vector>
 
 namespace sparkout::test_vectors {
 
@@ -192,11 +190,8 @@ private slots:
 
     // its spark-out after 1, 2, 5, 10, 20, 50, 100, 200 revolutions, from the steady state
     void fullLawSparksOutAsInTheTable_data() {
-        QTest::addColumn<int>("revolutions");
-        QTest::addColumn<double>("depth");
-        QTest::addColumn<double>("depthDigit");
-        QTest::addColumn<double>("deflection");
-        QTest::addColumn<double>("deflectionDigit");
+        addColumns<int, double, double, double, double>("revolutions", "depth", "depthDigit",
+                                                        "deflection", "deflectionDigit");
         QTest::newRow("1") << 1 << 1.73612 << 1e-5 << 2.41830 << 1e-5;
         QTest::newRow("2") << 2 << .793119 << 1e-6 << 1.62518 << 1e-5;
         QTest::newRow("5") << 5 << .174254 << 1e-6 << .756917 << 1e-6;

@@ -3,18 +3,14 @@
 // the balance of every pass, the first touch, limits in which it is the plain blank; searches and
 // phases of the stock of such parts against running every cycle.
 #include "core/phases/phase_decision.h"
-#include "core/process/profile.h"
 #include "core/process/system_compliance.h"
 #include "core/project/validate.h"
-#include "core/simulation/simulate.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/core/support/random_project.h"
 #include "tests/registry.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <numeric>
-#include <random>
 #include <set>
 
 namespace sparkout::test_zone_blank {

@@ -3,13 +3,9 @@
 // The same cycle with coupled and with independent sections [MODEL-6].
 #include "core/study/coupling_comparison.h"
 
-#include "core/simulation/simulate.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace sparkout::test_coupling_comparison {
 

@@ -5,9 +5,6 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <vector>
-
 namespace sparkout::test_gauge_placement {
 
 using fixtures::plungeStage;

@@ -8,11 +8,7 @@
 
 #include <QTemporaryDir>
 
-#include <algorithm>
-#include <filesystem>
 #include <stop_token>
-#include <string>
-#include <vector>
 
 namespace sparkout::test_part_rows_file {
 

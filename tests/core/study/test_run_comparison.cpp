@@ -9,13 +9,6 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 namespace sparkout::test_run_comparison {
 
 struct Ran {

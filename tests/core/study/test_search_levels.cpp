@@ -2,7 +2,6 @@
 // A search whose levels follow its answer, and where an answer stands at the edge of its grid.
 #include "core/study/search_levels.h"
 
-#include "core/format/project_file.h"
 #include "core/optimisation/levels.h"
 #include "core/study/new_project.h"
 #include "core/study/search.h"
@@ -11,11 +10,7 @@
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <set>
-#include <vector>
 
 namespace sparkout::test_search_levels {
 

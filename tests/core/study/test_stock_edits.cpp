@@ -35,8 +35,7 @@ class TestStockEdits : public QObject {
 
 private slots:
     void theFirstStageTakesWhatTheLaterOnesLeave_data() {
-        QTest::addColumn<bool>("plunge");
-        QTest::addColumn<double>("stock");
+        addColumns<bool, double>("plunge", "stock");
         for (const bool plunge : {false, true}) {
             for (const double stock : {0.07, 0.2, 0.3}) {
                 QTest::addRow("%s %g", plunge ? "plunge" : "traverse", stock) << plunge << stock;

@@ -7,7 +7,6 @@
 #include "tests/registry.h"
 
 #include <set>
-#include <string>
 
 namespace sparkout::test_sweep_entries {
 

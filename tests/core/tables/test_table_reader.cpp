@@ -61,8 +61,7 @@ class TestTableReader : public QObject {
 
 private slots:
     void tenThousandCellsComeBackEqual_data() {
-        QTest::addColumn<char>("delimiter");
-        QTest::addColumn<char>("decimal");
+        addColumns<char, char>("delimiter", "decimal");
         QTest::newRow("comma, point") << ',' << '.';
         QTest::newRow("semicolon, decimal comma") << ';' << ',';
         QTest::newRow("tab, decimal comma") << '\t' << ',';
@@ -112,8 +111,7 @@ private slots:
     }
 
     void cellsOfTexts_data() {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QByteArray>("cell");
+        addColumns<QByteArray, QByteArray>("text", "cell");
         const auto row = [](const char* name, const QByteArray& text, const QByteArray& cell) {
             QTest::newRow(name) << text << cell;
         };

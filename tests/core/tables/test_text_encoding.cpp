@@ -43,15 +43,12 @@ class TestTextEncoding : public QObject {
 private slots:
     void textIsReadInEveryEncoding_data() {
         QTest::addColumn<QString>("text");
-        const auto row = [](const char* name, const char* text) {
-            QTest::newRow(name) << QString::fromUtf8(text);
-        };
-        row("list of students", "ФИО;Группа\r\nИванов Пётр;ТМ-31\r\nЁлкина Анна;ТМ-31\r\n");
-        row("names alone", "Иванов\nПетров\nСидоров\n");
-        row("one word", "Иванов");
-        row("measured values", "№ детали;Диаметр, мм\n1;29,991\n2;29,993\n");
-        row("tabs", "t, с\tРазмер, мм\n0,1\t0,4001\n");
-        row("one letter", "я");
+        addRow("list of students", "ФИО;Группа\r\nИванов Пётр;ТМ-31\r\nЁлкина Анна;ТМ-31\r\n");
+        addRow("names alone", "Иванов\nПетров\nСидоров\n");
+        addRow("one word", "Иванов");
+        addRow("measured values", "№ детали;Диаметр, мм\n1;29,991\n2;29,993\n");
+        addRow("tabs", "t, с\tРазмер, мм\n0,1\t0,4001\n");
+        addRow("one letter", "я");
     }
     void textIsReadInEveryEncoding() {
         QFETCH(QString, text);

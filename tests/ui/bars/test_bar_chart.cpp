@@ -84,11 +84,7 @@ class TestBarChart : public QObject {
 
 private slots:
     void everyBarStandsWhereQtChartsDrawsIt_data() {
-        QTest::addColumn<int>("shape");
-        QTest::addColumn<bool>("lying");
-        QTest::addColumn<int>("categories");
-        QTest::addColumn<int>("series");
-        QTest::addColumn<bool>("second");
+        addColumns<int, bool, int, int, bool>("shape", "lying", "categories", "series", "second");
         for (const bool lying : {false, true}) {
             for (const int series : {1, 2, 5}) {
                 QTest::addRow("stacked %d %d", lying, series)
@@ -325,8 +321,7 @@ private slots:
     }
 
     void noNumberStandsOnTheLineOfALimit_data() {
-        QTest::addColumn<bool>("lying");
-        QTest::addColumn<bool>("totals");
+        addColumns<bool, bool>("lying", "totals");
         for (const bool lying : {false, true}) {
             for (const bool totals : {false, true}) {
                 QTest::addRow("%s, %s", lying ? "lying" : "standing", totals ? "sums" : "values")

@@ -18,21 +18,14 @@
 #include <QComboBox>
 #include <QDeadlineTimer>
 #include <QDesktopServices>
-#include <QDir>
 #include <QElapsedTimer>
-#include <QFile>
 #include <QFileInfo>
 #include <QFrame>
-#include <QLabel>
-#include <QMessageBox>
-#include <QPushButton>
 #include <QThread>
-#include <QTimer>
 #include <QUrl>
 
 #include <algorithm>
 #include <atomic>
-#include <memory>
 #include <utility>
 
 namespace sparkout::test_export_dialog {
@@ -188,15 +181,11 @@ private slots:
     }
 
     void theFileAndItsFolderAreOpenedByTheSystem_data() {
-        QTest::addColumn<QString>("folder");
-        QTest::addColumn<QString>("name");
-        const auto row = [](const char* what, const char* folder, const char* name) {
-            QTest::newRow(what) << QString::fromUtf8(folder) << QString::fromUtf8(name);
-        };
-        row("Cyrillic and spaces", "Карты цеха 2", "Карта 1.pdf");
-        row("number sign", "line #3", "part #12 a.pdf");
-        row("per cent", "50% done", "100%25 %41.pdf");
-        row("others of URLs", "a&b;c", "what? yes: [1]+~'2'.pdf");
+        addColumns<QString, QString>("folder", "name");
+        addRow("Cyrillic and spaces", "Карты цеха 2", "Карта 1.pdf");
+        addRow("number sign", "line #3", "part #12 a.pdf");
+        addRow("per cent", "50% done", "100%25 %41.pdf");
+        addRow("others of URLs", "a&b;c", "what? yes: [1]+~'2'.pdf");
     }
     void theFileAndItsFolderAreOpenedByTheSystem() {
         QFETCH(QString, folder);

@@ -7,8 +7,6 @@
 #include "tests/ui/export/export_bench.h"
 #include "tests/ui/support/file_trouble.h"
 
-#include <QProcess>
-
 namespace sparkout::test_export_results {
 
 using namespace export_bench;

@@ -3,10 +3,8 @@
 // Batch, sweep and search as workbooks, all parts as rows: by the window's own ways and by
 // sparkout --export.
 #include "core/batch/batch_verdict.h"
-#include "core/format/project_file.h"
 #include "core/quality/result_json.h"
 #include "core/setup/setup_run.h"
-#include "core/study/evaluate.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/search_fixtures.h"
@@ -21,19 +19,12 @@
 #include "ui/views/optimise/optimise_text.h"
 #include "ui/window/studies_shown.h"
 
-#include <QApplication>
 #include <QComboBox>
-#include <QFile>
-#include <QLabel>
-#include <QProcess>
-#include <QPushButton>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <bit>
 #include <clocale>
 #include <csignal>
-#include <memory>
 
 using namespace sparkout;
 

@@ -10,11 +10,9 @@
 #include "ui/dialogs/copy_table.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/plot/plot_tools.h"
-#include "ui/plot/view.h"
 #include "ui/window/view_tabs.h"
 
 #include <QContextMenuEvent>
-#include <QFile>
 #include <QMenu>
 #include <QRegularExpression>
 

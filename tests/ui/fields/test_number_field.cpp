@@ -37,9 +37,7 @@ private slots:
     void init() { QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates)); }
 
     void typedNumbersAreTakenAsTypedInEveryLocale_data() {
-        QTest::addColumn<QLocale>("locale");
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<double>("value");
+        addColumns<QLocale, QString, double>("locale", "text", "value");
         const QList<QLocale> locales{QLocale(QStringLiteral("en_US")),
                                      QLocale(QStringLiteral("ru_RU")),
                                      QLocale(QStringLiteral("de_DE"))};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The entries of the catalogues, shipped and of one's own: searched, taken, kept.
 #include "core/project/validate.h"
-#include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"
 #include "tests/whole_project.h"

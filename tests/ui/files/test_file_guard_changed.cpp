@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The guarded file is changed by another program: seen before a save, reported, asked for.
 #include "core/files/file_system.h"
-#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/ui/support/file_guard_bench.h"
 #include "ui/session/project_io.h"

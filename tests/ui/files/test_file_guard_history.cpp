@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The earlier versions that a guarded file keeps.
-#include "core/project/part.h"
 #include "tests/registry.h"
 #include "tests/ui/support/file_guard_bench.h"
 

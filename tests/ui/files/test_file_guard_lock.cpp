@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The lock beside a project: who has it, who may take it over, and how it follows the document.
-#include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/file_guard_bench.h"
 
@@ -106,8 +105,7 @@ private slots:
 
     // To open a pipe is to wait for a writer, and /dev/zero has no end.
     void whatIsNoLockIsNamedAndPassedOver_data() {
-        QTest::addColumn<QString>("kind");
-        QTest::addColumn<QString>("ending");
+        addColumns<QString, QString>("kind", "ending");
         for (const QString& kind : trouble::strangeKinds()) {
             for (const char* ending : {"", ".rmlock"}) {
                 QTest::addRow("%s%s", qPrintable(kind), ending)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A guarded file is saved: what it replaces, what it refuses, what stays when it fails.
 #include "core/files/file_system.h"
-#include "core/project/part.h"
-#include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/support/file_guard_bench.h"

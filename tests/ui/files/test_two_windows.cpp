@@ -20,12 +20,9 @@
 
 #include <QFileInfo>
 #include <QProcess>
-#include <QTemporaryDir>
-#include <QTest>
 
 #include <clocale>
 #include <cstdio>
-#include <functional>
 #include <memory>
 #include <optional>
 

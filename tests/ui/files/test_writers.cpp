@@ -19,7 +19,6 @@
 #include "ui/session/settings.h"
 
 #include <QFileInfo>
-#include <QTemporaryDir>
 
 #include <functional>
 

@@ -36,8 +36,7 @@ class TestTour : public QObject {
 
 private slots:
     void keysGoThroughAllSteps_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<QSize>("size");
+        addColumns<QString, QSize>("language", "size");
         QTest::newRow("en, small") << QStringLiteral("en") << QSize(1366, 768);
         QTest::newRow("ru, small") << QStringLiteral("ru") << QSize(1366, 768);
         QTest::newRow("ru, large") << QStringLiteral("ru") << QSize(1920, 1080);
@@ -76,8 +75,7 @@ private slots:
     }
 
     void theFirstStepPointsAtTheButtonItNames_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<int>("width");
+        addColumns<QString, int>("language", "width");
         for (const char* code : {"en", "ru"}) {
             for (const int width : {1024, 1366, 1920}) {
                 QTest::addRow("%s %d", code, width) << QString::fromLatin1(code) << width;

@@ -27,9 +27,6 @@
 #include <QTableView>
 #include <QTimer>
 
-#include <cmath>
-#include <functional>
-
 namespace sparkout::test_calibration_dialog {
 
 template <typename Widget>
@@ -385,8 +382,7 @@ private slots:
     }
 
     void allTextsHaveRoomAndAreTranslated_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<int>("percent");
+        addColumns<QString, int>("language", "percent");
         for (const char* language : {"en", "ru"}) {
             for (const int percent : {100, 130}) {
                 QTest::addRow("%s %d", language, percent) << QString::fromUtf8(language) << percent;

@@ -25,9 +25,6 @@
 #include <QTemporaryDir>
 #include <QTimer>
 
-#include <cmath>
-#include <functional>
-
 namespace sparkout::test_trial_pages {
 
 constexpr double headstock = 45, tailstock = 30; ///< of the truth [N/µm]

@@ -4,7 +4,6 @@
 // mouse.
 #include "core/batch/batch_check.h"
 #include "core/batch/scenario_source.h"
-#include "core/format/project_file.h"
 #include "core/study/new_project.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"

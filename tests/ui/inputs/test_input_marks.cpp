@@ -268,8 +268,7 @@ private slots:
     }
 
     void theMenuKeyOffersTheReset_data() {
-        QTest::addColumn<int>("page");
-        QTest::addColumn<QString>("path");
+        addColumns<int, QString>("page", "path");
         QTest::newRow("number") << 1 << QStringLiteral("/material/friction");
         QTest::newRow("choice") << 0 << QStringLiteral("/part/shaft/mounting");
         QTest::newRow("given or not") << 0 << QStringLiteral("/part/target_diameter_mm");

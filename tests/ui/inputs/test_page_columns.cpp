@@ -13,7 +13,6 @@
 #include <QScrollBar>
 
 #include <algorithm>
-#include <vector>
 
 namespace sparkout::test_page_columns {
 
@@ -101,8 +100,7 @@ private slots:
 
     // As a look at the page would say: nothing over another, nothing pressed.
     void nothingOverlapsOrIsPressed_data() {
-        QTest::addColumn<int>("page");
-        QTest::addColumn<int>("width");
+        addColumns<int, int>("page", "width");
         for (int page = int(Page::part); page <= int(Page::search); ++page) {
             for (const int columns : {1, 2, 3}) {
                 QTest::addRow("%d, %d", page, columns) << page << columns * panelWidth();

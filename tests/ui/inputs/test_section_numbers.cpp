@@ -3,7 +3,6 @@
 // Sections and parts are counted from 1 on screen and on paper, from 0 in the file.
 #include "core/format/project_file.h"
 #include "core/project/validate.h"
-#include "core/study/evaluate.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
 #include "core/sweep/sweep_run.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // The stage table and the clipboard: cells of a spreadsheet pasted, refused, copied.
-#include "core/project/cycle.h"
-#include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
 #include "ui/text/number_text.h"
@@ -88,15 +86,9 @@ private slots:
     }
 
     void aRefusedCellIsNamedAndNothingIsTaken_data() {
-        QTest::addColumn<int>("row");
-        QTest::addColumn<int>("column");
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<QString>("reason");
+        addColumns<int, int, QString, QString>("row", "column", "text", "reason");
         const auto line = [](const char* name, int row, int column, const char* text,
-                             const char* reason) {
-            QTest::newRow(name) << row << column << QString::fromUtf8(text)
-                                << QString::fromUtf8(reason);
-        };
+                             const char* reason) { addRow(name, row, column, text, reason); };
         line("word", 0, 2, "0.1\nabc",
              "Stage 2, Stock per side: “abc” is not a number; allowed: 0 to 5\u00a0mm");
         line("range", 0, 2, "7,5",

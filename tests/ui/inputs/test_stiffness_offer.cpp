@@ -10,12 +10,9 @@
 #include "ui/text/names.h"
 
 #include <QCheckBox>
-#include <QLabel>
-#include <QLineEdit>
 #include <QTreeWidget>
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <variant>
 #include <vector>

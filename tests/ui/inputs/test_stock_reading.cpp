@@ -3,7 +3,6 @@
 // Stock entered per side or on the diameter; the project keeps it per side.
 #include "core/format/project_file.h"
 #include "core/project/validate.h"
-#include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
 #include "tests/ui/support/window_bench.h"

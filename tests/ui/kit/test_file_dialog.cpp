@@ -49,8 +49,7 @@ private slots:
     }
 
     void whatStandsInItIsReadInFull_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<int>("percent");
+        addColumns<QString, int>("language", "percent");
         for (const char* language : {"en", "ru"}) {
             for (const int percent : {100, 130}) {
                 QTest::addRow("%s %d", language, percent)

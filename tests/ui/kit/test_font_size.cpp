@@ -158,15 +158,13 @@ private slots:
     }
 
     void toolsWithoutRoomStandInFurtherLines_data() {
-        QTest::addColumn<int>("width");
-        QTest::addColumn<QList<QPoint>>("corners");
+        addColumns<int, QList<QPoint>>("width", "corners");
         using Corners = QList<QPoint>;
         // Two of 100, a stretch, two of 80; 10 between what stands beside each other.
-        QTest::newRow("all in one, the last at the right")
-            << 500 << Corners{{0, 0}, {110, 0}, {330, 0}, {420, 0}};
-        QTest::newRow("the stretch begins a line")
-            << 300 << Corners{{0, 0}, {110, 0}, {130, 30}, {220, 30}};
-        QTest::newRow("each has room") << 120 << Corners{{0, 0}, {0, 30}, {40, 60}, {0, 90}};
+        addRow("all in one, the last at the right", 500,
+               Corners{{0, 0}, {110, 0}, {330, 0}, {420, 0}});
+        addRow("the stretch begins a line", 300, Corners{{0, 0}, {110, 0}, {130, 30}, {220, 30}});
+        addRow("each has room", 120, Corners{{0, 0}, {0, 30}, {40, 60}, {0, 90}});
     }
 
     void toolsWithoutRoomStandInFurtherLines() {

@@ -131,8 +131,7 @@ private slots:
     void init() { m_language.apply(QStringLiteral("en")); }
 
     void everyReportIsTagged_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<int>("row");
+        addColumns<QString, int>("language", "row");
         for (const char* language : {"en", "ru"}) {
             for (std::size_t row = 0; row < report::kinds().size(); ++row) {
                 QTest::addRow("%s %s", report::kinds()[row].key, language)

@@ -108,8 +108,7 @@ private slots:
     }
 
     void aTypedPlaceReadsTheEnginesValuesThere_data() {
-        QTest::addColumn<QString>("typed");
-        QTest::addColumn<double>("minutes");
+        addColumns<QString, double>("typed", "minutes");
         QTest::newRow("decimal point") << "0.7123" << 0.7123;
         QTest::newRow("decimal comma") << "0,7123" << 0.7123;
         QTest::newRow("early") << "0.05" << 0.05;

@@ -8,8 +8,6 @@
 #include <QElapsedTimer>
 #include <QImage>
 
-#include <algorithm>
-
 namespace sparkout::test_plot_export {
 
 using namespace plot_export_bench;

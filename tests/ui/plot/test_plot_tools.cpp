@@ -8,7 +8,6 @@
 #include "ui/plot/plot_tools.h"
 #include "ui/text/names.h"
 
-#include <QApplication>
 #include <QClipboard>
 #include <QMenu>
 #include <QTimer>
@@ -17,7 +16,6 @@
 #include <qcustomplot.h>
 
 #include <clocale>
-#include <memory>
 
 namespace sparkout::test_plot_tools {
 

@@ -17,12 +17,8 @@
 #include "ui/report/format/pages.h"
 #include "ui/text/number_text.h"
 
-#include <QFile>
 #include <QFontMetricsF>
-#include <QProcess>
 #include <QRegularExpression>
-#include <QTemporaryDir>
-#include <QXmlStreamReader>
 
 #include <algorithm>
 #include <optional>
@@ -157,8 +153,7 @@ void verifyRoom(const FormSheet& sheet) {
 }
 
 void addSetups() {
-    QTest::addColumn<QString>("name");
-    QTest::addColumn<QString>("language");
+    addColumns<QString, QString>("name", "language");
     for (const char* name : {"spindle", "sleeve", "many", "six", "examples"}) {
         for (const char* language : {"en", "ru"}) {
             QTest::addRow("%s %s", name, language)

@@ -16,7 +16,6 @@
 #include <QPushButton>
 
 #include <algorithm>
-#include <memory>
 #include <set>
 
 namespace sparkout::test_handout_step {
@@ -30,8 +29,7 @@ private slots:
     void init() { m_language.apply(QStringLiteral("en")); }
 
     void aStepIsReadFromWords_data() {
-        QTest::addColumn<QString>("words");
-        QTest::addColumn<bool>("good");
+        addColumns<QString, bool>("words", "good");
         for (const char* good : {"12", "12,nz,z1,e1,r1,k9", "rz2", " k0 , RZ1", "s0,3"}) {
             QTest::newRow(good) << QString::fromLatin1(good) << true;
         }

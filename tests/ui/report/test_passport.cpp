@@ -153,8 +153,7 @@ private slots:
     }
 
     void theVerdictTurnsWithATolerance_data() {
-        QTest::addColumn<double>("tolerance_um");
-        QTest::addColumn<bool>("good");
+        addColumns<double, bool>("tolerance_um", "good");
         QTest::newRow("wide") << 20.0 << true;
         QTest::newRow("narrow") << 0.5 << false;
     }

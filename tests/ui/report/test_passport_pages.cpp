@@ -8,7 +8,6 @@
 
 #include <QRegularExpression>
 
-#include <algorithm>
 #include <ctime>
 
 namespace sparkout::test_passport_pages {

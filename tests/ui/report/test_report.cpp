@@ -16,10 +16,8 @@
 #include "ui/views/verdict/verdict_text.h"
 #include "ui/window/dialogs/examples_dialog.h"
 
-#include <QApplication>
 #include <QFileInfo>
 #include <QRegularExpression>
-#include <QTest>
 
 #include <algorithm>
 #include <clocale>

@@ -20,14 +20,10 @@
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QFile>
-#include <QLabel>
-#include <QLineEdit>
 #include <QPrintPreviewWidget>
 #include <QProgressBar>
-#include <QPushButton>
 #include <QRegularExpression>
 #include <QTemporaryDir>
-#include <QTimer>
 
 #include <utility>
 
@@ -213,19 +209,12 @@ private slots:
     }
 
     void theCardIsExportedAsItsEndingSays_data() {
-        QTest::addColumn<QString>("action");
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<QByteArray>("beginning");
-        QTest::newRow("PDF") << "pdf-card"
-                             << "card.pdf" << QByteArray("%PDF-");
-        QTest::newRow("HTML") << "html-card"
-                              << "card.html" << QByteArray("<!DOCTYPE html>");
-        QTest::newRow("Markdown") << "markdown-card"
-                                  << "card.md" << QByteArray("# ");
-        QTest::newRow("ODT") << "odt-operation-card"
-                             << "card.odt" << QByteArray("PK");
-        QTest::newRow("form") << "pdf-operation-card"
-                              << "sheets.pdf" << QByteArray("%PDF-");
+        addColumns<QString, QString, QByteArray>("action", "name", "beginning");
+        addRow("PDF", "pdf-card", "card.pdf", QByteArray("%PDF-"));
+        addRow("HTML", "html-card", "card.html", QByteArray("<!DOCTYPE html>"));
+        addRow("Markdown", "markdown-card", "card.md", QByteArray("# "));
+        addRow("ODT", "odt-operation-card", "card.odt", QByteArray("PK"));
+        addRow("form", "pdf-operation-card", "sheets.pdf", QByteArray("%PDF-"));
     }
 
     void theCardIsExportedAsItsEndingSays() {

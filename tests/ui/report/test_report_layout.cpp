@@ -253,10 +253,7 @@ private slots:
     }
 
     void aSizeIsWrittenAsOnADrawing_data() {
-        QTest::addColumn<QString>("name");
-        QTest::addColumn<double>("upper");
-        QTest::addColumn<double>("lower");
-        QTest::addColumn<QString>("russian");
+        addColumns<QString, double, double, QString>("name", "upper", "lower", "russian");
         QTest::newRow("its own field") << "Вал 30h6" << 0.0 << -16.0 << "⌀30h6(−0,016)";
         QTest::newRow("of the standard") << "Вал" << 0.0 << -13.0 << "⌀30h6(−0,013)";
         QTest::newRow("not so named") << "Вал 40k6" << 0.0 << -16.0 << "⌀30 (−0,016)";

@@ -19,7 +19,6 @@
 #include "ui/views/profiles/profiles_text.h"
 
 #include <iterator>
-#include <memory>
 #include <string_view>
 
 namespace sparkout::test_report_numbers {

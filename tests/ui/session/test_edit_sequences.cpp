@@ -7,7 +7,6 @@
 #include "ui/session/document.h"
 #include "ui/text/file_error_text.h"
 
-#include "core/format/project_file.h"
 #include "tests/check_line.h"
 #include "tests/core/support/project_mutator.h"
 #include "tests/registry.h"
@@ -20,7 +19,6 @@
 #include <mutex>
 #include <stop_token>
 #include <thread>
-#include <vector>
 
 namespace sparkout::test_edit_sequences {
 

@@ -6,7 +6,6 @@
 
 #include <QFileInfo>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 
 namespace sparkout::test_settings {
 

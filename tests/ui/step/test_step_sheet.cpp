@@ -9,7 +9,6 @@
 #include "ui/step/step_sheet.h"
 #include "ui/window/playback_bar.h"
 
-#include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
 #include <QDockWidget>

@@ -119,12 +119,9 @@ private slots:
     }
 
     void numbersOfACell_data() {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<bool>("isNumber");
-        QTest::addColumn<double>("value");
+        addColumns<QString, bool, double>("text", "isNumber", "value");
         const auto row = [](const char* text, std::optional<double> value) {
-            QTest::newRow(text) << QString::fromUtf8(text) << value.has_value()
-                                << value.value_or(0);
+            addRow(text, text, value.has_value(), value.value_or(0));
         };
         row("0,004", 0.004);
         row(" 0.004 ", 0.004);

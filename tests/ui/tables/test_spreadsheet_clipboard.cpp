@@ -2,7 +2,6 @@
 // Labels: numbers
 // Cells to and from a spreadsheet: what LibreOffice Calc put on the clipboard is pasted (see
 // tests/data/clipboard/README.md), and what is copied is read by LibreOffice where it is installed.
-#include "core/project/cycle.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
 #include "ui/fields/cells_line_edit.h"
@@ -19,8 +18,6 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QUrl>
-
-#include <memory>
 
 namespace sparkout::test_spreadsheet_clipboard {
 

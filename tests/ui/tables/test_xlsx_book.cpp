@@ -94,8 +94,7 @@ private slots:
     }
 
     void numbersAreShownWithTheDigitsOfTheirColumn_data() {
-        QTest::addColumn<double>("largest");
-        QTest::addColumn<QString>("format");
+        addColumns<double, QString>("largest", "format");
         QTest::newRow("whole") << 54.0 << "0";
         QTest::newRow("micrometres") << 12.5 << "0.0000";
         QTest::newRow("small") << 0.01234 << "0.0000000";

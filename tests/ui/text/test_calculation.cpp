@@ -85,11 +85,8 @@ class TestCalculation : public QObject {
 
 private slots:
     void whatIsTypedIsWorkedOutExactly_data() {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<double>("value");
-        const auto row = [](const char* text, double value) {
-            QTest::newRow(text) << QString::fromUtf8(text) << value;
-        };
+        addColumns<QString, double>("text", "value");
+        const auto row = [](const char* text, double value) { addRow(text, text, value); };
         row("0,25/2", 0.125);
         row("12+0.3", 12.3);
         row("(30-29,6)/2", 0.2); // in doubles 0.1999…93
@@ -135,11 +132,8 @@ private slots:
     }
 
     void aFaultIsNamed_data() {
-        QTest::addColumn<QString>("text");
-        QTest::addColumn<QString>("fault");
-        const auto row = [](const char* text, const char* fault) {
-            QTest::newRow(text) << QString::fromUtf8(text) << QString::fromUtf8(fault);
-        };
+        addColumns<QString, QString>("text", "fault");
+        const auto row = [](const char* text, const char* fault) { addRow(text, text, fault); };
         row("12+", "a number is missing at the end");
         row("*3", "a number is missing before “*3”");
         row("2**3", "a number is missing before “*3”");

@@ -62,15 +62,11 @@ private slots:
     }
 
     void aToleranceClassFillsTheLimits_data() {
-        QTest::addColumn<QString>("typed");
-        QTest::addColumn<double>("nominal");
-        QTest::addColumn<double>("upper");
-        QTest::addColumn<double>("lower");
-        QTest::addColumn<QString>("shown");
-        QTest::newRow("30h6") << "30h6" << 30.0 << 0.0 << -13.0 << "30h6";
-        QTest::newRow("Cyrillic, comma")
-            << QString::fromUtf8("38,74к6") << 38.74 << 18.0 << 2.0 << "38.74k6";
-        QTest::newRow("letters alone") << "f7" << 30.0 << -20.0 << -41.0 << "30f7";
+        addColumns<QString, double, double, double, QString>("typed", "nominal", "upper", "lower",
+                                                             "shown");
+        addRow("30h6", "30h6", 30.0, 0.0, -13.0, "30h6");
+        addRow("Cyrillic, comma", QString::fromUtf8("38,74к6"), 38.74, 18.0, 2.0, "38.74k6");
+        addRow("letters alone", "f7", 30.0, -20.0, -41.0, "30f7");
     }
 
     void aToleranceClassFillsTheLimits() {

@@ -4,7 +4,6 @@
 #include "ui/charts/verdict_model.h"
 #include "ui/views/verdict/verdict_panel.h"
 
-#include <QApplication>
 #include <QClipboard>
 #include <QLabel>
 #include <QTableView>
@@ -46,9 +45,7 @@ private slots:
     // --- verdict --------------------------------------------------------------------------------
 
     void theLightsSayHoldsCloseAndFails_data() {
-        QTest::addColumn<double>("margin");
-        QTest::addColumn<double>("relative");
-        QTest::addColumn<QString>("word");
+        addColumns<double, double, QString>("margin", "relative", "word");
         QTest::newRow("holds") << 6.4 << 0.4 << QString();
         QTest::newRow("just holds") << 1.6 << 0.1 << QString();
         QTest::newRow("close") << 1.59 << 0.0994 << QStringLiteral("close to the limit");

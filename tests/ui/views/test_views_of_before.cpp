@@ -4,7 +4,6 @@
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/support/window_bench.h"
-#include "ui/plot/view.h"
 #include "ui/window/view_tabs.h"
 
 #include <QAbstractItemView>

@@ -23,12 +23,8 @@
 
 #include <QElapsedTimer>
 #include <QRandomGenerator>
-#include <QSignalSpy>
 
-#include <algorithm>
 #include <chrono>
-#include <limits>
-#include <stop_token>
 #include <thread>
 
 namespace sparkout::test_cancel {

@@ -12,7 +12,6 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QLabel>
 #include <QTemporaryDir>
 
 namespace sparkout::test_dressing_dialog {

@@ -4,8 +4,6 @@
 #include "tests/ui/window/file_dialogs_bench.h"
 #include "ui/dialogs/notice_bar.h"
 
-#include <QLabel>
-
 namespace sparkout::test_file_dialogs_changed {
 
 using namespace file_dialogs_bench;
@@ -23,8 +21,7 @@ class TestFileDialogsChanged : public QObject {
 
 private slots:
     void damagedSettingsAreReportedAtTheNextStart_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<QString>("begins");
+        addColumns<QString, QString>("language", "begins");
         QTest::newRow("en") << QStringLiteral("en") << QStringLiteral("The settings ");
         QTest::newRow("ru") << QStringLiteral("ru") << QStringLiteral("Файл настроек ");
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The ways into the window: recent files, a dropped one, faulty and large ones.
 #include "core/project/wheel.h"
-#include "core/study/new_project.h"
 #include "tests/check_line.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
@@ -13,14 +12,9 @@
 #include "ui/window/recent_files_menu.h"
 
 #include <QDropEvent>
-#include <QLabel>
-#include <QListWidget>
 #include <QMimeData>
 #include <QSignalSpy>
 #include <QUrl>
-
-#include <algorithm>
-#include <limits>
 
 namespace sparkout::test_file_dialogs_open {
 

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Work of a crash, work that was discarded and earlier versions, offered by the window.
-#include "core/project/part.h"
-#include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/window/file_dialogs_bench.h"
 #include "ui/dialogs/notice_bar.h"
 
-#include <QLabel>
 #include <QTreeWidget>
 
 namespace sparkout::test_file_dialogs_recovery {

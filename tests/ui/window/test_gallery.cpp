@@ -82,9 +82,7 @@ void fill(Bench& bench) {
 
 /// Whether some of the looks that dialogs are drawn in are wanted.
 void dialogLooks() {
-    QTest::addColumn<QString>("language");
-    QTest::addColumn<int>("theme");
-    QTest::addColumn<int>("percent");
+    addColumns<QString, int, int>("language", "theme", "percent");
     if (!qEnvironmentVariableIsSet("SPARKOUT_GALLERY")) {
         QSKIP("SPARKOUT_GALLERY is not set");
     }
@@ -133,14 +131,10 @@ private slots:
     }
 
     void everyExampleInEveryViewHasAPicture_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<int>("theme");
-        QTest::addColumn<QSize>("size");
+        addColumns<QString, int, QSize>("language", "theme", "size");
         if (!qEnvironmentVariableIsSet("SPARKOUT_LONG")) { // each language and theme once
-            QTest::newRow("en light")
-                << QStringLiteral("en") << int(Theme::light) << QSize(1366, 768);
-            QTest::newRow("ru dark")
-                << QStringLiteral("ru") << int(Theme::dark) << QSize(1366, 768);
+            addRow("en light", "en", int(Theme::light), QSize(1366, 768));
+            addRow("ru dark", "ru", int(Theme::dark), QSize(1366, 768));
             return;
         }
         for (const char* language : {"en", "ru"}) {
@@ -188,8 +182,7 @@ private slots:
 
     /// With batch, sweep, search and comparison filled; the looks are changed while it runs.
     void everyViewFilledInEveryLook_data() {
-        QTest::addColumn<QString>("path");
-        QTest::addColumn<QString>("language");
+        addColumns<QString, QString>("path", "language");
         if (!qEnvironmentVariableIsSet("SPARKOUT_GALLERY")) {
             QSKIP("SPARKOUT_GALLERY is not set");
         }

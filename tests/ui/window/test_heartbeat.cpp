@@ -20,10 +20,7 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QElapsedTimer>
-#include <QFile>
 #include <QProcess>
-#include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QSlider>
@@ -31,10 +28,7 @@
 #include <QTemporaryDir>
 #include <QToolButton>
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
-#include <vector>
 
 namespace sparkout::test_heartbeat {
 

@@ -91,8 +91,7 @@ class TestLabels : public QObject {
 
 private slots:
     void everyVisibleTextHasRoomOnASmallScreen_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<QString>("path");
+        addColumns<QString, QString>("language", "path");
         for (const char* language : {"en", "ru"}) {
             for (const QString& path : examplePaths()) {
                 QTest::addRow("%s %s", language, qPrintable(nameOf(path)))
@@ -115,9 +114,7 @@ private slots:
     }
 
     void everyVisibleTextHasRoomWithLargerType_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<int>("percent");
-        QTest::addColumn<QSize>("size");
+        addColumns<QString, int, QSize>("language", "percent", "size");
         for (const char* language : {"en", "ru"}) {
             for (const int percent : fontSizes) {
                 const bool smaller = percent < usualFontSize;
@@ -244,8 +241,7 @@ private slots:
     }
 
     void theChecksFindWhatTheyLookFor_data() {
-        QTest::addColumn<int>("width");
-        QTest::addColumn<int>("offenders");
+        addColumns<int, int>("width", "offenders");
         QTest::newRow("room for all") << 400 << 0;
         QTest::newRow("room for none") << 50 << 6;
     }

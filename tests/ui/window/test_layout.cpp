@@ -318,8 +318,7 @@ private slots:
 
     // What presses the panels, and back: a view with much to choose, a narrow window, large type.
     void pressedPanelsTakeTheirRoomBack_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<QString>("by");
+        addColumns<QString, QString>("language", "by");
         for (const char* language : {"en", "ru"}) {
             for (const char* by : {"scatter", "narrow", "type"}) {
                 QTest::addRow("%s %s", language, by)

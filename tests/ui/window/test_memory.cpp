@@ -13,7 +13,6 @@
 #include <QPixmapCache>
 #include <QSignalSpy>
 
-#include <algorithm>
 #include <malloc.h>
 #include <unistd.h>
 

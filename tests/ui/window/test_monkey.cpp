@@ -9,8 +9,6 @@
 #include "tests/ui/window/monkey.h"
 #include "ui/session/document.h"
 
-#include <QElapsedTimer>
-
 namespace sparkout::test_monkey {
 
 // Of each of the monkeys.

@@ -15,11 +15,8 @@
 #include "ui/views/feeds/feeds_view.h"
 #include "ui/views/verdict/verdict_panel.h"
 #include "ui/window/file_commands.h"
-#include "ui/window/main_window.h"
 
 #include <QAction>
-#include <QApplication>
-#include <QLabel>
 
 #include <map>
 

@@ -3,11 +3,9 @@
 // is shown with it, and the window goes on beating. The maxima are those of the readers' own tables
 // and constants; without SPARKOUT_LONG a small case of each is opened alone. Prints the worst gap
 // and the memory of each; fails at four times the target.
-#include "core/format/project_file.h"
 #include "core/format/table_reader.h"
 #include "core/lesson/text_markup.h"
 #include "core/project/member.h"
-#include "core/setup/setup_file.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
 #include "core/study/search_edits.h"
@@ -19,18 +17,11 @@
 #include "tests/ui/window/long_project.h"
 #include "tests/whole_project.h"
 #include "ui/inputs/forms/form_page.h"
-#include "ui/lesson/lesson_panel.h"
 
-#include <QFile>
 #include <QSignalSpy>
 #include <QTabWidget>
-#include <QTemporaryDir>
 
-#include <algorithm>
-#include <functional>
 #include <set>
-#include <string>
-#include <vector>
 
 namespace sparkout::test_reader_maxima {
 

@@ -195,8 +195,7 @@ private slots:
     /// The plots of three zones have room beside each other, no bar scrolls them by a few pixels;
     /// and their figures are read in full.
     void theZonesOfABatchHaveRoom_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<QString>("name");
+        addColumns<QString, QString>("language", "name");
         for (const char* language : {"en", "ru"}) {
             for (const char* name : {"shaft-38-74h6", "plunge-shaft-two-stage"}) {
                 QTest::addRow("%s %s", language, name)

@@ -18,7 +18,6 @@
 #include <QMouseEvent>
 #include <QSignalSpy>
 
-#include <algorithm>
 #include <clocale>
 #include <vector>
 

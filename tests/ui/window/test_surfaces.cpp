@@ -25,19 +25,12 @@
 #include "ui/window/file_commands.h"
 #include "ui/window/view_tabs.h"
 
-#include <QAbstractButton>
 #include <QAction>
-#include <QLabel>
 #include <QListView>
-#include <QListWidget>
-#include <QPushButton>
 #include <QSignalSpy>
 #include <QTabBar>
 #include <QTableView>
 #include <QTemporaryDir>
-
-#include <algorithm>
-#include <string>
 
 namespace sparkout::test_surfaces {
 

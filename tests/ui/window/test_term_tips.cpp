@@ -5,7 +5,6 @@
 #include "tests/ui/support/window_bench.h"
 #include "ui/help/glossary.h"
 #include "ui/inputs/inputs_panel.h"
-#include "ui/window/main_window.h"
 
 #include <QAbstractItemModel>
 #include <QHeaderView>

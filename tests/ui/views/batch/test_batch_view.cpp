@@ -27,10 +27,7 @@
 #include <QSignalSpy>
 #include <QThread>
 
-#include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <memory>
 #include <string_view>
 
 namespace sparkout::test_batch_view {

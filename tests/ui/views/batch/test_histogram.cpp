@@ -4,8 +4,6 @@
 #include "tests/registry.h"
 #include "ui/views/batch/histogram_plot.h"
 
-#include <string>
-
 namespace sparkout::test_histogram {
 
 /// The mean diameter of the three zones of a batch.

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <variant>
-#include <vector>
 
 namespace sparkout::test_compare_plot {
 

@@ -19,7 +19,6 @@
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSignalSpy>
 #include <QTemporaryDir>
 
 #include <variant>
@@ -267,10 +266,9 @@ private slots:
     /// The summary was kept by another version and one value of it is another.
     void aRunWithoutItsResultsHasNoLight_data() {
         QTest::addColumn<QByteArray>("summary");
-        QTest::newRow("empty") << QByteArray("{}");
-        QTest::newRow("no requirement")
-            << QByteArray(R"({"status":"completed","requirements":[]})");
-        QTest::newRow("nonsense") << QByteArray(R"({"status":7})");
+        addRow("empty", QByteArray("{}"));
+        addRow("no requirement", QByteArray(R"({"status":"completed","requirements":[]})"));
+        addRow("nonsense", QByteArray(R"({"status":7})"));
     }
 
     void aRunWithoutItsResultsHasNoLight() {

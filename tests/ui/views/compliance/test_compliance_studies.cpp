@@ -21,7 +21,6 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
-#include <algorithm>
 #include <cmath>
 
 namespace sparkout::test_compliance_studies {

@@ -111,8 +111,7 @@ private slots:
 
     /// Wherever the wheel stands, and however wide the drawing is.
     void theWordsStandBesideTheWheelAndEachOther_data() {
-        QTest::addColumn<QString>("file");
-        QTest::addColumn<bool>("fromTailstock");
+        addColumns<QString, bool>("file", "fromTailstock");
         for (const char* file : {"slender-shaft", "plunge-shaft-two-stage", "setups/spindle"}) {
             for (const bool fromTailstock : {false, true}) {
                 QTest::addRow("%s%s", file, fromTailstock ? " from the tailstock" : "")

@@ -8,13 +8,11 @@
 #include "ui/text/language.h"
 #include "ui/views/feeds/feeds_note.h"
 
-#include <QApplication>
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QSpinBox>
 #include <QToolButton>
 
-#include <algorithm>
 #include <cmath>
 
 namespace sparkout::test_feeds_tools {

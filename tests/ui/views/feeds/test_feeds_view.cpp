@@ -5,7 +5,6 @@
 #include "tests/ui/views/feeds/feeds_bench.h"
 #include "ui/plot/band_layer.h"
 
-#include <QApplication>
 #include <QComboBox>
 #include <QLabel>
 #include <QSpinBox>
@@ -60,8 +59,7 @@ private slots:
     }
 
     void curvesAreDrawableAtEveryDetail_data() {
-        QTest::addColumn<bool>("plunge");
-        QTest::addColumn<double>("share");
+        addColumns<bool, double>("plunge", "share");
         for (bool plunge : {false, true}) {
             for (double share : {1.0, 0.1, 0.03, 0.005, 1e-5}) {
                 QTest::addRow("%s, %g of the cycle", plunge ? "plunge" : "traverse", share)

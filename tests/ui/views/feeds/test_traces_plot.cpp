@@ -16,9 +16,6 @@
 #include <QScopeGuard>
 #include <QScrollArea>
 
-#include <algorithm>
-#include <cmath>
-
 namespace sparkout::test_traces_plot {
 
 using namespace fixtures;
@@ -176,8 +173,7 @@ private slots:
     }
 
     void thePlotsAreLegibleAtAnySize_data() {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<int>("percent");
+        addColumns<QString, int>("language", "percent");
         for (const char* language : {"en", "ru"}) {
             for (const int percent : {100, 130}) {
                 QTest::addRow("%s %d", language, percent) << QString::fromUtf8(language) << percent;

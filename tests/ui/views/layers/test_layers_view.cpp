@@ -13,7 +13,6 @@
 
 #include <QComboBox>
 #include <QLabel>
-#include <QSignalSpy>
 
 #include <cmath>
 

@@ -28,15 +28,10 @@
 #include <QAction>
 #include <QComboBox>
 #include <QFile>
-#include <QPushButton>
 #include <QScopeGuard>
 #include <QScrollArea>
 #include <QTemporaryDir>
 #include <QToolButton>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace sparkout::test_overview_view {
 

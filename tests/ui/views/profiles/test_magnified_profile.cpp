@@ -6,7 +6,6 @@
 #include "ui/charts/magnified_profile.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace sparkout::test_magnified_profile {
@@ -136,9 +135,7 @@ private slots:
     }
 
     void magnificationsAreOneTwoFive_data() {
-        QTest::addColumn<double>("value");
-        QTest::addColumn<double>("down");
-        QTest::addColumn<double>("up");
+        addColumns<double, double, double>("value", "down", "up");
         QTest::newRow("1") << 1.0 << 1.0 << 1.0;
         QTest::newRow("1.9") << 1.9 << 1.0 << 2.0;
         QTest::newRow("2") << 2.0 << 2.0 << 2.0;

@@ -13,16 +13,31 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFile>
-#include <QSignalSpy>
 #include <QTemporaryDir>
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace sparkout::test_profiles_form {
 
 using namespace profiles_bench;
+
+/// A part with some form left: lobes, and an eccentricity besides by its measured profile.
+Project outOfRound() {
+    Project p = plungeProject(2);
+    p.part->profile = ProfileForm::measured;
+    p.part->radii_per_section = 48;
+    std::vector<double> radii;
+    for (int k = 0; k < 48; ++k) {
+        const double phi = angleOf(k, 48);
+        radii.push_back(-20 + 8 * std::cos(phi - 0.4) + 7 * std::cos(3 * phi) + k % 5);
+    }
+    const double highest = *std::ranges::max_element(radii);
+    for (double& radius : radii) {
+        radius -= highest;
+    }
+    p.part->radii_um = radii;
+    return p;
+}
 
 class TestProfilesForm : public QObject {
     Q_OBJECT
@@ -400,24 +415,6 @@ private slots:
 private:
     Cycles m_of;
 };
-
-/// A part with some form left: lobes, and an eccentricity besides by its measured profile.
-Project outOfRound() {
-    Project p = plungeProject(2);
-    p.part->profile = ProfileForm::measured;
-    p.part->radii_per_section = 48;
-    std::vector<double> radii;
-    for (int k = 0; k < 48; ++k) {
-        const double phi = angleOf(k, 48);
-        radii.push_back(-20 + 8 * std::cos(phi - 0.4) + 7 * std::cos(3 * phi) + k % 5);
-    }
-    const double highest = *std::ranges::max_element(radii);
-    for (double& radius : radii) {
-        radius -= highest;
-    }
-    p.part->radii_um = radii;
-    return p;
-}
 
 } // namespace sparkout::test_profiles_form
 

@@ -3,7 +3,6 @@
 // what is drawn, said and tabulated is what the engine decides and what single cycles come to.
 #include "core/phases/phase_decision.h"
 #include "core/simulation/simulate.h"
-#include "core/study/evaluate.h"
 #include "tests/registry.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/fields/number_field.h"

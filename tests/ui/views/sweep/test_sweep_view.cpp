@@ -27,7 +27,6 @@
 #include <QRandomGenerator>
 #include <QSpinBox>
 
-#include <cmath>
 #include <set>
 
 namespace sparkout::test_sweep_view {
