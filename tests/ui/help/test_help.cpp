@@ -3,6 +3,7 @@
 #include "core/lesson/hideable.h"
 #include "core/project/project.h"
 #include "tests/registry.h"
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/help/help_book.h"
@@ -33,12 +34,6 @@
 namespace sparkout::test_help {
 
 constexpr int patience_ms = 60'000; ///< with a window that comes to the front on a busy machine
-
-void languages() {
-    QTest::addColumn<QString>("language");
-    QTest::newRow("en") << QStringLiteral("en");
-    QTest::newRow("ru") << QStringLiteral("ru");
-}
 
 /// Every row of every table, by a walk of its own.
 void everyField(const StructInfo& table, std::set<const StructInfo*>& seen,
@@ -97,7 +92,7 @@ class TestHelp : public QObject {
     Q_OBJECT
 
 private slots:
-    void everyInputOfTheTablesIsDescribed_data() { languages(); }
+    void everyInputOfTheTablesIsDescribed_data() { addLanguages(); }
 
     void everyInputOfTheTablesIsDescribed() {
         QFETCH(QString, language);
@@ -122,7 +117,7 @@ private slots:
         QVERIFY(fields > 120);
     }
 
-    void f1OnAFieldTellsOfIt_data() { languages(); }
+    void f1OnAFieldTellsOfIt_data() { addLanguages(); }
 
     void f1OnAFieldTellsOfIt() {
         QFETCH(QString, language);
@@ -225,7 +220,7 @@ private slots:
         QVERIFY(!help->isVisible() && dialog.isVisible());
     }
 
-    void noLinkIsDead_data() { languages(); }
+    void noLinkIsDead_data() { addLanguages(); }
 
     void noLinkIsDead() {
         QFETCH(QString, language);
@@ -262,7 +257,7 @@ private slots:
         QVERIFY(anchors[0].size() > 20);
     }
 
-    void noPageMixesTheLanguages_data() { languages(); }
+    void noPageMixesTheLanguages_data() { addLanguages(); }
 
     void noPageMixesTheLanguages() {
         QFETCH(QString, language);
@@ -286,7 +281,7 @@ private slots:
         }
     }
 
-    void thePageOfKeysNamesThoseOfTheWindow_data() { languages(); }
+    void thePageOfKeysNamesThoseOfTheWindow_data() { addLanguages(); }
 
     void thePageOfKeysNamesThoseOfTheWindow() {
         QFETCH(QString, language);
@@ -435,7 +430,7 @@ private slots:
         }
     }
 
-    void textsOfTheHelpWindowHaveRoom_data() { languages(); }
+    void textsOfTheHelpWindowHaveRoom_data() { addLanguages(); }
 
     void textsOfTheHelpWindowHaveRoom() {
         QFETCH(QString, language);

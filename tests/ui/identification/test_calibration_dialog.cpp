@@ -3,6 +3,7 @@
 // Calibrate from measurements: fitted by clicks, taken as one edit, marked in the forms.
 #include "core/measured/calibrated_inputs.h"
 #include "tests/registry.h"
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/traced_project.h"
 #include "tests/ui/support/window_bench.h"
@@ -381,14 +382,7 @@ private slots:
         QVERIFY(*document.project().wheel->bond_modulus_gpa != 60);
     }
 
-    void allTextsHaveRoomAndAreTranslated_data() {
-        addColumns<QString, int>("language", "percent");
-        for (const char* language : {"en", "ru"}) {
-            for (const int percent : {100, 130}) {
-                QTest::addRow("%s %d", language, percent) << QString::fromUtf8(language) << percent;
-            }
-        }
-    }
+    void allTextsHaveRoomAndAreTranslated_data() { addLanguagesAndSizes(); }
 
     void allTextsHaveRoomAndAreTranslated() {
         QFETCH(QString, language);

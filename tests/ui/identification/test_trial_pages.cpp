@@ -5,6 +5,7 @@
 #include "core/measured/calibrated_inputs.h"
 #include "core/process/system_compliance.h"
 #include "tests/registry.h"
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/traced_project.h"
 #include "tests/ui/support/window_bench.h"
@@ -233,12 +234,7 @@ private slots:
         QVERIFY(!bench.window->document().canUndo());
     }
 
-    void allTextsHaveRoomAndAreTranslated_data() {
-        QTest::addColumn<QString>("language");
-        for (const char* language : {"en", "ru"}) {
-            QTest::newRow(language) << QString::fromUtf8(language);
-        }
-    }
+    void allTextsHaveRoomAndAreTranslated_data() { addLanguages(); }
 
     void allTextsHaveRoomAndAreTranslated() {
         QFETCH(QString, language);

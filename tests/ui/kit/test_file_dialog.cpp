@@ -4,6 +4,7 @@
 #include "ui/kit/file_dialog.h"
 
 #include "tests/registry.h"
+#include "tests/ui/support/languages.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/kit/font_size.h"
 #include "ui/plot/svg_device.h"
@@ -48,15 +49,7 @@ private slots:
         file.write(QByteArray(9600, ' '));
     }
 
-    void whatStandsInItIsReadInFull_data() {
-        addColumns<QString, int>("language", "percent");
-        for (const char* language : {"en", "ru"}) {
-            for (const int percent : {100, 130}) {
-                QTest::addRow("%s %d", language, percent)
-                    << QString::fromLatin1(language) << percent;
-            }
-        }
-    }
+    void whatStandsInItIsReadInFull_data() { addLanguagesAndSizes(); }
 
     void whatStandsInItIsReadInFull() {
         QFETCH(QString, language);

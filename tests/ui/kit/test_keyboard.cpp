@@ -2,6 +2,7 @@
 // The whole window by keyboard and by screen reader, in both languages.
 #include "core/project/part.h"
 #include "tests/registry.h"
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/inputs/forms/form_page.h"
@@ -29,12 +30,6 @@
 #include <QVBoxLayout>
 
 namespace sparkout::test_keyboard {
-
-void languages() {
-    QTest::addColumn<QString>("language");
-    QTest::newRow("en") << QStringLiteral("en");
-    QTest::newRow("ru") << QStringLiteral("ru");
-}
 
 /// Entries of a menu as they are when it is open.
 QList<QAction*> entriesOf(QMenu& menu) {
@@ -97,7 +92,7 @@ class TestKeyboard : public QObject {
     Q_OBJECT
 
 private slots:
-    void everyMenuEntryHasALetterOfItsOwn_data() { languages(); }
+    void everyMenuEntryHasALetterOfItsOwn_data() { addLanguages(); }
 
     void everyMenuEntryHasALetterOfItsOwn() {
         QFETCH(QString, language);
@@ -129,7 +124,7 @@ private slots:
         QCOMPARE(QStringList({menu.actions()[1]->text(), menu.actions()[3]->text()}), before);
     }
 
-    void noTwoShortcutsOfTheWindowAreTheSame_data() { languages(); }
+    void noTwoShortcutsOfTheWindowAreTheSame_data() { addLanguages(); }
 
     void noTwoShortcutsOfTheWindowAreTheSame() {
         QFETCH(QString, language);
@@ -149,7 +144,7 @@ private slots:
         QVERIFY(owners.size() > 12);
     }
 
-    void tooltipsNameTheShortcut_data() { languages(); }
+    void tooltipsNameTheShortcut_data() { addLanguages(); }
 
     void tooltipsNameTheShortcut() {
         QFETCH(QString, language);
@@ -176,7 +171,7 @@ private slots:
         QCOMPARE(bench.action("open")->toolTip(), QStringLiteral("Open… (Ctrl+O)"));
     }
 
-    void whatOneCanUseHasAnAccessibleName_data() { languages(); }
+    void whatOneCanUseHasAnAccessibleName_data() { addLanguages(); }
 
     void whatOneCanUseHasAnAccessibleName() {
         QFETCH(QString, language);

@@ -2,6 +2,7 @@
 // Tool tips have lines that can be read, and show what a file says letter by letter.
 #include "core/project/material.h"
 #include "tests/registry.h"
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/inputs/editors/hint_strip.h"
 #include "ui/kit/tool_tips.h"
@@ -66,11 +67,7 @@ private slots:
     void initTestCase() { ToolTips::install(); }
     void cleanup() { QToolTip::hideText(); }
 
-    void everyTipOfTheWindowHasReadableLines_data() {
-        QTest::addColumn<QString>("language");
-        QTest::newRow("en") << QStringLiteral("en");
-        QTest::newRow("ru") << QStringLiteral("ru");
-    }
+    void everyTipOfTheWindowHasReadableLines_data() { addLanguages(); }
 
     void everyTipOfTheWindowHasReadableLines() {
         QFETCH(QString, language);

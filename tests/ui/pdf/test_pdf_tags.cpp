@@ -4,6 +4,7 @@
 #include "core/setup/setup_run.h"
 #include "tests/registry.h"
 #include "tests/ui/report/handout_bench.h"
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/pdf_tree.h"
 #include "tests/ui/support/report_reading.h"
 #include "tests/ui/support/setup_fixtures.h"
@@ -200,11 +201,7 @@ private slots:
         QCOMPARE(found, textsOf(tree, "H1") + textsOf(tree, "H2"));
     }
 
-    void picturesOfPlotsAreTagged_data() {
-        QTest::addColumn<QString>("language");
-        QTest::newRow("en") << QStringLiteral("en");
-        QTest::newRow("ru") << QStringLiteral("ru");
-    }
+    void picturesOfPlotsAreTagged_data() { addLanguages(); }
     void picturesOfPlotsAreTagged() {
         QFETCH(QString, language);
         m_language.apply(language);

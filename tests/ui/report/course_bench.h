@@ -10,6 +10,7 @@
 #include "core/quality/run_summary.h"
 #include "core/setup/setup_file.h"
 #include "core/study/evaluate.h"
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/report_reading.h"
 #include "ui/report/course/lab_report.h"
 #include "ui/report/course/methodical_guide.h"
@@ -52,14 +53,7 @@ inline QStringList lessonFiles() {
 }
 
 inline void addLessons() {
-    QTest::addColumn<QString>("path");
-    QTest::addColumn<QString>("language");
-    for (const QString& path : lessonFiles()) {
-        for (const char* language : {"en", "ru"}) {
-            QTest::addRow("%s %s", qPrintable(QFileInfo(path).baseName()), language)
-                << path << QString::fromLatin1(language);
-        }
-    }
+    addFilesAndLanguages(lessonFiles());
 }
 
 /// The first levels of all inputs that are varied.

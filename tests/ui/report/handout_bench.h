@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/report/format/report_text.h"
 #include "ui/report/handout/course_handout.h"
@@ -62,14 +63,7 @@ inline std::vector<Formula> formulasOf(const Report& report) {
 }
 
 inline void addCases(const std::vector<const char*>& languages = {"en", "ru"}) {
-    QTest::addColumn<QString>("path");
-    QTest::addColumn<QString>("language");
-    for (const QString& path : ExamplesDialog::paths()) {
-        for (const char* language : languages) {
-            QTest::addRow("%s %s", qPrintable(QFileInfo(path).baseName()), language)
-                << path << QString::fromLatin1(language);
-        }
-    }
+    addFilesAndLanguages(ExamplesDialog::paths(), languages);
 }
 
 /// The visit of a radius at a place.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/report_reading.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/report/documents/passport.h"
@@ -54,12 +55,6 @@ inline Project smallBatch() {
     project.batch->factors.stock_mm.emplace().uniform = {0.14, 0.16};
     project.batch->factors.dullness.emplace().grows = {0.015, 0.03};
     return project;
-}
-
-inline void addLanguages() {
-    QTest::addColumn<QString>("language");
-    QTest::newRow("en") << QStringLiteral("en");
-    QTest::newRow("ru") << QStringLiteral("ru");
 }
 
 } // namespace sparkout::passport_bench

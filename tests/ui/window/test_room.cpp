@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the views have of the window of a small laptop.
 #include "tests/registry.h"
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/whole_project.h"
@@ -75,17 +76,11 @@ QListView* keepAs(const Bench& bench, const QString& name) {
     return list;
 }
 
-void languages() {
-    QTest::addColumn<QString>("language");
-    QTest::newRow("en") << QStringLiteral("en");
-    QTest::newRow("ru") << QStringLiteral("ru");
-}
-
 class TestRoom : public QObject {
     Q_OBJECT
 
 private slots:
-    void theViewsHaveTheirShareOfTheWindow_data() { languages(); }
+    void theViewsHaveTheirShareOfTheWindow_data() { addLanguages(); }
     void theViewsHaveTheirShareOfTheWindow() {
         QFETCH(QString, language);
         Bench bench(language);
@@ -105,7 +100,7 @@ private slots:
         }
     }
 
-    void theNinePlotsOfFeedsAreLargeEnough_data() { languages(); }
+    void theNinePlotsOfFeedsAreLargeEnough_data() { addLanguages(); }
     void theNinePlotsOfFeedsAreLargeEnough() {
         QFETCH(QString, language);
         Bench bench(language);
@@ -122,7 +117,7 @@ private slots:
     }
 
     /// Where the window is too small for nine of them, they are scrolled.
-    void thePlotsOfFeedsAreLegibleInLargeType_data() { languages(); }
+    void thePlotsOfFeedsAreLegibleInLargeType_data() { addLanguages(); }
     void thePlotsOfFeedsAreLegibleInLargeType() {
         QFETCH(QString, language);
         const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
@@ -155,7 +150,7 @@ private slots:
 
     /// Where the views are too small for both of their plots, they are scrolled; so are the zones
     /// of a batch.
-    void theOtherPlotsAreLegibleInLargeType_data() { languages(); }
+    void theOtherPlotsAreLegibleInLargeType_data() { addLanguages(); }
     void theOtherPlotsAreLegibleInLargeType() {
         QFETCH(QString, language);
         const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
@@ -230,7 +225,7 @@ private slots:
     }
 
     /// A text that is longer than the legend is wide is wrapped.
-    void noLegendIsElided_data() { languages(); }
+    void noLegendIsElided_data() { addLanguages(); }
     void noLegendIsElided() {
         QFETCH(QString, language);
         const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
@@ -262,7 +257,7 @@ private slots:
     }
 
     /// Of the present run and two kept ones, neither curves nor what differs.
-    void nothingOfCompareIsScrolledSideways_data() { languages(); }
+    void nothingOfCompareIsScrolledSideways_data() { addLanguages(); }
     void nothingOfCompareIsScrolledSideways() {
         QFETCH(QString, language);
         const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
@@ -308,7 +303,7 @@ private slots:
         QVERIFY(row.data(Qt::ToolTipRole).toString().contains(name));
     }
 
-    void theRequirementsOfConstraintsHaveRoom_data() { languages(); }
+    void theRequirementsOfConstraintsHaveRoom_data() { addLanguages(); }
     void theRequirementsOfConstraintsHaveRoom() {
         QFETCH(QString, language);
         const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
@@ -338,7 +333,7 @@ private slots:
         }
     }
 
-    void theCyclesFoundAreReadWithoutScrolling_data() { languages(); }
+    void theCyclesFoundAreReadWithoutScrolling_data() { addLanguages(); }
     void theCyclesFoundAreReadWithoutScrolling() {
         QFETCH(QString, language);
         const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
@@ -367,7 +362,7 @@ private slots:
     }
 
     /// Also when the program starts so.
-    void theToolsAreAllShownWhateverTheType_data() { languages(); }
+    void theToolsAreAllShownWhateverTheType_data() { addLanguages(); }
     void theToolsAreAllShownWhateverTheType() {
         QFETCH(QString, language);
         const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
@@ -434,7 +429,7 @@ private slots:
     }
 
     /// Longer than any hint: the values of a pass with their spread.
-    void theValuesUnderThePointerHaveRoomInLargeType_data() { languages(); }
+    void theValuesUnderThePointerHaveRoomInLargeType_data() { addLanguages(); }
     void theValuesUnderThePointerHaveRoomInLargeType() {
         QFETCH(QString, language);
         const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
@@ -457,7 +452,7 @@ private slots:
         }
     }
 
-    void noCaptionOfFeedsAndProfilesIsCutOff_data() { languages(); }
+    void noCaptionOfFeedsAndProfilesIsCutOff_data() { addLanguages(); }
     void noCaptionOfFeedsAndProfilesIsCutOff() {
         QFETCH(QString, language);
         const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
@@ -489,7 +484,7 @@ private slots:
         QVERIFY(captions > 30);
     }
 
-    void theNamesOfAxesHaveRoom_data() { languages(); }
+    void theNamesOfAxesHaveRoom_data() { addLanguages(); }
     void theNamesOfAxesHaveRoom() {
         QFETCH(QString, language);
         const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
@@ -526,7 +521,7 @@ private slots:
     }
 
     /// Beside or below its mark, in whatever type.
-    void aLongFeedWithAWarningIsReadInFull_data() { languages(); }
+    void aLongFeedWithAWarningIsReadInFull_data() { addLanguages(); }
     void aLongFeedWithAWarningIsReadInFull() {
         QFETCH(QString, language);
         const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
@@ -556,7 +551,7 @@ private slots:
     }
 
     /// Also the titles of boxes that say what all surfaces of a part share.
-    void theInputsOfSeveralSurfacesHaveRoom_data() { languages(); }
+    void theInputsOfSeveralSurfacesHaveRoom_data() { addLanguages(); }
     void theInputsOfSeveralSurfacesHaveRoom() {
         QFETCH(QString, language);
         const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
@@ -665,7 +660,7 @@ private slots:
     }
 
     /// The strip of the part does not take the room of the panels, whatever the type.
-    void thePartStripLeavesTheVerdictItsWidth_data() { languages(); }
+    void thePartStripLeavesTheVerdictItsWidth_data() { addLanguages(); }
     void thePartStripLeavesTheVerdictItsWidth() {
         QFETCH(QString, language);
         const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The traces of a cycle below the feeds: measured, simulated, difference, over the same times.
 #include "tests/registry.h"
+#include "tests/ui/support/languages.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/traced_project.h"
 #include "tests/ui/support/view_fixtures.h"
@@ -172,14 +173,7 @@ private slots:
         QVERIFY(!shown.traces().isVisible());
     }
 
-    void thePlotsAreLegibleAtAnySize_data() {
-        addColumns<QString, int>("language", "percent");
-        for (const char* language : {"en", "ru"}) {
-            for (const int percent : {100, 130}) {
-                QTest::addRow("%s %d", language, percent) << QString::fromUtf8(language) << percent;
-            }
-        }
-    }
+    void thePlotsAreLegibleAtAnySize_data() { addLanguagesAndSizes(); }
 
     void thePlotsAreLegibleAtAnySize() {
         QFETCH(QString, language);
