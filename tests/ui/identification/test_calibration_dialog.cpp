@@ -21,7 +21,6 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QScopeGuard>
 #include <QStatusBar>
 #include <QTabBar>
 #include <QTabWidget>
@@ -387,7 +386,6 @@ private slots:
     void allTextsHaveRoomAndAreTranslated() {
         QFETCH(QString, language);
         QFETCH(int, percent);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         applyFontSize(percent);
         Bench bench(language);
         bench.window->document().startUntitled(traced::project(true));

@@ -19,7 +19,7 @@ namespace sparkout {
 struct Bench {
     explicit Bench(const QString& language, Theme theme = Theme::light,
                    RunController::Runner runner = evaluate);
-    ~Bench();
+    ~Bench(); ///< goes back to the usual size of the font
 
     /// Opens a project and waits until the views have drawn its outcome; false when they do not.
     [[nodiscard]] bool open(const QString& path);

@@ -23,7 +23,6 @@
 #include <QDir>
 #include <QPointer>
 #include <QPushButton>
-#include <QScopeGuard>
 #include <QSet>
 #include <QTemporaryDir>
 #include <QTimer>
@@ -198,7 +197,6 @@ private slots:
     void everyViewFilledInEveryLook() {
         QFETCH(QString, path);
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(QStringLiteral("en"));
         MainWindow& window = *bench.window;
         QVERIFY(bench.open(path));
@@ -235,7 +233,6 @@ private slots:
         QFETCH(QString, language);
         QFETCH(int, theme);
         QFETCH(int, percent);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         applyFontSize(percent);
         Bench bench(language, Theme(theme));
         QVERIFY(bench.open(
@@ -265,7 +262,6 @@ private slots:
         QFETCH(QString, language);
         QFETCH(int, theme);
         QFETCH(int, percent);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         applyFontSize(percent);
         Bench bench(language, Theme(theme));
         MainWindow& window = *bench.window;

@@ -18,7 +18,6 @@
 #include <QGroupBox>
 #include <QLabel>
 #include <QPushButton>
-#include <QScopeGuard>
 #include <QScrollArea>
 #include <QTabBar>
 
@@ -138,7 +137,6 @@ private slots:
         QFETCH(QString, language);
         QFETCH(int, percent);
         QFETCH(QSize, size);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         std::vector<const char*> names{"shaft-30h6-optimal"};
         if (qEnvironmentVariableIsSet("SPARKOUT_LONG")) {
             names.push_back("internal-plunge");

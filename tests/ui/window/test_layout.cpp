@@ -15,7 +15,6 @@
 #include <QLabel>
 #include <QMenu>
 #include <QRandomGenerator>
-#include <QScopeGuard>
 #include <QScrollBar>
 #include <QTabBar>
 #include <QToolButton>
@@ -489,7 +488,6 @@ private slots:
 
     // Large type has two columns, too, where the views keep what they need beside them.
     void aWideWindowHasRoomForTwoColumnsInLargeType() {
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(QStringLiteral("ru"));
         QVERIFY(bench.open(examplePaths().front()));
         MainWindow& window = *bench.window;

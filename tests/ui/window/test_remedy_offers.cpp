@@ -15,7 +15,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QRegularExpression>
-#include <QScopeGuard>
 #include <QScrollArea>
 #include <QSignalSpy>
 
@@ -229,7 +228,6 @@ private slots:
     }
 
     void theLinesHaveRoomAlsoInLargeType() {
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         for (const char* language : {"en", "ru"}) {
             for (const int percent : {100, 130}) {
                 Bench bench(QString::fromUtf8(language));

@@ -22,7 +22,6 @@
 #include <QListView>
 #include <QPainter>
 #include <QPushButton>
-#include <QScopeGuard>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStatusBar>
@@ -120,7 +119,6 @@ private slots:
     void thePlotsOfFeedsAreLegibleInLargeType_data() { addLanguages(); }
     void thePlotsOfFeedsAreLegibleInLargeType() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(language);
         QVERIFY(bench.open(example("shaft-30h6-factory")));
         QVERIFY(bench.window->showView(QStringLiteral("feeds")));
@@ -153,7 +151,6 @@ private slots:
     void theOtherPlotsAreLegibleInLargeType_data() { addLanguages(); }
     void theOtherPlotsAreLegibleInLargeType() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(language);
         QVERIFY(bench.open(example("shaft-30h6-factory")));
         for (const int percent : {115, 130}) {
@@ -201,7 +198,6 @@ private slots:
     void theZonesOfABatchHaveRoom() {
         QFETCH(QString, language);
         QFETCH(QString, name);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(language);
         bench.action("fontSize-130")->trigger();
         QVERIFY(bench.open(example(qPrintable(name))));
@@ -228,7 +224,6 @@ private slots:
     void noLegendIsElided_data() { addLanguages(); }
     void noLegendIsElided() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(language);
         QVERIFY(bench.open(example("shaft-30h6-factory")));
         keepAs(bench,
@@ -260,7 +255,6 @@ private slots:
     void nothingOfCompareIsScrolledSideways_data() { addLanguages(); }
     void nothingOfCompareIsScrolledSideways() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(language);
         QVERIFY(bench.open(example("shaft-30h6-factory")));
         (void)keepAs(bench, language == u"ru" ? QStringLiteral("Заводской")
@@ -287,7 +281,6 @@ private slots:
     }
 
     void theNameOfARunIsWrapped() {
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(QStringLiteral("ru"));
         QVERIFY(bench.open(example("shaft-30h6-factory")));
         bench.action("fontSize-130")->trigger();
@@ -306,7 +299,6 @@ private slots:
     void theRequirementsOfConstraintsHaveRoom_data() { addLanguages(); }
     void theRequirementsOfConstraintsHaveRoom() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(language);
         QVERIFY(bench.open(example("shaft-30h6-factory")));
         QVERIFY(bench.window->showView(QStringLiteral("constraints")));
@@ -336,7 +328,6 @@ private slots:
     void theCyclesFoundAreReadWithoutScrolling_data() { addLanguages(); }
     void theCyclesFoundAreReadWithoutScrolling() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(language);
         QVERIFY(bench.open(example("shaft-30h6-factory")));
         QVERIFY(bench.window->showView(QStringLiteral("optimise")));
@@ -365,7 +356,6 @@ private slots:
     void theToolsAreAllShownWhateverTheType_data() { addLanguages(); }
     void theToolsAreAllShownWhateverTheType() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         for (const int percent : fontSizes) {
             applyFontSize(percent);
             Bench bench(language);
@@ -382,7 +372,6 @@ private slots:
 
     /// A box is measured anew in another type and language, also in a view that is not shown.
     void theBoxesAreAsWideAsInAFreshWindow() {
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         const auto widthsIn = [](const Bench& bench) {
             QStringList widths;
             for (const char* name : {"feeds", "profiles", "batch", "compare", "layers"}) {
@@ -418,7 +407,6 @@ private slots:
     }
 
     void theTitlesOfThePanelsFollowTheType() {
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(QStringLiteral("en"));
         for (const int percent : {130, 100, 115}) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
@@ -432,7 +420,6 @@ private slots:
     void theValuesUnderThePointerHaveRoomInLargeType_data() { addLanguages(); }
     void theValuesUnderThePointerHaveRoomInLargeType() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(language);
         QVERIFY(bench.open(example("shaft-30h6-factory")));
         QVERIFY(bench.window->showView(QStringLiteral("feeds")));
@@ -455,7 +442,6 @@ private slots:
     void noCaptionOfFeedsAndProfilesIsCutOff_data() { addLanguages(); }
     void noCaptionOfFeedsAndProfilesIsCutOff() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(language);
         QVERIFY(bench.open(example("shaft-30h6-factory")));
         int captions = 0;
@@ -487,7 +473,6 @@ private slots:
     void theNamesOfAxesHaveRoom_data() { addLanguages(); }
     void theNamesOfAxesHaveRoom() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(language);
         QVERIFY(bench.open(example("shaft-30h6-factory")));
         int names = 0;
@@ -524,7 +509,6 @@ private slots:
     void aLongFeedWithAWarningIsReadInFull_data() { addLanguages(); }
     void aLongFeedWithAWarningIsReadInFull() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(language);
         QVERIFY(bench.open(example("shaft-30h6-factory")));
         Document& document = bench.window->document();
@@ -554,7 +538,6 @@ private slots:
     void theInputsOfSeveralSurfacesHaveRoom_data() { addLanguages(); }
     void theInputsOfSeveralSurfacesHaveRoom() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(language);
         QVERIFY(bench.open(
             QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/setups/spindle.sparkout")));
@@ -663,7 +646,6 @@ private slots:
     void thePartStripLeavesTheVerdictItsWidth_data() { addLanguages(); }
     void thePartStripLeavesTheVerdictItsWidth() {
         QFETCH(QString, language);
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(language);
         for (const int percent : fontSizes) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
@@ -684,7 +666,6 @@ private slots:
 
     /// Type and language are changed in a wide window that then is a small one again.
     void theVerdictHasItsWidthAgainInTheSmallWindow() {
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         Bench bench(QStringLiteral("en"));
         QVERIFY(bench.open(
             QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/setups/spindle.sparkout")));

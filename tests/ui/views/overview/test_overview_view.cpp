@@ -13,7 +13,6 @@
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/bars/bar_plot.h"
-#include "ui/kit/font_size.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/plot/view.h"
@@ -28,7 +27,6 @@
 #include <QAction>
 #include <QComboBox>
 #include <QFile>
-#include <QScopeGuard>
 #include <QScrollArea>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -336,7 +334,6 @@ private slots:
     }
 
     void languageThemeAndTypeFollowAtOnce() {
-        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         const Desk desk;
         QVERIFY(desk.open(fixtures::traverseProject()));
         QVERIFY(desk.see(times));
