@@ -177,13 +177,8 @@ private slots:
         QFETCH(QString, value);
         QFETCH(int, code);
         QFETCH(QString, path);
-        json file = json::parse(m_text);
-        const json::json_pointer at(pointer.toStdString());
-        if (value.isEmpty()) {
-            file.at(at.parent_pointer()).erase(at.back());
-        } else {
-            file[at] = json::parse(value.toStdString());
-        }
+        const json file =
+            samples::changedAt(json::parse(m_text), pointer.toStdString(), value.toStdString());
         const ReadWork read = readWork(file.dump());
         QVERIFY(!read.work);
         QVERIFY2(samples::holds(read.issues, static_cast<IssueCode>(code), path.toStdString()),

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <numeric>
 #include <vector>
@@ -23,15 +22,12 @@ namespace sparkout::ground_bodies {
 using fixtures::between;
 using fixtures::close;
 using fixtures::decades;
+using fixtures::holds;
 using fixtures::oneIn;
 using fixtures::pick;
 using fixtures::within;
 
 using Radii = std::vector<double>;
-
-inline bool holds(const char* law, const std::function<void()>& check) {
-    return rc::check(law, check);
-}
 
 inline double angle(std::size_t k, std::size_t K) {
     return 2 * std::numbers::pi * double(k) / double(K);

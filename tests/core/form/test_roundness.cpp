@@ -7,20 +7,15 @@
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"
 
-#include <functional>
-
 namespace sparkout::test_roundness {
 
 using fixtures::between;
 using fixtures::decades;
+using fixtures::holds;
 using fixtures::pick;
 using fixtures::within;
 
 using Radii = std::vector<double>;
-
-bool holds(const char* law, const std::function<void()>& check) {
-    return rc::check(law, check);
-}
 
 /// R + amplitude·cos(n·φ − phase) of K radii.
 Radii lobed(std::size_t K, double R, double amplitude, int n, double phase = 0) {

@@ -17,15 +17,12 @@
 namespace sparkout::test_roundness_readings {
 
 using fixtures::between;
+using fixtures::holds;
 using fixtures::pick;
 
 using Radii = std::vector<double>;
 
 constexpr double R = 15, um = 1e-3;
-
-bool holds(const char* law, const std::function<void()>& check) {
-    return rc::check(law, check);
-}
 
 double angle(std::size_t k, std::size_t K) {
     return 2 * std::numbers::pi * double(k) / double(K);

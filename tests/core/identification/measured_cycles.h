@@ -6,6 +6,7 @@
 #include "core/simulation/simulate.h"
 #include "core/statistics/intervals.h"
 #include "core/statistics/philox.h"
+#include "tests/core/support/project_samples.h"
 #include "tests/whole_project.h"
 
 #include <algorithm>
@@ -17,6 +18,25 @@
 /// Traces as they would be recorded of a plunge cycle, made from the visits of a run: another way
 /// than that of the fit.
 namespace sparkout::measured_cycles {
+
+/// A plunge on a yielding shaft with two feeds, so that the deflection shows.
+inline Project yieldingPlunge(int sections = 1) {
+    Project project = samples::project("smallest-plunge");
+    project.sections = sections;
+    project.machine->compliance_mm_per_n =
+        std::vector<double>(static_cast<std::size_t>(sections), 5e-4);
+    project.part->stock_mm = 0.3;
+    project.part->radii_per_section = 12;
+    project.wheel->dullness = 0.01;
+    project.gauge->rule = GaugeRule::mean;
+    Stage rough = project.cycle->stages.front(), fine = rough;
+    rough.radial_feed_mm_min = 2.0;
+    rough.stock_mm = 0.22;
+    fine.radial_feed_mm_min = 0.4;
+    fine.stock_mm = 0.08;
+    project.cycle->stages = {rough, fine};
+    return project;
+}
 
 /// Size, power and force after each revolution.
 struct Record {

@@ -9,7 +9,6 @@
 #include "core/project/validate.h"
 #include "tests/check_line.h"
 #include "tests/core/identification/measured_cycles.h"
-#include "tests/core/support/project_samples.h"
 #include "tests/processor_time.h"
 #include "tests/registry.h"
 
@@ -23,25 +22,6 @@
 namespace sparkout::test_identification {
 
 using namespace measured_cycles;
-
-/// A plunge on a yielding shaft with two feeds, so that the deflection shows.
-Project plunge(int sections = 1) {
-    Project project = samples::project("smallest-plunge");
-    project.sections = sections;
-    project.machine->compliance_mm_per_n =
-        std::vector<double>(static_cast<std::size_t>(sections), 5e-4);
-    project.part->stock_mm = 0.3;
-    project.part->radii_per_section = 12;
-    project.wheel->dullness = 0.01;
-    project.gauge->rule = GaugeRule::mean;
-    Stage rough = project.cycle->stages.front(), fine = rough;
-    rough.radial_feed_mm_min = 2.0;
-    rough.stock_mm = 0.22;
-    fine.radial_feed_mm_min = 0.4;
-    fine.stock_mm = 0.08;
-    project.cycle->stages = {rough, fine};
-    return project;
-}
 
 void multiplyCompliance(Project& project, double factor) {
     for (double& value : std::get<std::vector<double>>(project.machine->compliance_mm_per_n)) {
@@ -104,15 +84,16 @@ class TestIdentification : public QObject {
 
 private slots:
     void thePlungeIsOne() {
-        QVERIFY2(!hasErrors(validate(plunge())), samples::listed(validate(plunge())).c_str());
-        QVERIFY(record(plunge()).end_s.size() > 20);
+        QVERIFY2(!hasErrors(validate(yieldingPlunge())),
+                 samples::listed(validate(yieldingPlunge())).c_str());
+        QVERIFY(record(yieldingPlunge()).end_s.size() > 20);
     }
 
     /// The steps follow the gauge: with what was found the same cycle leaves the measured size.
     void finishedPartsGiveWhatTheGaugeBringsAbout() {
         int found = 0;
         for (const double factor : {0.7, 0.8, 0.9, 1.1, 1.2, 1.3}) {
-            Project project = plunge();
+            Project project = yieldingPlunge();
             Project truth = project;
             multiplyCompliance(truth, factor);
             const CycleResponse part =
@@ -139,7 +120,7 @@ private slots:
     }
 
     void sizesThatTheGaugeNeverLeavesAreRefused() {
-        Project project = plunge();
+        Project project = yieldingPlunge();
         project.measured.emplace().parts = partsAbout(project.part->diameter_mm + 0.05);
         const Identification result =
             identify(project, {.parameters = {of(FittedKind::compliance)}, .withParts = true});
@@ -148,7 +129,7 @@ private slots:
     }
 
     void sizeWithoutNoiseGivesTheTruth() {
-        Project project = plunge(2);
+        Project project = yieldingPlunge(2);
         Project truth = project;
         multiplyCompliance(truth, 1.25);
         truth.wheel->dullness *= 0.7;
@@ -168,7 +149,7 @@ private slots:
     }
 
     void powerWithoutNoiseGivesTheTruth() {
-        Project project = plunge();
+        Project project = yieldingPlunge();
         Project truth = project;
         truth.material->shear_strain *= 1.4;
         truth.material->friction *= 0.8;
@@ -186,7 +167,7 @@ private slots:
     }
 
     void sizeAndForceGiveComplianceAndFlowStressApart() {
-        Project project = plunge();
+        Project project = yieldingPlunge();
         Project truth = project;
         multiplyCompliance(truth, 0.8);
         truth.material->flow_stress_mpa *= 1.2;
@@ -206,7 +187,7 @@ private slots:
     /// With a contact stiffness that rises with the load the balance is no sum of α and β; the
     /// force enters where it really acts.
     void throughAWheelContact() {
-        Project project = plunge();
+        Project project = yieldingPlunge();
         project.machine->wheel_contact.emplace().n_um_at_n = {{0, 5}, {100, 30}, {400, 60}};
         Project truth = project;
         multiplyCompliance(truth, 0.8);
@@ -234,7 +215,7 @@ private slots:
     }
 
     void sectionsAndTheBlank() {
-        Project project = plunge(3);
+        Project project = yieldingPlunge(3);
         Project truth = project;
         auto& given = std::get<std::vector<double>>(truth.machine->compliance_mm_per_n);
         given[0] *= 1.3;
@@ -268,7 +249,7 @@ private slots:
 
     /// γ and σ_i stand in α and β as a product alone.
     void sizeAloneCannotTellComplianceFromFlowStress() {
-        Project project = plunge();
+        Project project = yieldingPlunge();
         project.measured.emplace().traces = {
             trace(TraceQuantity::gauge_size, record(project), {.noise = 3e-4})};
         const Identification result = identify(
@@ -291,7 +272,7 @@ private slots:
     }
 
     void whatDoesNotActIsNamed() {
-        Project project = plunge();
+        Project project = yieldingPlunge();
         project.measured.emplace().traces = {
             trace(TraceQuantity::gauge_size, record(project), {.noise = 3e-4})};
         const Identification result =
@@ -303,7 +284,7 @@ private slots:
 
     /// A trace of the steady state of one feed has no deflection that changes: α and β together.
     void aFlatProfileIsRefused() {
-        Project project = plunge();
+        Project project = yieldingPlunge();
         const Record cycle = record(project);
         project.measured.emplace().traces = {
             trace(TraceQuantity::gauge_size, cycle,
@@ -319,7 +300,7 @@ private slots:
     }
 
     void requestsThatCannotBe() {
-        Project project = plunge();
+        Project project = yieldingPlunge();
         QVERIFY(identify(project, {.parameters = {of(FittedKind::alpha)}}).status
                 == IdentificationStatus::noData);
         project.measured.emplace().traces = {
@@ -384,7 +365,7 @@ private slots:
     void fitOfAnotherCycleThanTheRecordedOneIsInDoubt() {
         QFETCH(double, noise);
         QFETCH(double, quantum);
-        Project project = plunge();
+        Project project = yieldingPlunge();
         Project truth = project;
         multiplyCompliance(truth, 1.5);
         const MeasuredTrace size =
@@ -412,7 +393,7 @@ private slots:
 
     /// Counted in processor time: the machine may be doing something else.
     void stopEndsAFitWithinATenthOfASecond() {
-        Project project = plunge();
+        Project project = yieldingPlunge();
         project.part->stock_mm = 3;
         project.cycle->stages[0].radial_feed_mm_min = 0.4; // thousands of revolutions
         project.cycle->stages[0].stock_mm = 2.92;
@@ -444,7 +425,7 @@ private slots:
     }
 
     void outliersMoveARobustFitLess() {
-        Project project = plunge();
+        Project project = yieldingPlunge();
         MeasuredTrace spoilt = trace(TraceQuantity::gauge_size, record(project), {.noise = 3e-4});
         std::vector<double> values = spoilt.values.values();
         for (std::size_t i = 3; i < values.size(); i += 9) {
@@ -471,7 +452,7 @@ private slots:
 
     /// The inputs change so that the cycle is the one that fits, and say where they are from.
     void aResultIsTakenAsCalibration() {
-        Project project = plunge(2);
+        Project project = yieldingPlunge(2);
         Project truth = project;
         multiplyCompliance(truth, 1.25);
         truth.wheel->dullness *= 0.7;
@@ -529,7 +510,7 @@ private slots:
         const bool whole = qEnvironmentVariableIsSet("SPARKOUT_LONG")
                            && !qEnvironmentVariableIsSet("SPARKOUT_QUICK");
         const int sets = whole ? 1000 : qEnvironmentVariableIsSet("SPARKOUT_QUICK") ? 10 : 100;
-        const Project project = plunge();
+        const Project project = yieldingPlunge();
         Project truth = project;
         multiplyCompliance(truth, 1.1);
         truth.material->flow_stress_mpa *= 0.9;
@@ -597,7 +578,7 @@ private slots:
     }
 
     void aMinuteAtAHundredHertzInASecond() {
-        Project project = plunge(4);
+        Project project = yieldingPlunge(4);
         project.part->radii_per_section = 36;
         project.cycle->stages[0].radial_feed_mm_min = 0.4;
         project.cycle->stages[1].radial_feed_mm_min = 0.15;

@@ -62,13 +62,8 @@ private slots:
         QFETCH(QString, value);
         QFETCH(int, code);
         QFETCH(QString, path);
-        json file = lessonJsonOf();
-        const json::json_pointer at(pointer.toStdString());
-        if (value.isEmpty()) {
-            file.at(at.parent_pointer()).erase(at.back());
-        } else {
-            file[at] = json::parse(value.toStdString());
-        }
+        const json file =
+            samples::changedAt(lessonJsonOf(), pointer.toStdString(), value.toStdString());
         const ReadLesson read = readLesson(file.dump());
         QVERIFY(!read.lesson);
         QVERIFY2(samples::holds(read.issues, static_cast<IssueCode>(code), path.toStdString()),

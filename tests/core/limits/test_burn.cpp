@@ -8,7 +8,6 @@
 #include "tests/registry.h"
 
 #include <array>
-#include <functional>
 
 namespace sparkout::test_burn {
 
@@ -16,6 +15,7 @@ using fixtures::anyCutting;
 using fixtures::between;
 using fixtures::close;
 using fixtures::decades;
+using fixtures::holds;
 using fixtures::within;
 
 /// The steel of the vectors' page: 40Х at 200 °C, μ 0.4, on the full-law case.
@@ -71,10 +71,6 @@ double riseUnderBand(double q, double L, double V, double lambda, double Omega) 
                    return 2 * v * K0;
                },
                0, std::sqrt(L), 2000);
-}
-
-bool holds(const char* law, const std::function<void()>& check) {
-    return rc::check(law, check);
 }
 
 class TestBurn : public QObject {

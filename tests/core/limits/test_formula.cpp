@@ -16,7 +16,6 @@
 
 #include <QFile>
 
-#include <functional>
 #include <map>
 
 namespace sparkout::test_formula {
@@ -26,6 +25,7 @@ using fixtures::between;
 using fixtures::close;
 using fixtures::decades;
 using fixtures::FormulaError;
+using fixtures::holds;
 using fixtures::workOut;
 
 std::string plain(const FormulaTerm& term) {
@@ -73,10 +73,6 @@ Case anyCase() {
         wheel.grains_per_mm2 = between(0.5, 50);
     }
     return c;
-}
-
-bool holds(const char* law, const std::function<void()>& check) {
-    return rc::check(law, check);
 }
 
 class TestFormula : public QObject {

@@ -8,20 +8,15 @@
 #include "tests/core/support/rapidcheck_runs.h"
 #include "tests/registry.h"
 
-#include <functional>
-
 namespace sparkout::test_depth_limits {
 
 using fixtures::anyCutting;
 using fixtures::between;
 using fixtures::close;
 using fixtures::decades;
+using fixtures::holds;
 using fixtures::Law;
 using fixtures::within;
-
-bool holds(const char* law, const std::function<void()>& check) {
-    return rc::check(law, check);
-}
 
 /// Strengths like those of the handbooks (MODEL-8).
 void giveStrengths(Wheel& wheel) {

@@ -66,6 +66,17 @@ inline const Issue* find(const Issues& issues, const std::string& path) {
     return found == issues.end() ? nullptr : &*found;
 }
 
+/// The file with another value, as JSON, at a place; without a value the place is taken out.
+inline json changedAt(json file, const std::string& pointer, const std::string& value) {
+    const json::json_pointer at(pointer);
+    if (value.empty()) {
+        file.at(at.parent_pointer()).erase(at.back());
+    } else {
+        file[at] = json::parse(value);
+    }
+    return file;
+}
+
 inline bool holds(const Issues& issues, IssueCode code, const std::string& path) {
     return std::any_of(issues.begin(), issues.end(), [&](const Issue& issue) {
         return issue.code == code && issue.path == path;
