@@ -5,10 +5,10 @@
 #include "core/batch/batch_summary.h"
 #include "core/batch/sensitivity.h"
 #include "tests/cli/cli_process.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
 #include <QDir>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QTemporaryDir>
 
@@ -422,8 +422,7 @@ private slots:
         RunningBatch batch(m_file);
         batch.readProgress();
         QVERIFY(batch.hasDoneSome());
-        QElapsedTimer timer;
-        timer.start();
+        RunningTimer timer;
         const Outcome outcome = batch.endBy(signal);
         QVERIFY(timer.elapsed() < 5000); // the quickness itself is the engine's test
         QCOMPARE(outcome.status, 128 + signal);

@@ -10,9 +10,9 @@
 #include "core/simulation/simulate.h"
 #include "tests/cli/cli_process.h"
 #include "tests/cli/search_samples.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
-#include <QElapsedTimer>
 #include <QTemporaryDir>
 
 #include <clocale>
@@ -575,8 +575,7 @@ private slots:
 
     // A refinement takes some thousand runs: without a limit of its own it takes far longer.
     void theTimeLimitIsThatOfTheRefinementToo() {
-        QElapsedTimer took;
-        took.start();
+        RunningTimer took;
         checkStopped(optimize(
             {save("endless.sparkout", endless()), "--time-limit", "1", "--refine", "--json"}));
         QVERIFY2(took.elapsed() < 3000, QByteArray::number(took.elapsed()));

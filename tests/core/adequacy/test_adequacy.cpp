@@ -2,6 +2,7 @@
 // Student's and Fisher's tests against tables, verdicts on parts that agree with the prediction and
 // on parts that do not, the published comparison.
 #include "core/adequacy/adequacy.h"
+#include "tests/ready_made.h"
 #include "tests/whole_project.h"
 
 #include "core/measured/measured_table.h"
@@ -10,8 +11,6 @@
 #include "tests/check_line.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
-
-#include <QElapsedTimer>
 
 #include <cmath>
 #include <numeric>
@@ -318,8 +317,7 @@ private slots:
             part.roughness_ra_um = 0.5;
             measured.parts.push_back(part);
         }
-        QElapsedTimer timer;
-        timer.start();
+        RunningTimer timer;
         const auto rows = judgeAdequacy(project, batch);
         const double seconds = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
         constexpr double target_s = 0.2;

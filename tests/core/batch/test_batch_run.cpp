@@ -9,6 +9,7 @@
 #include "tests/check_line.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/core/support/project_samples.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
 #include <atomic>
@@ -433,8 +434,7 @@ private slots:
     }
 
     void aStopBeforeTheFirstPartLeavesNone() {
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         BatchOptions options;
         options.stop = stop.get_token();
         const BatchResult result = runBatch(shaftBatch(50), options);

@@ -10,10 +10,9 @@
 #include "core/setup/setup_file.h"
 #include "core/statistics/philox.h"
 #include "tests/core/lesson/lesson_samples.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/whole_project.h"
-
-#include <QElapsedTimer>
 
 #include <set>
 
@@ -45,8 +44,7 @@ private slots:
         QFETCH(QString, file);
         const Lesson lesson = readLesson(samples::readText(file.toStdString())).lesson.value();
         const auto count = static_cast<std::size_t>(samples::sized(6, 2, 1000));
-        QElapsedTimer timer;
-        timer.start();
+        RunningTimer timer;
         const MadeVariants made = makeVariants(lesson, count, 2026);
         qInfo("%zu variants in %lld tries and %.1f s", made.variants.size(), made.tries,
               double(timer.elapsed()) / 1000);
@@ -191,8 +189,7 @@ private slots:
     }
 
     void aStopEndsIt() {
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         const MadeVariants made = makeVariants(samples::lesson(), 5, 1, stop.get_token());
         QVERIFY(made.isStopped);
         QVERIFY(made.variants.empty());

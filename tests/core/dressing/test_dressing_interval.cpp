@@ -8,9 +8,8 @@
 #include "tests/core/setup/setup_samples.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/core/support/project_samples.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
-
-#include <stop_token>
 
 namespace sparkout::test_dressing_interval {
 
@@ -317,8 +316,7 @@ private slots:
         setup.wear = {};
         QVERIFY(dressingInterval(setup).fault == DressingFault::noWear);
         setup = stiffPlunge();
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         DressingOptions options;
         options.stop = stop.get_token();
         const DressingInterval stopped = dressingInterval(setup, options);

@@ -6,9 +6,8 @@
 #include "core/dynamic_programming/state_grid.h"
 #include "core/optimisation/cycle_runner.h"
 #include "tests/core/optimisation/search_checks.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
-
-#include <QElapsedTimer>
 
 #include <cstdio>
 
@@ -364,8 +363,7 @@ private slots:
         traverse.optimisation->radial_feed_mm = SteppedLevels{0.001, 0.010, 0.001};
         traverse.optimisation->axial_feed_mm_min = SteppedLevels{500, 2000, 500};
         for (const Project& p : {plunge, traverse}) {
-            QElapsedTimer timer;
-            timer.start();
+            RunningTimer timer;
             const StateGridSize size{20, p.operation == Operation::plunge ? 2 : 3};
             const auto grid = fillStateGrid(p, size);
             const double filled_s = static_cast<double>(timer.restart()) / 1000;

@@ -5,9 +5,8 @@
 #include "tests/check_line.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/processor_time.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
-
-#include <QElapsedTimer>
 
 #include <cstddef>
 
@@ -183,8 +182,7 @@ private slots:
 
 private:
     static void readTimed(const std::string& text, qint64& slowest_us) {
-        QElapsedTimer timer;
-        timer.start();
+        RunningTimer timer;
         const ReadResult read = readProject(text);
         slowest_us = std::max(slowest_us, timer.nsecsElapsed() / 1000);
         QVERIFY(timer.elapsed() < 1000);

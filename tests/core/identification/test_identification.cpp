@@ -10,9 +10,8 @@
 #include "tests/check_line.h"
 #include "tests/core/identification/measured_cycles.h"
 #include "tests/processor_time.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
-
-#include <QElapsedTimer>
 
 #include <chrono>
 #include <random>
@@ -313,8 +312,7 @@ private slots:
                 == IdentificationStatus::notApplicable);
         QVERIFY(status({{FittedKind::alpha, 0, {}}}) == IdentificationStatus::notApplicable);
         QVERIFY(status({{FittedKind::compliance, 1, {}}}) == IdentificationStatus::notApplicable);
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         QVERIFY(identify(project, {.parameters = {of(FittedKind::alpha)}}, stop.get_token()).status
                 == IdentificationStatus::stopped);
         project.wheel->width_mm = 10;
@@ -593,8 +591,7 @@ private slots:
         double least_s = 1e9;
         constexpr double target_s = 1;
         for (int i = 0; i < 3 && least_s > target_s; ++i) {
-            QElapsedTimer timer;
-            timer.start();
+            RunningTimer timer;
             const Identification result =
                 identify(project, {.parameters = {of(FittedKind::alpha), of(FittedKind::beta),
                                                   of(FittedKind::size_offset)}});

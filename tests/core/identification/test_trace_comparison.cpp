@@ -4,6 +4,7 @@
 #include "core/identification/trace_comparison.h"
 
 #include "core/identification/fit_proposal.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/ui/support/traced_project.h"
 
@@ -50,8 +51,7 @@ private slots:
     void withoutTracesThereIsNothing() {
         QVERIFY(compareTraces(traced::plunge(), stepsOf(traced::plunge())).empty());
         Project stopped = traced::project();
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         QVERIFY(compareTraces(stopped, stepsOf(stopped), stop.get_token()).empty());
     }
 

@@ -3,6 +3,7 @@
 // The choice of a short trial: what it expects is what fits of simulated trials scatter by, and it
 // knows what each kind of record cannot tell.
 #include "core/identification/trial_design.h"
+#include "tests/ready_made.h"
 #include "tests/whole_project.h"
 
 #include "core/identification/fit_problem.h"
@@ -14,8 +15,6 @@
 #include "tests/check_line.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
-
-#include <QElapsedTimer>
 
 #include <cmath>
 
@@ -116,8 +115,7 @@ private slots:
     }
 
     void theBestComesFirst() {
-        QElapsedTimer clock;
-        clock.start();
+        RunningTimer clock;
         const TrialDesign design =
             designTrial(plunge(), {{of(FittedKind::alpha), of(FittedKind::beta)}, {}});
         QVERIFY(design.status == TrialStatus::designed);
@@ -211,8 +209,7 @@ private slots:
         Project broken = plunge();
         broken.part->stock_mm = -1;
         QVERIFY(designTrial(broken, {{of(FittedKind::alpha)}, {}}).status == TrialStatus::notRun);
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         QVERIFY(designTrial(plunge(), {{of(FittedKind::alpha)}, {}}, stop.get_token()).status
                 == TrialStatus::stopped);
     }

@@ -5,9 +5,8 @@
 #include "core/measured/thin_out.h"
 #include "core/sha256.h"
 #include "tests/check_line.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
-
-#include <QElapsedTimer>
 
 #include <cmath>
 #include <string>
@@ -293,8 +292,7 @@ private slots:
             text += std::to_string(i / 1000) + ',' + std::to_string(1000 + i % 1000).substr(1) + ';'
                     + std::to_string(2 + i % 7) + ",12345\n";
         }
-        QElapsedTimer timer;
-        timer.start();
+        RunningTimer timer;
         const ReadMeasured read = readAs(text);
         const double seconds = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
         QVERIFY2(read.faults.empty(), qPrintable(placesOf(read)));

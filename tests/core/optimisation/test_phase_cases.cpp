@@ -7,6 +7,7 @@
 #include "core/simulation/stage_control.h"
 #include "tests/core/optimisation/search_cases.h"
 #include "tests/core/support/project_samples.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
 #include <utility>
@@ -207,8 +208,7 @@ private slots:
     }
 
     void aStopEndsItWithNothing() {
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         QVERIFY(!failingCase(withCorners(1), stop.get_token()));
     }
 };

@@ -6,6 +6,7 @@
 
 #include "core/quality/ranges.h"
 #include "tests/core/optimisation/search_checks.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
 namespace sparkout::test_refine {
@@ -197,8 +198,7 @@ private slots:
     void aStopKeepsWhatIsGiven() {
         const Project p = driven(0.87);
         const SearchSummary grid = optimise(p);
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         RefineOptions options;
         options.stop = stop.get_token();
         const RefineSummary refined = refine(p, grid.cycle, options);

@@ -5,9 +5,8 @@
 #include "core/optimisation/robust.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
-
-#include <QElapsedTimer>
 
 #include <chrono>
 #include <random>
@@ -94,8 +93,7 @@ private slots:
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
             stop.request_stop();
         });
-        QElapsedTimer took;
-        took.start();
+        RunningTimer took;
         const auto failing = failingPhase(p, 1, stop.get_token(), 100'000);
         QVERIFY(stop.stop_requested());
         qInfo("stopped after %lld ms", took.elapsed());
@@ -148,8 +146,7 @@ private slots:
         const SearchSummary best = optimise(p);
         QVERIFY(best.best);
         QVERIFY(bindingRequirements(p, *best.best).has_value());
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         QVERIFY(!bindingRequirements(p, *best.best, {}, stop.get_token()));
         QVERIFY(!bindingRequirements(p, best.cycle, best.best->time_us, {}, stop.get_token()));
     }

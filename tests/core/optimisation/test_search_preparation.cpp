@@ -4,6 +4,7 @@
 #include "core/optimisation/refine.h"
 #include "tests/core/optimisation/search_cases.h"
 #include "tests/processor_time.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
 #include <QElapsedTimer>
@@ -104,8 +105,7 @@ private slots:
 
     void theSizeOfTheGridIsCountedInNoTime() {
         Project p = large();
-        QElapsedTimer took;
-        took.start();
+        RunningTimer took;
         const std::int64_t size = gridSize(p);
         const qint64 took_ms = took.elapsed();
         qInfo("%lld ms", took_ms);

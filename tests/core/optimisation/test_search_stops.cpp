@@ -13,6 +13,7 @@
 #include "tests/core/optimisation/search_cases.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/processor_time.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
 #include <QElapsedTimer>
@@ -133,8 +134,7 @@ private slots:
         p.optimisation->scenarios = OptimisationScenarios::corners;
         const bool isLong = std::getenv("SPARKOUT_LONG") != nullptr;
         if (isLong) {
-            QElapsedTimer took;
-            took.start();
+            RunningTimer took;
             double answer_s = 0;
             const SearchOutcomePtr whole =
                 search(p, {.front = true}, {}, {.answer = [&](const SearchOutcomePtr& answer) {
@@ -188,10 +188,8 @@ private slots:
 
     // The moment's grace after a stop is counted from its begin and ends a run, too.
     void theGraceAfterAStopIsAMoment() {
-        std::stop_source stop;
-        stop.request_stop();
-        QElapsedTimer took;
-        took.start();
+        const StoppedSource stop;
+        RunningTimer took;
         const GraceStop grace(stop.get_token());
         QVERIFY(!grace.token().stop_requested());
         QVERIFY(simulateUnchecked(slow(), nullptr, grace.token()).status == RunStatus::stopped);
@@ -235,8 +233,7 @@ private slots:
         }
         std::vector<double> other = root;
         QVERIFY(sections.solve(lag.data(), root.data()).iterations > 1);
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         const auto stopped = sections.solve(lag.data(), other.data(), stop.get_token());
         QVERIFY(!stopped.converged);
         QCOMPARE(stopped.iterations, 0);

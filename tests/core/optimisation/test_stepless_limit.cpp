@@ -13,6 +13,7 @@
 #include "core/quality/power.h"
 #include "core/simulation/stage_control.h"
 #include "tests/core/optimisation/search_checks.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
 #include <set>
@@ -737,8 +738,7 @@ private slots:
     }
 
     void aStopLeavesNoPieces() {
-        std::stop_source source;
-        source.request_stop();
+        const StoppedSource source;
         QVERIFY(steplessLimitBounds(freePlunge(), source.get_token()).pieces.empty());
     }
 

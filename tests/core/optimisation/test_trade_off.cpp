@@ -7,6 +7,7 @@
 #include "core/optimisation/cycle_runner.h"
 #include "core/optimisation/robust.h"
 #include "tests/core/optimisation/search_checks.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
 #include <cstdio>
@@ -150,8 +151,7 @@ private slots:
         const TradeOff two = tradeOff(project, quickest, {}, 2);
         QVERIFY(two.cycles.size() == 2 && !two.isWhole);
         SearchOptions stopped;
-        std::stop_source source;
-        source.request_stop();
+        const StoppedSource source;
         stopped.stop = source.get_token();
         const TradeOff one = tradeOff(project, quickest, stopped, 1000);
         QVERIFY(one.cycles.size() == 1 && !one.isWhole);

@@ -9,10 +9,10 @@
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
 #include "tests/core/support/random_project.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
 #include <random>
-#include <stop_token>
 #include <utility>
 
 namespace sparkout::test_phases {
@@ -354,8 +354,7 @@ private slots:
 
     void whatIsNotDecided() {
         Project project = samples::project("smallest-plunge");
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         QVERIFY(!decidePhases(project, usualPhases(project), stop.get_token()).isDecided);
         project.gauge->control = Control::position;
         const PhaseDecision decision = decidePhases(project, usualPhases(project));

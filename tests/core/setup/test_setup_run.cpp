@@ -9,6 +9,7 @@
 #include "core/simulation/simulate.h"
 #include "tests/core/setup/setup_samples.h"
 #include "tests/core/support/project_samples.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/whole_project.h"
 
@@ -227,8 +228,7 @@ private slots:
 
     void aStopLeavesWhatWasRun() {
         const Setup setup = threeSurfaces();
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         QVERIFY(runSetup(setup, stop.get_token()).surfaces.empty());
     }
 };

@@ -8,9 +8,8 @@
 #include "tests/core/support/allocation_counter.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/processor_time.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
-
-#include <stop_token>
 
 namespace sparkout::test_coupled_plunge {
 
@@ -386,8 +385,7 @@ private slots:
     }
 
     void stopIsHeededWithinARevolution() {
-        std::stop_source source;
-        source.request_stop();
+        const StoppedSource source;
         QCOMPARE(simulateUnchecked(slender(4), nullptr, source.get_token()).status,
                  RunStatus::stopped);
     }

@@ -3,9 +3,8 @@
 
 #include "tests/core/support/allocation_counter.h"
 #include "tests/core/support/project_fixtures.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
-
-#include <stop_token>
 
 namespace sparkout::test_plunge_cycle {
 
@@ -313,8 +312,7 @@ private slots:
     }
 
     void stopRequestedBeforehandEndsBeforeTheFirstRevolution() {
-        std::stop_source source;
-        source.request_stop();
+        const StoppedSource source;
         const SimulationResult r =
             simulateUnchecked(fixtures::plunge(), nullptr, source.get_token());
         QCOMPARE(r.status, RunStatus::stopped);

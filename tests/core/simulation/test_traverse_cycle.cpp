@@ -3,6 +3,7 @@
 
 #include "tests/core/support/allocation_counter.h"
 #include "tests/core/support/project_fixtures.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
 #include <chrono>
@@ -362,8 +363,7 @@ private slots:
     }
 
     void stopRequestedBeforehandEndsBeforeTheFirstStroke() {
-        std::stop_source source;
-        source.request_stop();
+        const StoppedSource source;
         const SimulationResult r =
             simulateUnchecked(fixtures::traverse(), nullptr, source.get_token());
         QCOMPARE(r.status, RunStatus::stopped);

@@ -5,6 +5,7 @@
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/core/support/project_samples.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
 namespace sparkout::test_coupling_comparison {
@@ -76,8 +77,7 @@ private slots:
     }
 
     void aStopRequestEndsIt() {
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         QVERIFY(compareCoupling(onShaft(5), stop.get_token()).stopped());
     }
 };

@@ -4,11 +4,10 @@
 
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/core/support/project_samples.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
 #include <QTemporaryDir>
-
-#include <stop_token>
 
 namespace sparkout::test_part_rows_file {
 
@@ -79,8 +78,7 @@ private slots:
         QCOMPARE(done, 3);
         QVERIFY(!file.error()); // nothing went wrong
         QVERIFY(!std::filesystem::exists(m_path));
-        std::stop_source stop;
-        stop.request_stop();
+        const StoppedSource stop;
         BatchOptions options;
         options.stop = stop.get_token();
         PartRowsFile other(m_path, Existing::refused, {});

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The lock beside a project: who has it, who may take it over, and how it follows the document.
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/ui/support/file_guard_bench.h"
 
 #include <QDateTime>
-#include <QElapsedTimer>
 
 namespace sparkout::test_file_guard_lock {
 
@@ -124,8 +124,7 @@ private slots:
         }
         trouble::putStrange(kind, path);
         const auto before = stampOf(path);
-        QElapsedTimer clock;
-        clock.start();
+        RunningTimer clock;
         bench.open();
         QVERIFY2(clock.elapsed() < 1000, qPrintable(QString::number(clock.elapsed())));
         QCOMPARE(bench.access, Access::write);

@@ -3,6 +3,7 @@
 #include "core/project/part.h"
 #include "core/study/new_project.h"
 #include "tests/processor_time.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/support/file_trouble.h"
@@ -378,8 +379,7 @@ private slots:
             trouble::putStrange(name, folder + QStringLiteral("locked-") + name
                                           + QStringLiteral(".lock"));
         }
-        QElapsedTimer clock;
-        clock.start();
+        RunningTimer clock;
         auto left = bench.store.left();
         QVERIFY2(clock.elapsed() < 1000, qPrintable(QString::number(clock.elapsed())));
         QCOMPARE(left.size(), 2 * std::size_t(kinds.size()));

@@ -23,6 +23,8 @@ struct Bench {
         document.startUntitled(newProject(operation));
         table.view().setFocus();
     }
+    /// With a cell selected.
+    Bench(int row, int column) : Bench() { select(row, column); }
     [[nodiscard]] const std::vector<Stage>& stages() const {
         return document.project().cycle->stages;
     }

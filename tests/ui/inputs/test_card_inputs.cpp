@@ -4,6 +4,7 @@
 #include "core/setup/setup_run.h"
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"
+#include "tests/ui/support/typing.h"
 #include "tests/whole_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/report/card/operation_card_report.h"
@@ -22,9 +23,7 @@ void type(Window& window, const char* path, const QString& text) {
     auto* line = window.on<QLineEdit>(path);
     QVERIFY2(line, path);
     window.bench.window->inputs().pages()[partPage]->showPath(path, true);
-    line->setFocus();
-    line->selectAll();
-    QTest::keyClicks(line, text);
+    typeOver(*line, text);
     QTest::keyClick(line, Qt::Key_Return);
     window.bench.settle();
 }

@@ -6,13 +6,14 @@
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
 #include "core/sweep/sweep_run.h"
+#include "tests/ui/support/typing.h"
+#include "tests/ui/support/untitled.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/charts/run_table.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/forms/form_page.h"
 #include "ui/report/documents/cycle_card.h"
 #include "ui/report/format/report_text.h"
-#include "ui/session/document.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
 #include "ui/views/sweep/sweep_text.h"
@@ -48,8 +49,7 @@ private slots:
     }
 
     void theFieldOfTheGaugeTakesANumberFromOne() {
-        Document document;
-        document.startUntitled(fourSections(3));
+        Untitled document(fourSections(3));
         FormPage page(Page::gauge, document);
         page.show();
         auto* field = page.findChild<NumberField*>(QStringLiteral("/gauge/section"));
@@ -59,9 +59,7 @@ private slots:
                  qPrintable(field->toolTip()));
 
         const auto type = [field](const QString& text) {
-            field->setFocus();
-            field->selectAll();
-            QTest::keyClicks(field, text);
+            typeOver(*field, text);
             QTest::keyClick(field, Qt::Key_Return);
         };
         type(QStringLiteral("1"));

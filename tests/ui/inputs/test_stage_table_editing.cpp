@@ -24,8 +24,7 @@ private slots:
     void deleteEmptiesACellWhetherItIsBeingEditedOrNot() {
         QTest::failOnWarning(QRegularExpression(QStringLiteral("editing failed")));
         for (const bool edited : {false, true}) {
-            Bench bench;
-            bench.select(0, 0);
+            Bench bench(0, 0);
             QVERIFY(!edited || bench.openEditor());
             QTest::keyClick(&bench.table.view(), Qt::Key_Delete);
             auto* field = bench.table.view().findChild<NumberField*>();
@@ -93,8 +92,7 @@ private slots:
     }
 
     void typingOverACellChangesTheStageWhileTyping() {
-        Bench bench;
-        bench.select(0, 0);
+        Bench bench(0, 0);
         QTest::keyClick(&bench.table.view(), Qt::Key_0);
         auto* editor = bench.table.view().findChild<NumberField*>();
         QVERIFY(editor);
@@ -107,8 +105,7 @@ private slots:
     }
 
     void aRefusedTextStaysInTheCellMarkedAndTheStageKeepsItsValue() {
-        Bench bench;
-        bench.select(1, 2);
+        Bench bench(1, 2);
         auto* editor = bench.openEditor();
         QVERIFY(editor);
         editor->selectAll();
@@ -126,8 +123,7 @@ private slots:
     }
 
     void aGoodNumberOverARefusedTextIsTaken() {
-        Bench bench;
-        bench.select(1, 2);
+        Bench bench(1, 2);
         auto* editor = bench.openEditor();
         editor->selectAll();
         QTest::keyClicks(editor, QStringLiteral("2 um"));
@@ -160,8 +156,7 @@ private slots:
     }
 
     void escapeTakesBackWhatWasTyped() {
-        Bench bench;
-        bench.select(1, 2);
+        Bench bench(1, 2);
         auto* editor = bench.openEditor();
         editor->selectAll();
         QTest::keyClicks(editor, QStringLiteral("0.07"));
@@ -171,8 +166,7 @@ private slots:
     }
 
     void aRefusedTextOfACellGivesWayToItsValue() {
-        Bench bench;
-        bench.select(0, 0);
+        Bench bench(0, 0);
         auto* editor = bench.openEditor();
         editor->selectAll();
         QTest::keyClicks(editor, QStringLiteral("much"));

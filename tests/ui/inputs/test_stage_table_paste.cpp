@@ -59,8 +59,7 @@ private slots:
     }
 
     void headsOfAnotherTableAreLeftOut() {
-        Bench bench;
-        bench.select(0, 0);
+        Bench bench(0, 0);
         paste(bench, QStringLiteral("St, mm\tSax, mm/min\tStock\n0.006\t1500\t0.09\n"
                                     "0.003\t900\t0.06\n"));
         QCOMPARE(bench.stages().size(), 2u);
@@ -148,8 +147,7 @@ private slots:
     }
 
     void moreRefusedCellsThanAreShownAreCounted() {
-        Bench bench;
-        bench.select(0, 0);
+        Bench bench(0, 0);
         paste(bench, QStringLiteral("a\tb\tc\nd\te\tf\ng\th\ti"));
         QCOMPARE(reasons(bench).count(QStringLiteral("Not pasted")), 6);
         QVERIFY(reasons(bench).contains(QStringLiteral("4 further cell")));
@@ -217,8 +215,7 @@ private slots:
 
     void theSelectionIsCopiedByItself() {
         QLocale::setDefault(QLocale(QLocale::Russian, QLocale::Russia));
-        Bench bench;
-        bench.select(0, 1);
+        Bench bench(0, 1);
         QCOMPARE(copied(bench), QStringLiteral("1800\n"));
         QTest::keyClick(&bench.table.view(), Qt::Key_Right, Qt::ShiftModifier);
         QTest::keyClick(&bench.table.view(), Qt::Key_Down, Qt::ShiftModifier);

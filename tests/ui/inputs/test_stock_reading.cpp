@@ -5,6 +5,8 @@
 #include "core/project/validate.h"
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
+#include "tests/ui/support/typing.h"
+#include "tests/ui/support/untitled.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/whole_project.h"
 #include "ui/inputs/forms/form_page.h"
@@ -91,14 +93,11 @@ private slots:
     }
 
     void whatIsBeingTypedIsTakenAsItWasMeant() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         FormPage page(Page::part, document);
         page.show();
         auto* field = page.findChild<NumberField*>(QStringLiteral("/part/stock_mm"));
-        field->setFocus();
-        field->selectAll();
-        QTest::keyClicks(field, QStringLiteral("0.31")); // per side
+        typeOver(*field, QStringLiteral("0.31")); // per side
         StockReading::instance().setOnDiameter(true);
         page.retranslate();
         QCOMPARE(document.project().part->stock_mm, 0.31);

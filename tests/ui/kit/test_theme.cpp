@@ -2,6 +2,7 @@
 // The themes: enough contrast everywhere, icons and pictures that follow, no colour beside the
 // table.
 #include "tests/registry.h"
+#include "tests/ui/support/typing.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/charts/light_icon.h"
 #include "ui/fields/mark.h"
@@ -405,9 +406,7 @@ private slots:
         QVERIFY(bench.open(examplePaths().front()));
         bench.window->inputs().showPage(0);
         auto* field = bench.window->findChild<NumberField*>(QStringLiteral("/part/diameter_mm"));
-        field->setFocus();
-        field->selectAll();
-        QTest::keyClicks(field, QStringLiteral("thirty")); // a marked text must be marked anew
+        typeOver(*field, QStringLiteral("thirty")); // a marked text must be marked anew
         QTest::keyClick(field, Qt::Key_Return);
         bench.settle();
         QVERIFY(lightShare(bench.window->grab().toImage()) > 0.8);

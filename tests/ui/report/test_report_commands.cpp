@@ -2,6 +2,7 @@
 // Labels: numbers
 // Reports from the window: preview, printing into a file, export, and none without a result.
 #include "core/study/new_project.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/logo_samples.h"
@@ -18,7 +19,6 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QPrintPreviewWidget>
 #include <QProgressBar>
@@ -271,8 +271,7 @@ private slots:
         answers.seen = [&text](QDialog& dialog) {
             text = dialog.findChild<QProgressBar*>()->format();
         };
-        QElapsedTimer clock;
-        clock.start();
+        RunningTimer clock;
         bench.action("pdf-passport")->trigger(); // no file dialog follows
         QCOMPARE(answers.fault(), QString());
         QVERIFY2(clock.elapsed() < 5000, qPrintable(QString::number(clock.elapsed())));
@@ -288,8 +287,7 @@ private slots:
         QTimer timer;
         connect(&timer, &QTimer::timeout, this, [&beats] { ++beats; });
         timer.start(5);
-        QElapsedTimer clock;
-        clock.start();
+        RunningTimer clock;
         const BatchOutcomePtr batch =
             BatchWait(project, QStringLiteral("Batch"), bench.window.get()).wait();
         const qint64 took_ms = clock.elapsed();

@@ -4,6 +4,7 @@
 #include "core/setup/setup_file.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
+#include "tests/ui/support/untitled.h"
 #include "tests/whole_project.h"
 #include "ui/session/document.h"
 
@@ -56,8 +57,7 @@ class TestDocument : public QObject {
 private slots:
     /// What is undone since a save is as unsaved as what is done.
     void anEditUndoneAfterASaveIsNamed() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         Project project = document.project();
         project.part->diameter_mm += 1;
         document.edit(project, EditText{"Input", "Diameter"});
@@ -71,8 +71,7 @@ private slots:
 
     /// Typing that goes on after a step back is a step of its own.
     void noEditIsJoinedOverAStepOfTheHistory() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         const QString key = QStringLiteral("/part/diameter_mm");
         Project first = document.project();
         first.part->diameter_mm += 1;
@@ -88,8 +87,7 @@ private slots:
 
     void undoAndRedoAcrossASaveGiveTheSameTextAndModifiedState() {
         const QTemporaryDir folder;
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         QVERIFY(!document.modified());
         const QByteArray first = hashOf(document);
         document.edit(withDiameter(document.project(), 31), editText);
@@ -114,8 +112,7 @@ private slots:
     }
 
     void typingInOneFieldIsOneStepUntilTheFieldIsLeft() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         const QString key = QStringLiteral("/part/diameter_mm");
         document.edit(withDiameter(document.project(), 4), editText, key);
         document.edit(withDiameter(document.project(), 45), editText, key);
@@ -129,8 +126,7 @@ private slots:
     }
 
     void typingAndTypingBackLeavesNothingToUndo() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         const QString key = QStringLiteral("/part/diameter_mm");
         document.edit(withDiameter(document.project(), 3), editText, key);
         document.edit(withDiameter(document.project(), 30), editText, key);
@@ -139,8 +135,7 @@ private slots:
     }
 
     void anEditThatChangesNothingIsNoStep() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         QSignalSpy changed(&document, &Document::changed);
         document.edit(document.project(), editText);
         QCOMPARE(changed.count(), 0);
@@ -176,8 +171,7 @@ private slots:
         file.write(
             R"({"format":"sparkout-project","version":1,"nonsense":2,"operation":"traverse"})");
         file.close();
-        Document document;
-        document.startUntitled(newProject(Operation::plunge));
+        Untitled document(newProject(Operation::plunge));
         document.edit(withDiameter(document.project(), 33), editText);
         const QByteArray before = hashOf(document);
         const OpenResult result = document.open(path);
@@ -192,8 +186,7 @@ private slots:
     void unfinishedWorkIsSavedAndOpenedAgainWithItsFaults() {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("unfinished.sparkout"));
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         Project odd = document.project();
         odd.part->radii_per_section = 35;
         odd.part->lower_deviation_um = odd.part->upper_deviation_um + 1;
@@ -231,8 +224,7 @@ private slots:
     }
 
     void aFailedSaveKeepsTheDocumentModifiedAndItsPath() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         document.edit(withDiameter(document.project(), 33), editText);
         QVERIFY(document.saveAs(QStringLiteral("/nowhere/at/all.sparkout")).has_value());
         QVERIFY(document.modified());
@@ -303,8 +295,7 @@ private slots:
 
     /// Of a shared input, not of one that each surface has for itself.
     void aCalibrationOfASharedInputIsRecordedWithEverySurface() {
-        Document document;
-        document.startUntitled(threeSurfaces());
+        Untitled document(threeSurfaces());
         document.showSurface(1);
         Project project = document.project();
         project.wheel->dullness = 0.031;
@@ -347,8 +338,7 @@ private slots:
     }
 
     void whatIsSharedChangesInEverySurface() {
-        Document document;
-        document.startUntitled(threeSurfaces());
+        Untitled document(threeSurfaces());
         document.showSurface(1);
         const SurfaceStatePtr first = document.state().surfaces[0];
         Project project = document.project();
@@ -369,8 +359,7 @@ private slots:
     }
 
     void undoBringsTheSurfaceToTheFrontThatItConcerns() {
-        Document document;
-        document.startUntitled(threeSurfaces());
+        Untitled document(threeSurfaces());
         document.showSurface(1);
         QVERIFY(!document.modified() && !document.canUndo()); // that is no edit
         document.edit(withDiameter(document.project(), 31), editText);
@@ -395,8 +384,7 @@ private slots:
     }
 
     void typingInTwoSurfacesIsTwoSteps() {
-        Document document;
-        document.startUntitled(threeSurfaces());
+        Untitled document(threeSurfaces());
         const QString key = QStringLiteral("/part/diameter_mm");
         document.edit(withDiameter(document.project(), 31), editText, key);
         document.showSurface(1);
@@ -410,8 +398,7 @@ private slots:
     void aSetupIsSavedAndOpenedAsAWhole() {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("three.sparkout"));
-        Document document;
-        document.startUntitled(threeSurfaces());
+        Untitled document(threeSurfaces());
         document.showSurface(2);
         Project project = withDiameter(document.project(), 33);
         project.part->lower_deviation_um = project.part->upper_deviation_um + 1; // unfinished
@@ -435,8 +422,7 @@ private slots:
         setup.times.handling_s = 30;
         setup.wear.dulling_per_mm2 = 1e-5;
         const std::string text = writeSetup(setup);
-        Document document;
-        document.startUntitled(setup);
+        Untitled document(setup);
         document.showSurface(1);
         document.edit(withDiameter(document.project(), 31), editText);
         document.undo();
@@ -447,8 +433,7 @@ private slots:
     }
 
     void aReloadKeepsTheSurfaceInFrontAndCanBeUndone() {
-        Document document;
-        document.startUntitled(threeSurfaces());
+        Untitled document(threeSurfaces());
         document.showSurface(2);
         Setup shorter = threeSurfaces();
         shorter.surfaces.pop_back();

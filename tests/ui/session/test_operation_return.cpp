@@ -4,8 +4,8 @@
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
 #include "core/study/operation_return.h"
+#include "tests/ui/support/untitled.h"
 #include "tests/whole_project.h"
-#include "ui/session/document.h"
 #include "ui/text/operation_changes.h"
 
 #include "core/format/project_file.h"
@@ -216,8 +216,7 @@ private slots:
     }
 
     void whatWasChangedMeanwhileStaysAndTheRestComesBack() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         const Project before = document.project();
         switchTo(document, Operation::plunge);
         Project changed = document.project();
@@ -237,8 +236,7 @@ private slots:
     }
 
     void aComplianceEnteredMeanwhileIsCarriedOver() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         switchTo(document, Operation::plunge);
         Project stiff = document.project();
         for (double& value : std::get<std::vector<double>>(stiff.machine->compliance_mm_per_n)) {
@@ -252,8 +250,7 @@ private slots:
     }
 
     void aLongerPartMeanwhileStillLeavesAProjectThatRuns() {
-        Document document;
-        document.startUntitled(newProject(Operation::plunge));
+        Untitled document(newProject(Operation::plunge));
         switchTo(document, Operation::traverse);
         Project longer = document.project();
         longer.part->length_mm = 300;
@@ -268,8 +265,7 @@ private slots:
     }
 
     void aStageAddedMeanwhileLeavesTheOthersTheirFeeds() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         const auto before = document.project().cycle->stages;
         switchTo(document, Operation::plunge);
         Project more = document.project();
@@ -288,8 +284,7 @@ private slots:
     }
 
     void nothingIsRememberedOfAnotherDocument() {
-        Document document;
-        document.startUntitled(newProject(Operation::traverse));
+        Untitled document(newProject(Operation::traverse));
         switchTo(document, Operation::plunge);
         document.startUntitled(newProject(Operation::plunge));
         QVERIFY(!document.lastWith(Operation::traverse));

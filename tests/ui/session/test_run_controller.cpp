@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ready_made.h"
 #include "tests/whole_project.h"
 #include "ui/session/run_controller.h"
 
@@ -7,7 +8,6 @@
 
 #include "tests/registry.h"
 
-#include <QElapsedTimer>
 #include <QSignalSpy>
 
 #include <atomic>
@@ -97,8 +97,7 @@ private slots:
         connect(&runs, &RunController::finished, this, [&shown](const OutcomePtr& outcome) {
             shown.push_back(outcome->result.project.part->diameter_mm);
         });
-        QElapsedTimer clock;
-        clock.start();
+        RunningTimer clock;
         for (int i = 0; i < 100; ++i) {
             runs.request(numbered(i));
         }
@@ -130,8 +129,7 @@ private slots:
         QSignalSpy finished(runs.get(), &RunController::finished);
         runs->request(numbered(0));
         std::this_thread::sleep_for(30ms);
-        QElapsedTimer clock;
-        clock.start();
+        RunningTimer clock;
         runs.reset();
         QVERIFY2(clock.elapsed() < 100, qPrintable(QString::number(clock.elapsed())));
         QTest::qWait(20);
@@ -146,8 +144,7 @@ private slots:
         auto runs = std::make_unique<RunController>();
         runs->request(project);
         std::this_thread::sleep_for(20ms);
-        QElapsedTimer clock;
-        clock.start();
+        RunningTimer clock;
         runs.reset();
         QVERIFY2(clock.elapsed() < 100, qPrintable(QString::number(clock.elapsed())));
     }

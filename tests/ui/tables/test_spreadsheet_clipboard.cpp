@@ -71,8 +71,7 @@ private slots:
         QVERIFY(calcData(QStringLiteral("html")).contains(QStringLiteral("sdval=\"0,006\"")));
         offer(plain ? calcData(QStringLiteral("txt")) : QString(),
               calcData(QStringLiteral("html")));
-        Bench bench;
-        bench.select(0, 0);
+        Bench bench(0, 0);
         QTest::keySequence(&bench.table.view(), QKeySequence::Paste);
         QCOMPARE(bench.stages().size(), 2u);
         QCOMPARE(bench.stages()[0].radial_feed_mm, std::optional(0.006));

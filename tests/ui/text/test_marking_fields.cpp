@@ -2,6 +2,7 @@
 // Wheel markings and tolerance classes as a user types them on the pages of the inputs.
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"
+#include "tests/ui/support/typing.h"
 #include "tests/whole_project.h"
 
 #include <QLabel>
@@ -22,9 +23,7 @@ private slots:
         auto* line = window.on<QLineEdit>("/wheel/marking");
         auto* meaning = window.on<QLabel>("markingMeaning");
         auto* fill = window.on<QPushButton>("fillFromMarking");
-        line->setFocus();
-        line->selectAll();
-        QTest::keyClicks(line, QStringLiteral("400x40x203 63C F80 K 8 V 30"));
+        typeOver(*line, QStringLiteral("400x40x203 63C F80 K 8 V 30"));
         QVERIFY2(meaning->text().contains(QStringLiteral("green silicon carbide")),
                  qPrintable(meaning->text()));
         QVERIFY(meaning->text().contains(QStringLiteral("0.185")));
@@ -41,9 +40,7 @@ private slots:
         window.document().undo();
         QCOMPARE(window.document().project().wheel->diameter_mm, before.wheel->diameter_mm);
         QCOMPARE(window.document().project().wheel->marking, before.wheel->marking);
-        line->setFocus();
-        line->selectAll();
-        QTest::keyClicks(line, QStringLiteral("the old one"));
+        typeOver(*line, QStringLiteral("the old one"));
         QVERIFY(meaning->text().startsWith(QStringLiteral("Not understood")));
         QVERIFY(!fill->isVisible());
     }
@@ -99,9 +96,7 @@ private slots:
     void aToleranceClassIsTakenWhenItIsLeft() {
         Window window(partPage);
         auto* size = window.on<QLineEdit>("sizeField");
-        size->setFocus();
-        size->selectAll();
-        QTest::keyClicks(size, QStringLiteral("40k6"));
+        typeOver(*size, QStringLiteral("40k6"));
         QVERIFY(window.on<QLabel>("sizeMeaning")->isVisible());
         QVERIFY(!window.document().canUndo());
         QTest::keyClick(size, Qt::Key_Tab);
@@ -115,9 +110,7 @@ private slots:
     void aToleranceClassIsTakenByACommand() {
         Window window(partPage);
         auto* size = window.on<QLineEdit>("sizeField");
-        size->setFocus();
-        size->selectAll();
-        QTest::keyClicks(size, QStringLiteral("40k6"));
+        typeOver(*size, QStringLiteral("40k6"));
         window.bench.window->inputs().endTyping(); // as Save does first
         QCOMPARE(window.document().project().part->diameter_mm, 40);
         QVERIFY(size->hasFocus());
@@ -142,9 +135,7 @@ private slots:
     void aRefusedClassDoesNotOutliveItsReason() {
         Window window(partPage);
         auto* size = window.on<QLineEdit>("sizeField");
-        size->setFocus();
-        size->selectAll();
-        QTest::keyClicks(size, QStringLiteral("30H7"));
+        typeOver(*size, QStringLiteral("30H7"));
         QTest::keyClick(size, Qt::Key_Tab);
         QCOMPARE(size->text(), QStringLiteral("30H7"));
         Project project = window.document().project();
@@ -162,9 +153,7 @@ private slots:
         for (const auto& [typed, said] :
              {std::pair("30H7", "Capital letters are for bores"), std::pair("30q6", "ISO 286 has"),
               std::pair("600h6", "ISO 286 has"), std::pair("thirty", "Not a size")}) {
-            size->setFocus();
-            size->selectAll();
-            QTest::keyClicks(size, QString::fromLatin1(typed));
+            typeOver(*size, QString::fromLatin1(typed));
             QVERIFY2(meaning->text().startsWith(QString::fromLatin1(said)),
                      qPrintable(meaning->text()));
             QTest::keyClick(size, Qt::Key_Return);

@@ -9,6 +9,7 @@
 #include "core/format/project_file.h"
 #include "core/optimisation/optimise.h"
 #include "tests/check_line.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/support/dialog_answers.h"
@@ -59,8 +60,7 @@ template <typename Work>
 double worstStop_ms(const char* what, int ofLong, Work&& work) {
     const int moments = longTest ? ofLong : 4;
     QRandomGenerator random(21);
-    QElapsedTimer whole;
-    whole.start();
+    RunningTimer whole;
     if (work(std::stop_token())) {
         return never_ms; // it comes to nothing by itself
     }
@@ -124,8 +124,7 @@ private slots:
                 QTest::qWait(random.bounded(40));
                 const bool running = bench.window->runs().running();
                 QSignalSpy shown(bench.window.get(), &MainWindow::outcomeShown);
-                QElapsedTimer clock;
-                clock.start();
+                RunningTimer clock;
                 bench.window->document().startUntitled(quick);
                 const bool replaced = QTest::qWaitFor([&] { return shown.count() > 0; }, 20'000);
                 return running && replaced ? sinceStart_ms(clock) : never_ms;
@@ -146,8 +145,7 @@ private slots:
                 bench.window->document().startUntitled(longProject(longSections));
                 QTest::qWait(random.bounded(20));
                 const bool running = bench.window->runs().running();
-                QElapsedTimer clock;
-                clock.start();
+                RunningTimer clock;
                 const bool closed = bench.window->close();
                 bench.window.reset();
                 return running && closed ? sinceStart_ms(clock) : never_ms;

@@ -6,6 +6,7 @@
 // machine does not turn it red.
 #include "core/format/project_file.h"
 #include "tests/check_line.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/support/dialog_answers.h"
@@ -119,8 +120,7 @@ double swing(qint64 time_ms) {
 void dragSlider(QSlider& slider) {
     const QPoint start = handleOf(slider);
     QTest::mousePress(&slider, Qt::LeftButton, {}, start);
-    QElapsedTimer clock;
-    clock.start();
+    RunningTimer clock;
     while (clock.elapsed() < drag_ms) {
         const int x = 4 + int(swing(clock.elapsed()) * (slider.width() - 8));
         QTest::mouseMove(&slider, QPoint(x, start.y()));
@@ -130,8 +130,7 @@ void dragSlider(QSlider& slider) {
 }
 
 void dragFeed(Document& document) {
-    QElapsedTimer clock;
-    clock.start();
+    RunningTimer clock;
     while (clock.elapsed() < drag_ms) {
         Project project = document.project();
         project.cycle->stages.front().radial_feed_mm = 0.003 + 0.004 * swing(clock.elapsed());

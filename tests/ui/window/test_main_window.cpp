@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/support/typing.h"
 #include "tests/whole_project.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/dialogs/notice_bar.h"
@@ -212,9 +213,7 @@ private slots:
         bench.open(example("shaft-30h6-factory.sparkout"));
         bench.window->inputs().showPage(0);
         auto* field = bench.window->findChild<NumberField*>(QStringLiteral("/part/diameter_mm"));
-        field->setFocus();
-        field->selectAll();
-        QTest::keyClicks(field, QStringLiteral("thirty"));
+        typeOver(*field, QStringLiteral("thirty"));
         QTRY_COMPARE(bench.window->messages().item(0)->data(Qt::UserRole).toString(),
                      QStringLiteral("/part/diameter_mm"));
         const auto* notice = bench.window->findChild<QLabel*>(QStringLiteral("refusedFields"));
@@ -338,9 +337,7 @@ private slots:
         bench.window->inputs().showPage(0);
         auto* field = bench.window->findChild<NumberField*>(QStringLiteral("/part/diameter_mm"));
         bench.window->activateWindow();
-        field->setFocus();
-        field->selectAll();
-        QTest::keyClicks(field, QStringLiteral("31"));
+        typeOver(*field, QStringLiteral("31"));
         QCOMPARE(bench.window->document().project().part->diameter_mm, 31.0);
         QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(bench.window->document().project().part->diameter_mm, 30.0);

@@ -5,6 +5,7 @@
 // choose.
 #include "core/setup/setup_file.h"
 #include "tests/check_line.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/ui/window/monkey.h"
 #include "ui/session/document.h"
@@ -36,8 +37,7 @@ private slots:
         const QString log = QStringLiteral(SPARKOUT_BUILD_DIR "/monkey-%1.log").arg(seed());
         qInfo("MONKEY seed %u, %d events, what it does is in %s", seed(), eventCount(),
               qPrintable(log));
-        QElapsedTimer clock;
-        clock.start();
+        RunningTimer clock;
         Monkey monkey(seed(), eventCount(), log);
         const QString trouble = monkey.run();
         const double reached = 1 - double(monkey.missed().size()) / double(monkey.seen());

@@ -11,10 +11,10 @@
 #include "ui/window/main_window.h"
 
 #include "tests/check_line.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 
 #include <QApplication>
-#include <QElapsedTimer>
 #include <QMouseEvent>
 #include <QSignalSpy>
 
@@ -57,8 +57,7 @@ private slots:
         for (int press = 0; press < 40; ++press) {
             QTest::qWait(20); // whatever the last one left to do
             drawn.clear();
-            QElapsedTimer clock;
-            clock.start();
+            RunningTimer clock;
             QTest::keyClick(editor, press % 2 == 0 ? Qt::Key_Up : Qt::Key_Down);
             while (drawn.isEmpty() && clock.elapsed() < 5000) {
                 QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
@@ -101,8 +100,7 @@ private slots:
         for (int step = 0; step < 40; ++step) {
             QTest::qWait(20); // whatever the last one left to do
             drawn.clear();
-            QElapsedTimer clock;
-            clock.start();
+            RunningTimer clock;
             QTest::mouseMove(slider, QPoint(slider->width() / 2 + (step % 2 == 0 ? 0 : 10),
                                             slider->height() / 2));
             while (drawn.isEmpty() && clock.elapsed() < 5000) {

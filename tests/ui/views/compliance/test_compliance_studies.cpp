@@ -2,6 +2,7 @@
 // "Where to put the gauge" and "coupled against independent" in the view "Compliance".
 #include "core/process/system_compliance.h"
 #include "core/simulation/simulate.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/support/text_checks.h"
@@ -261,8 +262,7 @@ private slots:
         for (int i = 0; i < 5; ++i) {
             const double edit_ms = leastOfTries_ms(200, [&] { // four times 50 ms
                 project.part->stock_mm += 0.001;
-                QElapsedTimer clock;
-                clock.start();
+                RunningTimer clock;
                 window.bench.window->document().edit(project, {"Input", "Stock per side"});
                 return clock.elapsed();
             });
@@ -316,8 +316,7 @@ private slots:
 private:
     /// Closing stops what is being computed.
     static void clockedClose(Window& window) {
-        QElapsedTimer clock;
-        clock.start();
+        RunningTimer clock;
         window.bench.window.reset();
         QVERIFY2(clock.elapsed() < 1000, qPrintable(QString::number(clock.elapsed())));
     }

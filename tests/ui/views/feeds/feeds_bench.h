@@ -21,6 +21,10 @@ inline void show(FeedsView& view, const OutcomePtr& outcome) {
     draw(view, outcome);
 }
 
+struct ShownFeeds : FeedsView {
+    explicit ShownFeeds(const OutcomePtr& outcome) { feeds_bench::show(*this, outcome); }
+};
+
 inline QCPRange xRange(const FeedsView& view, int column, int row) {
     return view.plot()->cell(column, row)->axis(QCPAxis::atBottom)->range();
 }

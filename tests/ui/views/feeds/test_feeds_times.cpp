@@ -2,6 +2,7 @@
 // The times that the feeds view has in sight: one for all columns, chosen by wheel, drag, keys and
 // lists, in the overview, and gone back to.
 #include "tests/registry.h"
+#include "tests/ui/support/typing.h"
 #include "tests/ui/views/feeds/feeds_bench.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/views/feeds/feeds_overview.h"
@@ -24,8 +25,7 @@ private slots:
     void initTestCase() { begin(); }
 
     void allColumnsKeepTheSameTimes() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         view.plot()->cell(2, 1)->axis(QCPAxis::atBottom)->setRange(3, 5);
         for (int column = 0; column < 3; ++column) {
             for (int row = 0; row < FeedsPlot::rowCount; ++row) {
@@ -36,8 +36,7 @@ private slots:
     }
 
     void aWheelTurnZoomsAllColumnsAndADoubleClickFits() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         const QCPRange whole = xRange(view, 0, 0);
         wheel(view.plot(), view.plot()->cell(0, 0)->rect().center(), 240);
         QVERIFY(xRange(view, 2, 2).size() < whole.size() * 0.9);
@@ -63,8 +62,7 @@ private slots:
     }
 
     void draggingMovesTheTimesWithinTheCycle() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         view.plot()->showTimes(60, 180);
         view.plot()->replot();
         const QPoint from = view.plot()->cell(1, 1)->rect().center();
@@ -79,8 +77,7 @@ private slots:
     }
 
     void keysChooseStageAndStroke() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         const FeedSeries& series = view.plot()->series();
         auto* span = view.findChild<QComboBox*>(QStringLiteral("span"));
         span->setFocus();
@@ -95,9 +92,7 @@ private slots:
         QCOMPARE(view.plot()->visibleTo_s(), series.end_s);
 
         auto* stroke = view.findChild<QSpinBox*>(QStringLiteral("stroke"));
-        stroke->setFocus();
-        stroke->selectAll();
-        QTest::keyClicks(stroke, QStringLiteral("27"));
+        typeOver(*stroke, QStringLiteral("27"));
         QTest::keyClick(stroke, Qt::Key_Return);
         QCOMPARE(view.plot()->visibleFrom_s(), series.strokeStart_s[26]);
         QCOMPARE(view.plot()->visibleTo_s(), series.strokeEnd_s(27));
@@ -111,8 +106,7 @@ private slots:
     }
 
     void buttonsStepFromStrokeToStroke() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         auto* next = view.findChild<QToolButton*>(QStringLiteral("next"));
         auto* previous = view.findChild<QToolButton*>(QStringLiteral("previous"));
         QVERIFY(!previous->isEnabled());
@@ -128,8 +122,7 @@ private slots:
     }
 
     void theRangeChosenOutlivesANewOutcome() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         view.findChild<QSpinBox*>(QStringLiteral("stroke"))->setValue(20);
         Project project = traverseProject();
         project.machine->dwell_entry_s = 1;
@@ -139,8 +132,7 @@ private slots:
     }
 
     void backLeadsThroughWhatWasInSight() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         FeedsPlot* plot = view.plot();
         const double end_s = plot->series().end_s;
         auto* span = view.findChild<QComboBox*>(QStringLiteral("span"));
@@ -175,8 +167,7 @@ private slots:
     // --- the overview ---------------------------------------------------------------------------
 
     void theOverviewShowsWhatIsInSight() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         const FeedsOverview* overview = view.overview();
         const double width = overview->width();
         QCOMPARE(overview->window().left(), 0.0);
@@ -195,8 +186,7 @@ private slots:
     }
 
     void draggingTheOverviewsWindowMovesTheTimes() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         const double end_s = view.plot()->series().end_s;
         view.plot()->showTimes(0.2 * end_s, 0.4 * end_s);
         FeedsOverview* overview = view.overview();
@@ -213,8 +203,7 @@ private slots:
     }
 
     void anEdgeOfTheOverviewsWindowCanBeDragged() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         const double end_s = view.plot()->series().end_s;
         FeedsOverview* overview = view.overview();
         const int y = overview->height() / 2;
@@ -231,8 +220,7 @@ private slots:
     }
 
     void aClickInTheOverviewBringsTheWindowThere() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         const double end_s = view.plot()->series().end_s;
         view.plot()->showTimes(0, 0.1 * end_s);
         FeedsOverview* overview = view.overview();
@@ -247,8 +235,7 @@ private slots:
     }
 
     void theOverviewIsMovedByKeys() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         const double end_s = view.plot()->series().end_s;
         view.plot()->showTimes(0.2 * end_s, 0.4 * end_s);
         FeedsOverview* overview = view.overview();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The feeds view's legend, hair line, room, note and table, and how long it takes.
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/views/feeds/feeds_bench.h"
@@ -8,7 +9,6 @@
 #include "ui/text/language.h"
 #include "ui/views/feeds/feeds_note.h"
 
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QSpinBox>
 #include <QToolButton>
@@ -40,8 +40,7 @@ private slots:
     void initTestCase() { begin(); }
 
     void aLegendClickHidesACurveAndItsScale() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         LegendStrip* legend = view.legend();
         const QString name = QStringLiteral("normal force");
         const QPoint at = entryOf(*legend, name);
@@ -70,8 +69,7 @@ private slots:
     }
 
     void controlClickShowsOnlyThisCurve() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         LegendStrip* legend = view.legend();
         const auto visible = [&] {
             int count = 0;
@@ -92,8 +90,7 @@ private slots:
     }
 
     void theLegendWorksByKeyboard() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         QApplication::setActiveWindow(&view);
         LegendStrip* legend = view.legend();
         legend->setFocus();
@@ -110,8 +107,7 @@ private slots:
     }
 
     void theHairLineStandsAtOneTimeInAllColumns() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         const auto hairLine = [&]() -> const HairLine* {
             for (QCPLayerable* item : view.plot()->layer(HairLine::layerName())->children()) {
                 const auto* line = qobject_cast<HairLine*>(item);
@@ -149,8 +145,7 @@ private slots:
     }
 
     void forceAndAxialFeedShareTheThirdRow() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         const QCPGraph* force = view.plot()->curve(1, Quantity::force, Edge::mean);
         const QCPGraph* axial = view.plot()->curve(1, Quantity::axialFeed, Edge::mean);
         QCOMPARE(force->valueAxis(), view.plot()->cell(1, 2)->axis(QCPAxis::atRight));
@@ -208,8 +203,7 @@ private slots:
     }
 
     void theNoteTellsTheStepsOfEachZone() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         QTest::mouseClick(view.findChild<QToolButton*>(QStringLiteral("note")), Qt::LeftButton);
         auto* note = view.findChild<FeedsNote*>();
         QVERIFY(note && note->isVisible());
@@ -238,8 +232,7 @@ private slots:
     }
 
     void theTableHoldsTheCurvesData() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         for (const double share : {1.0, 0.1, 0.01}) { // strokes, passes, radii
             const double end_s = view.plot()->series().end_s;
             view.plot()->showTimes(0.3 * end_s, 0.3 * end_s + share * 0.7 * end_s);
@@ -277,14 +270,12 @@ private slots:
         project.cycle->stages[0].radial_feed_mm_min = 0.1;
         project.cycle->stages[1].radial_feed_mm_min = 0.012;
         const OutcomePtr outcome = run(project);
-        QElapsedTimer clock;
-        clock.start();
+        RunningTimer clock;
         QVERIFY(!makeFeedSeries(outcome->result, outcome->trajectory).columns.empty());
         const double series_ms = double(clock.nsecsElapsed()) * 1e-6;
         QVERIFY2(outcome->result.visits > 1'000'000 && !outcome->trajectory.passes.empty(),
                  qPrintable(QString::number(outcome->result.visits)));
-        FeedsView view;
-        show(view, m_plunge);
+        ShownFeeds view(m_plunge);
         const double worst = leastOfTries_ms(4 * target_ms, [&] {
             double worst_ms = 0;
             for (int i = 0; i < 5; ++i) {

@@ -49,8 +49,7 @@ private slots:
         outcome->trajectory.visits[40].actual_mm = std::nan("");
         outcome->trajectory.visits[5000].radius_mm = std::numeric_limits<double>::infinity();
         outcome->feeds = makeFeedSeries(outcome->result, outcome->trajectory);
-        FeedsView view;
-        show(view, outcome);
+        ShownFeeds view(outcome);
         QCOMPARE(view.plot()->series().dropped, 2);
         QVERIFY(drawable(view.plot()));
         QVERIFY(view.findChild<QLabel*>(QStringLiteral("feedsNotice"))->text().contains(u'2'));
@@ -71,8 +70,7 @@ private slots:
     void curvesAreDrawableAtEveryDetail() {
         QFETCH(bool, plunge);
         QFETCH(double, share);
-        FeedsView view;
-        show(view, plunge ? m_plunge : m_traverse);
+        ShownFeeds view(plunge ? m_plunge : m_traverse);
         const double end = view.plot()->series().end_s;
         view.plot()->showTimes(0.3 * end, 0.3 * end + share * 0.7 * end);
         view.plot()->replot();
@@ -118,8 +116,7 @@ private slots:
     }
 
     void stepsAreNamedWhenOneStrokeIsInSight() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         view.findChild<QSpinBox*>(QStringLiteral("stroke"))->setValue(27);
         view.grab();
         QCOMPARE(names(view, 0),
@@ -147,8 +144,7 @@ private slots:
     }
 
     void stagesAreNamedOverTheWholeCycle() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         view.grab();
         for (int column = 0; column < 3; ++column) {
             QCOMPARE(names(view, column),
@@ -161,8 +157,7 @@ private slots:
         project.cycle->stages.insert(project.cycle->stages.begin(), project.cycle->stages[0]);
         project.cycle->stages[0].stock_mm = 0.02;
         project.cycle->stages[1].stock_mm = 0.09;
-        FeedsView view;
-        show(view, run(project));
+        ShownFeeds view(run(project));
         for (int width : {380, 520, 700, 1100}) {
             view.resize(width, 620);
             view.grab();
@@ -187,8 +182,7 @@ private slots:
     }
 
     void pointingAtACurveTellsItsValues() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         view.findChild<QSpinBox*>(QStringLiteral("stroke"))->setValue(27);
         const QRect rect = view.plot()->cell(1, 0)->rect();
         auto* values = view.findChild<QLabel*>(QStringLiteral("feedsValues"));
@@ -200,8 +194,7 @@ private slots:
     }
 
     void plungeShowsForceAndAtMostFourSections() {
-        FeedsView view;
-        show(view, m_plunge);
+        ShownFeeds view(m_plunge);
         QVERIFY(view.plot()->curve(0, Quantity::force, Edge::mean));
         QVERIFY(!view.plot()->curve(0, Quantity::axialFeed, Edge::mean));
         QCOMPARE(view.plot()->columnCount(), 4);
@@ -223,8 +216,7 @@ private slots:
     }
 
     void aChangeOfOperationRebuildsTheGrid() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         show(view, m_plunge);
         QCOMPARE(view.plot()->axisRectCount(), 12);
         show(view, m_traverse);
@@ -234,8 +226,7 @@ private slots:
     }
 
     void refusedInputsKeepTheCurvesDimmed() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         QCPGraph* graph = view.plot()->curve(0, Quantity::actual, Edge::mean);
         const int points = graph->dataCount();
         const int alpha = graph->pen().color().alpha();
@@ -262,8 +253,7 @@ private slots:
     }
 
     void anotherLanguageReachesEveryText() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         Marking marking;
         QApplication::installTranslator(&marking);
         QCoreApplication::processEvents();
@@ -292,8 +282,7 @@ private slots:
     }
 
     void aNewOutcomeIsDrawnQuickly() {
-        FeedsView view;
-        show(view, m_traverse);
+        ShownFeeds view(m_traverse);
         double best = 1e9;
         for (int i = 0; i < 10; ++i) {
             show(view, m_traverse);

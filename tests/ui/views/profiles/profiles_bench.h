@@ -45,6 +45,10 @@ inline void show(ProfilesView& view, const OutcomePtr& outcome) {
     fixtures::draw(view, outcome);
 }
 
+struct ShownProfiles : ProfilesView {
+    explicit ShownProfiles(const OutcomePtr& outcome) { profiles_bench::show(*this, outcome); }
+};
+
 inline void settle() {
     QTest::qWait(30);
 }

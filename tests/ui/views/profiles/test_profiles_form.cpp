@@ -48,8 +48,7 @@ private slots:
     // --- choices --------------------------------------------------------------------------------
 
     void theBlankLowersTheMagnification() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         const double before = view.across()->magnification();
         QCOMPARE(before, 2000.0); // the field of 16 µm on a diameter of 30 mm
         auto* blank = part<QCheckBox>(view, "blank");
@@ -66,8 +65,7 @@ private slots:
     }
 
     void aMagnificationIsChosenByKeysAndForAll() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         auto* box = part<QComboBox>(view, "magnification");
         box->setFocus();
         QTest::keyClick(box, Qt::Key_Down);
@@ -87,8 +85,7 @@ private slots:
     }
 
     void theOwnMeanShowsTheFormLarger() {
-        ProfilesView view;
-        show(view, m_of.plunge);
+        ShownProfiles view(m_of.plunge);
         const double before = view.across()->magnification();
         auto* box = part<QComboBox>(view, "reference");
         box->setFocus();
@@ -104,8 +101,7 @@ private slots:
     }
 
     void aClickInTheLegendHidesInBothPlots() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         clickLegend(view, QStringLiteral("tolerance band"));
         QVERIFY(!view.across()->field(0)->visible());
         QVERIFY(!view.along()->graph(LengthLine::upperLimit)->visible());
@@ -120,8 +116,7 @@ private slots:
     }
 
     void theLeastSquaresCircleFollowsTheProfile() {
-        ProfilesView view;
-        show(view, m_of.plunge);
+        ShownProfiles view(m_of.plunge);
         const auto circle = view.across()->curve(0, ProfileLine::leastSquares)->data();
         const RoundnessZone& fitted = view.across()->series().profiles[0].leastSquares;
         const double target = view.across()->series().target_mm;
@@ -136,8 +131,7 @@ private slots:
     }
 
     void theMinimumZoneTouchesInTurn() {
-        ProfilesView view;
-        show(view, run(outOfRound()));
+        ShownProfiles view(run(outOfRound()));
         part<QComboBox>(view, "circles")->setCurrentIndex(1);
         settle();
         for (const int stroke : {0, view.stroke() / 2, view.stroke()}) {
@@ -176,8 +170,7 @@ private slots:
     }
 
     void theCirclesAreChosen() {
-        ProfilesView view;
-        show(view, run(outOfRound()));
+        ShownProfiles view(run(outOfRound()));
         auto* circles = part<QComboBox>(view, "circles");
         const auto seen = [&](ProfileLine line) {
             return view.across()->curve(0, line)->visible();
@@ -200,8 +193,7 @@ private slots:
     }
 
     void heldCirclesTouchAndAreStated() {
-        ProfilesView view;
-        show(view, run(outOfRound()));
+        ShownProfiles view(run(outOfRound()));
         auto* circles = part<QComboBox>(view, "circles");
         for (const int choice : {2, 3}) {
             circles->setCurrentIndex(choice);
@@ -236,8 +228,7 @@ private slots:
     }
 
     void theFilterSmoothsWhatIsDrawnAndStated() {
-        ProfilesView view;
-        show(view, run(outOfRound()));
+        ShownProfiles view(run(outOfRound()));
         const Profile raw = view.across()->drawn(0);
         const QString before = view.across()->numbers(0);
         auto* filter = part<QComboBox>(view, "filter");
@@ -303,8 +294,7 @@ private slots:
             project.part->profile = ProfileForm::lobes;
             project.part->lobes = lobes;
             project.part->radii_per_section = 42;
-            ProfilesView view;
-            show(view, run(project));
+            ShownProfiles view(run(project));
             part<QComboBox>(view, "parts")->setCurrentIndex(3);
             QCOMPARE(view.spectrum()->cellCount(), 3);
             const auto blank = view.spectrum()->bars(1, ProfileLine::blank)->data();
@@ -323,8 +313,7 @@ private slots:
     }
 
     void theSpectrumDecaysWithTheCycle() {
-        ProfilesView view;
-        show(view, m_of.plunge); // an ellipse
+        ShownProfiles view(m_of.plunge); // an ellipse
         part<QComboBox>(view, "parts")->setCurrentIndex(4);
         QVERIFY(view.spectrum()->isVisible() && !view.across()->isVisible());
         const auto oval = [&] {
@@ -346,8 +335,7 @@ private slots:
 
     void barsThatOutgrowTheSpectrumBringItAlong() {
         Project project = plungeProject(2);
-        ProfilesView view;
-        show(view, run(project));
+        ShownProfiles view(run(project));
         part<QComboBox>(view, "parts")->setCurrentIndex(4);
         const auto sight = [&] { return view.spectrum()->cell(1)->axis(QCPAxis::atLeft)->range(); };
         const auto higherBlank = [&] {
@@ -368,8 +356,7 @@ private slots:
     }
 
     void spectraMoveTogetherAndAreSaved() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         part<QComboBox>(view, "parts")->setCurrentIndex(3);
         settle();
         SpectrumPlot& plot = *view.spectrum();
@@ -399,8 +386,7 @@ private slots:
     }
 
     void radiiUpToThirtySixAreMarked() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         const auto style = [&] {
             return view.across()->curve(0, ProfileLine::profile)->scatterStyle().shape();
         };

@@ -2,6 +2,7 @@
 // The view "Zone profiles" along the axis, and what every view owes: texts, colours, exports,
 // speed.
 #include "tests/check_line.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/ui/views/profiles/profiles_bench.h"
 #include "ui/plot/plot_tools.h"
@@ -10,7 +11,6 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QMenu>
 #include <QTemporaryDir>
@@ -29,8 +29,7 @@ private slots:
     // --- along the axis -------------------------------------------------------------------------
 
     void theFieldIsABandAlongTheAxis() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         const auto upper = view.along()->graph(LengthLine::upperLimit);
         const auto lower = view.along()->graph(LengthLine::lowerLimit);
         QCOMPARE(upper->channelFillGraph(), lower);
@@ -51,8 +50,7 @@ private slots:
     void theEntryAtTheTailstockIsDrawnAtTheRight() {
         Project p = traverseProject();
         p.machine->entry_side = EntrySide::tailstock;
-        ProfilesView view;
-        show(view, run(p));
+        ShownProfiles view(run(p));
         const auto& bands = view.along()->bands()->bands();
         QCOMPARE(bands.back().name, QStringLiteral("RZ1 (entry)"));
         QCOMPARE(bands.back().to, 92.0);
@@ -64,8 +62,7 @@ private slots:
     }
 
     void diametersReplaceRadii() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         auto* quantity = part<QComboBox>(view, "quantity");
         quantity->setFocus();
         QTest::keyClick(quantity, Qt::Key_Down);
@@ -80,8 +77,7 @@ private slots:
         Project p = traverseProject();
         p.part->shaft.segments = {{25, 20}, {120, 30}, {25, 20}};
         p.part->shaft.ground_from_mm = 30;
-        ProfilesView view;
-        show(view, run(p));
+        ShownProfiles view(run(p));
         auto* box = part<QCheckBox>(view, "toScale");
         QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
         for (const QSize size : {QSize(700, 620), QSize(1200, 500)}) {
@@ -111,8 +107,7 @@ private slots:
         Project p = plungeProject(4);
         p.part->surface = Surface::internal;
         p.wheel->diameter_mm = 20;
-        ProfilesView view;
-        show(view, run(p));
+        ShownProfiles view(run(p));
         part<QCheckBox>(view, "toScale")->click();
         part<QCheckBox>(view, "blank")->click();
         settle();
@@ -127,8 +122,7 @@ private slots:
     // --- states ---------------------------------------------------------------------------------
 
     void refusedInputsKeepTheProfilesDimmed() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         const auto alpha = [&] {
             return view.across()->curve(0, ProfileLine::profile)->pen().color().alpha();
         };
@@ -169,8 +163,7 @@ private slots:
     void theViewLeavesRoomForItsNeighbours() {
         // A window of 1366 pixels less inputs, verdict and frames.
         for (const OutcomePtr& outcome : {m_of.traverse, m_of.many}) {
-            ProfilesView view;
-            show(view, outcome);
+            ShownProfiles view(outcome);
             QVERIFY2(view.minimumSizeHint().width() <= 670,
                      qPrintable(QString::number(view.minimumSizeHint().width())));
             QVERIFY(view.minimumSizeHint().height() <= 440);
@@ -178,8 +171,7 @@ private slots:
     }
 
     void anotherLanguageReachesEveryText() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         Marking marking;
         QApplication::installTranslator(&marking);
         QCoreApplication::processEvents();
@@ -211,8 +203,7 @@ private slots:
     }
 
     void aDarkPaletteReachesEveryColour() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         const auto colours = [&] {
             return std::vector<QColor>{
                 view.across()->curve(0, ProfileLine::profile)->pen().color(),
@@ -238,8 +229,7 @@ private slots:
     }
 
     void theDescriptionTellsWhatIsDrawn() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         const QString text = view.across()->accessibleDescription();
         for (const QString& piece :
              {QStringLiteral("After double stroke"), QStringLiteral("Entry reversal zone RZ1"),
@@ -254,8 +244,7 @@ private slots:
     }
 
     void theDrawingGoesIntoAPdf() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         QTemporaryDir folder;
         for (QCustomPlot* plot : std::initializer_list<QCustomPlot*>{view.across(), view.along()}) {
             const QString path = folder.filePath(QStringLiteral("plot.pdf"));
@@ -268,8 +257,7 @@ private slots:
     }
 
     void backAndForwardGoThroughWhatWasInSight() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         for (QCustomPlot* plot : std::initializer_list<QCustomPlot*>{view.across(), view.along()}) {
             const QCPAxis* axis = plot->axisRect(0)->axis(QCPAxis::atBottom);
             const QCPRange all = axis->range();
@@ -291,8 +279,7 @@ private slots:
     }
 
     void theDataCopiedAreTheProfiles() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         view.across()->setFocus();
         QTest::keyClick(view.across(), Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
         const QStringList lines = QApplication::clipboard()->text().trimmed().split(u'\n');
@@ -311,8 +298,7 @@ private slots:
     }
 
     void theDataAlongTheAxisNameTheZones() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         view.along()->tools()->copyData->trigger();
         const QStringList lines = QApplication::clipboard()->text().trimmed().split(u'\n');
         QCOMPARE(lines.size(), 4);
@@ -325,8 +311,7 @@ private slots:
     }
 
     void anExportedPictureTellsWhatItShows() {
-        ProfilesView view;
-        show(view, m_of.plunge);
+        ShownProfiles view(m_of.plunge);
         view.setStroke(12);
         view.across()->tools()->copyPicture->trigger();
         const QImage picture = QApplication::clipboard()->image();
@@ -341,13 +326,11 @@ private slots:
         const OutcomePtr outcome = run(p);
         double first = 1e9, again = 1e9, scrub = 1e9;
         for (int i = 0; i < 5; ++i) {
-            ProfilesView view;
-            show(view, outcome);
+            ShownProfiles view(outcome);
             first = std::min(first, view.lastUpdate_ms());
             show(view, outcome);
             again = std::min(again, view.lastUpdate_ms());
-            QElapsedTimer clock;
-            clock.start();
+            RunningTimer clock;
             view.setStroke(outcome->result.cycleCount / 2);
             view.across()->replot();
             view.along()->replot();
@@ -364,8 +347,7 @@ private slots:
         QVERIFY(largest->ran());
         double most = 1e9;
         for (int i = 0; i < 3; ++i) {
-            ProfilesView view;
-            show(view, largest);
+            ShownProfiles view(largest);
             most = std::min(most, view.lastUpdate_ms());
         }
         qInfo("SPEED profiles of 200 sections × 360 radii: first draw %.1f ms, target 50 ms: %s",

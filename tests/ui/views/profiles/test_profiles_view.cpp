@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view "Zone profiles", worked with mouse and keys: cells, moments, sections.
 #include "tests/registry.h"
+#include "tests/ui/support/typing.h"
 #include "tests/ui/views/profiles/profiles_bench.h"
 #include "ui/text/names.h"
 
@@ -23,8 +24,7 @@ private slots:
     // --- across the axis ------------------------------------------------------------------------
 
     void eachZoneHasItsCellWithRingTargetAndProfile() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         ProfilesPlot* plot = view.across();
         QCOMPARE(plot->axisRectCount(), 3);
         const double times = plot->magnification();
@@ -43,8 +43,7 @@ private slots:
     }
 
     void circlesStayRoundAtAnyWindowSize() {
-        ProfilesView view;
-        show(view, m_of.plunge);
+        ShownProfiles view(m_of.plunge);
         for (const QSize size :
              {QSize(700, 620), QSize(1300, 500), QSize(480, 900), QSize(700, 620)}) {
             view.resize(size);
@@ -62,8 +61,7 @@ private slots:
     }
 
     void theWheelZoomsAllCellsAlike() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         ProfilesPlot* plot = view.across();
         const double before = pixelsPerUnit(plot->cell(2)->axis(QCPAxis::atLeft));
         wheel(plot, plot->cell(0)->rect().center(), 240);
@@ -79,8 +77,7 @@ private slots:
     }
 
     void draggingMovesAllCellsAndADoubleClickFits() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         ProfilesPlot* plot = view.across();
         const QPoint at = plot->cell(1)->rect().center();
         const QPointF before = pixelOf(plot, 0, 0, 0);
@@ -93,8 +90,7 @@ private slots:
     }
 
     void theGridNamesRoundDeviations() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         view.grab();
         const QStringList labels = view.across()->grid(0)->drawnLabels();
         QVERIFY2(labels.contains(QStringLiteral("0")), qPrintable(labels.join(u' ')));
@@ -132,8 +128,7 @@ private slots:
     }
 
     void pointingAtASampleTellsAngleAndDeviation() {
-        ProfilesView view;
-        show(view, m_of.plunge);
+        ShownProfiles view(m_of.plunge);
         auto* values = part<QLabel>(view, "profilesValues");
         const QString before = values->text();
         hover(view.across(), pixelOf(view.across(), 1, 10, angleOf(9, 36) + 0.05));
@@ -153,8 +148,7 @@ private slots:
     }
 
     void keysWalkFromSampleToSample() {
-        ProfilesView view;
-        show(view, m_of.plunge);
+        ShownProfiles view(m_of.plunge);
         auto* values = part<QLabel>(view, "profilesValues");
         QTest::keyClick(view.across(), Qt::Key_Right, Qt::ControlModifier);
         QVERIFY(values->text().contains(QStringLiteral("Section 1, φ = 0.0° (k = 0)")));
@@ -167,8 +161,7 @@ private slots:
     }
 
     void pointingAlongTheAxisTellsTheZone() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         auto* values = part<QLabel>(view, "profilesValues");
         LongitudinalPlot* plot = view.along();
         const double x = plot->cell()->axis(QCPAxis::atBottom)->coordToPixel(46);
@@ -182,8 +175,7 @@ private slots:
     // --- the moment -----------------------------------------------------------------------------
 
     void theSliderShowsAnyStroke() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         auto* slider = part<QSlider>(view, "strokeSlider");
         const int count = m_of.traverse->result.cycleCount;
         QCOMPARE(slider->value(), count);
@@ -194,9 +186,7 @@ private slots:
         QTest::mouseClick(part<QToolButton>(view, "previous"), Qt::LeftButton);
         QCOMPARE(view.across()->series().stroke, count - 2);
         auto* number = part<QSpinBox>(view, "stroke");
-        number->setFocus();
-        number->selectAll();
-        QTest::keyClicks(number, QStringLiteral("20"));
+        typeOver(*number, QStringLiteral("20"));
         QTest::keyClick(number, Qt::Key_Return);
         settle();
         QCOMPARE(view.across()->series().stroke, 20);
@@ -208,8 +198,7 @@ private slots:
     }
 
     void theFirstMomentIsTheBlank() {
-        ProfilesView view;
-        show(view, m_of.plunge);
+        ShownProfiles view(m_of.plunge);
         auto* slider = part<QSlider>(view, "strokeSlider");
         slider->setFocus();
         QTest::keyClick(slider, Qt::Key_Home);
@@ -220,8 +209,7 @@ private slots:
     }
 
     void theMomentOutlivesANewOutcome() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         view.setStroke(20);
         Project longer = traverseProject();
         longer.machine->dwell_entry_s = 1;
@@ -233,8 +221,7 @@ private slots:
     }
 
     void anUnrecordedCycleShowsItsEnd() {
-        ProfilesView view;
-        show(view, run(traverseProject(), false));
+        ShownProfiles view(run(traverseProject(), false));
         QVERIFY(view.across()->isVisible());
         QVERIFY(view.across()->series().atEnd());
         QVERIFY(!part<QSlider>(view, "strokeSlider")->isEnabled());
@@ -244,8 +231,7 @@ private slots:
 
     // Wherever they run, also in a low plot: "gauge" beside its line, across none of them.
     void theNameOfTheGaugeStandsBesideTheCurves() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         LongitudinalPlot& plot = *view.along();
         QCPAxis* const values = plot.cell()->axis(QCPAxis::atLeft);
         for (const double top : {0.2, 1.0, 3.0, 8.0}) { // µm above the target
@@ -282,8 +268,7 @@ private slots:
     // --- sections -------------------------------------------------------------------------------
 
     void atMostFourSectionsAndTheChosenOneAmongThem() {
-        ProfilesView view;
-        show(view, m_of.many);
+        ShownProfiles view(m_of.many);
         QCOMPARE(view.across()->axisRectCount(), 4);
         QVERIFY(std::ranges::count(view.across()->shown(), 10) == 1); // the gauge's
         auto* section = part<QComboBox>(view, "section");
@@ -300,8 +285,7 @@ private slots:
     }
 
     void aClickAlongTheAxisChoosesTheSection() {
-        ProfilesView view;
-        show(view, m_of.many);
+        ShownProfiles view(m_of.many);
         const QCPAxisRect* rect = view.along()->cell();
         const auto at = [rect](double x_mm) {
             const double x = rect->axis(QCPAxis::atBottom)->coordToPixel(x_mm);
@@ -314,15 +298,13 @@ private slots:
         drag(view.along(), at(20), {40, 0}); // a drag moves, it chooses nothing
         QCOMPARE(part<QComboBox>(view, "section")->currentData().toInt(), 7);
         QVERIFY(rect->axis(QCPAxis::atBottom)->range().lower < -1.5);
-        ProfilesView few;
-        show(few, m_of.plunge);
+        ShownProfiles few(m_of.plunge);
         QTest::mouseClick(few.along(), Qt::LeftButton, {}, few.along()->cell()->center());
         QCOMPARE(few.across()->axisRectCount(), 4); // all have room already
     }
 
     void onlyTheChosenSectionIsShownLarge() {
-        ProfilesView view;
-        show(view, m_of.many);
+        ShownProfiles view(m_of.many);
         const int before = view.across()->cell(0)->width();
         auto* alone = part<QToolButton>(view, "alone");
         QVERIFY(alone->isVisible() && !alone->isEnabled());
@@ -336,8 +318,7 @@ private slots:
     }
 
     void aZoneChosenIsShownLarge() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         QVERIFY(!part<QToolButton>(view, "alone")->isVisible());
         auto* section = part<QComboBox>(view, "section");
         section->setFocus();
@@ -361,8 +342,7 @@ private slots:
     }
 
     void aChangeOfOperationRebuildsTheCells() {
-        ProfilesView view;
-        show(view, m_of.traverse);
+        ShownProfiles view(m_of.traverse);
         show(view, m_of.plunge);
         QCOMPARE(view.across()->axisRectCount(), 4);
         hover(view.across(), view.across()->cell(3)->rect().center() + QPoint(20, 0));
@@ -377,8 +357,7 @@ private slots:
         Project p = plungeProject(4);
         p.part->surface = Surface::internal;
         p.wheel->diameter_mm = 20;
-        ProfilesView view;
-        show(view, run(p));
+        ShownProfiles view(run(p));
         clickLegend(view, QStringLiteral("blank"));
         const auto blank = view.across()->curve(0, ProfileLine::blank)->data();
         const auto profile = view.across()->curve(0, ProfileLine::profile)->data();

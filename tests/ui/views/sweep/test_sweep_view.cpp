@@ -7,6 +7,7 @@
 #include "core/study/sweep_edits.h"
 #include "tests/check_line.h"
 #include "tests/core/support/project_fixtures.h"
+#include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "ui/fields/number_field.h"
@@ -20,7 +21,6 @@
 #include "ui/views/sweep/sweep_view.h"
 
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -314,8 +314,7 @@ private slots:
             bench.click("sweepRun");
             const bool busy = bench.view.busy();
             QTest::qWait(500);
-            QElapsedTimer clock;
-            clock.start();
+            RunningTimer clock;
             bench.click("sweepStop");
             return busy && QTest::qWaitFor([&] { return !bench.view.busy(); }, patience_ms)
                        ? double(clock.elapsed())
