@@ -18,6 +18,7 @@
 #include <QApplication>
 #include <QScrollBar>
 #include <QSignalSpy>
+#include <QTableView>
 #include <QWheelEvent>
 #include <QtTest/qtestspontaneevent.h>
 

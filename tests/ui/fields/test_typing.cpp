@@ -19,6 +19,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QLabel>
+#include <QTableView>
 #include <QToolButton>
 
 #include <algorithm>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Labels: numbers
 // Units of inputs as the window shows them.
+#include "core/catalogue/catalogue.h"
+#include "core/project/project.h"
 #include "tests/registry.h"
 #include "ui/text/language.h"
 #include "ui/text/texts.h"

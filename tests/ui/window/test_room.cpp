@@ -7,6 +7,7 @@
 #include "tests/whole_project.h"
 #include "ui/inputs/forms/stage_table.h"
 #include "ui/inputs/inputs_panel.h"
+#include "ui/inputs/messages_panel.h"
 #include "ui/kit/font_size.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/svg_device.h"
