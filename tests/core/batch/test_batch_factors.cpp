@@ -96,12 +96,7 @@ private slots:
 
     /// Whatever the compliance comes from, each of its terms is as many times as large.
     void aFactorOfTheComplianceMultipliesAllOfIt() {
-        Project project = fixtures::traverse();
-        project.machine->compliance_mm_per_n = std::monostate();
-        project.machine->stiffness_n_um = Stiffness{60, 40, 50};
-        project.part->shaft.segments = {{40, 25}, {120, 30}, {40, 20}};
-        project.part->shaft.ground_from_mm = 50;
-        project.part->shaft.steady_rests = {{100, 30}};
+        const Project project = fixtures::steppedTraverse();
         Project softer = project;
         putFactor(FactorKind::compliance, 1.25, softer);
         const auto before = complianceAlong(project, 21), after = complianceAlong(softer, 21);

@@ -79,20 +79,6 @@ double stoppedAfter_ms(const char* what, std::chrono::milliseconds delay,
     return least;
 }
 
-/// A shaft of a thousand segments on a thousand rests.
-Project restedShaft() {
-    Project p = fixtures::plunge();
-    p.part->length_mm = 400;
-    p.machine->compliance_mm_per_n = std::monostate{};
-    p.machine->stiffness_n_um = Stiffness{40, 20, 50};
-    for (int i = 0; i < 1000; ++i) {
-        p.part->shaft.segments.push_back({1.0, 20.0 + i % 7});
-        p.part->shaft.steady_rests.push_back({0.5 + i, 1.0 + i % 5});
-    }
-    p.part->shaft.ground_from_mm = 300;
-    return p;
-}
-
 class TestSearchStops : public QObject {
     Q_OBJECT
 
@@ -205,7 +191,7 @@ private slots:
     }
 
     void theComplianceAlongAShaftStops() {
-        const Project p = restedShaft();
+        const Project p = fixtures::restedShaft();
         std::vector<CompliantPlace> along;
         const double took_ms =
             stoppedAfter_ms("compliance", 20ms, [&](const std::stop_token& stop) {

@@ -28,12 +28,7 @@ private slots:
     }
 
     void alongTheShaftTheTermsAreThoseOfEachPlace() {
-        Project project = fixtures::traverse();
-        project.machine->compliance_mm_per_n = std::monostate();
-        project.machine->stiffness_n_um = Stiffness{60, 40, 50};
-        project.part->shaft.segments = {{40, 25}, {120, 30}, {40, 20}};
-        project.part->shaft.ground_from_mm = 50;
-        project.part->shaft.steady_rests = {{100, 30}};
+        Project project = fixtures::steppedTraverse();
         const std::vector<CompliantPlace> along = complianceAlong(project, 41);
         QCOMPARE(along.size(), 41u);
         QCOMPARE(along.front().position_mm, -50.0);

@@ -161,15 +161,7 @@ private slots:
     // 1,000 of each: what a run and the drawing ask for, within half a second (four times that on a
     // busy machine); a stop ends it at once.
     void aThousandSegmentsAndRestsTakeHalfASecond() {
-        Project p = fixtures::plunge();
-        p.part->length_mm = 400;
-        p.machine->compliance_mm_per_n = std::monostate{};
-        p.machine->stiffness_n_um = Stiffness{40, 20, 50};
-        for (int i = 0; i < 1000; ++i) {
-            p.part->shaft.segments.push_back({1.0, 20.0 + i % 7});
-            p.part->shaft.steady_rests.push_back({0.5 + i, 1.0 + i % 5});
-        }
-        p.part->shaft.ground_from_mm = 300;
+        Project p = fixtures::restedShaft();
         p.sections = 20;
         double start_ms = processorTime_ms();
         const auto took_ms = [&start_ms] {

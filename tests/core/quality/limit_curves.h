@@ -16,17 +16,6 @@ struct Drawn {
     LimitSeries series;
 };
 
-inline Project plungeOfThree() {
-    Project p = fixtures::plunge();
-    p.part->radii_per_section = 24;
-    p.part->initial_runout_mm = 0.03;
-    p.sections = 3;
-    p.machine->compliance_mm_per_n = std::vector<double>{4e-5, 2e-5, 7e-5};
-    p.cycle->stages = {fixtures::plungeStage(1.2, 0.15), fixtures::plungeStage(0.3, 0.05),
-                       fixtures::sparkStage(fixtures::count(7))};
-    return p;
-}
-
 inline double valueAt(const LimitPoints& curve, double stock) {
     const auto after = std::ranges::upper_bound(curve, stock, {}, &LimitPoint::stock_mm);
     if (after == curve.begin() || after == curve.end()) {

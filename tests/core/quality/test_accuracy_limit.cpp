@@ -18,6 +18,7 @@ using fixtures::between;
 using fixtures::close;
 using fixtures::holds;
 using fixtures::pick;
+using fixtures::plungeOfThree;
 
 double force(const ForceLaw& law, double b, double a) {
     return b * (law.ks * a + law.kr * std::sqrt(a));

@@ -10,6 +10,7 @@ namespace sparkout::test_limit_series {
 
 using namespace limit_curves;
 using fixtures::close;
+using fixtures::plungeOfThree;
 
 /// Of BurnTable's limiting depth, twice that of √a.
 constexpr double tableError = 4e-6;

@@ -15,19 +15,10 @@ namespace sparkout::test_coupled_plunge {
 
 using fixtures::close;
 using fixtures::plungeStage;
+using fixtures::slender;
 using fixtures::sparkStage;
 using fixtures::Traced;
 using fixtures::within;
-
-Project slender(int sections, bool coupled = true) {
-    Project p = fixtures::plunge();
-    p.part->radii_per_section = 12;
-    p.part->initial_runout_mm = 0.02;
-    fixtures::putOnSlenderShaft(p);
-    p.sections = sections;
-    p.sections_coupled = coupled;
-    return p;
-}
 
 /// G of such a project at places along the ground length.
 double influence(const Project& p, double x, double s) {

@@ -17,6 +17,7 @@
 namespace sparkout::test_run_limits {
 
 using fixtures::close;
+using fixtures::plungeOfThree;
 using fixtures::plungeStage;
 using fixtures::sparkStage;
 using fixtures::strokeStage;
@@ -45,17 +46,6 @@ Project silent(Project p) {
     p.wheel->grain_surface_energy_j_m2.reset();
     p.machine->limits = {};
     p.gauge->control = Control::gauge;
-    return p;
-}
-
-Project plungeOfThree() {
-    Project p = fixtures::plunge();
-    p.part->radii_per_section = 24;
-    p.part->initial_runout_mm = 0.03;
-    p.sections = 3;
-    p.machine->compliance_mm_per_n = std::vector<double>{4e-5, 2e-5, 7e-5};
-    p.cycle->stages = {plungeStage(1.2, 0.15), plungeStage(0.3, 0.05),
-                       sparkStage(fixtures::count(7))};
     return p;
 }
 

@@ -14,6 +14,7 @@ namespace sparkout::test_run_options {
 
 using fixtures::close;
 using fixtures::plungeStage;
+using fixtures::slender;
 using fixtures::sparkStage;
 using fixtures::Traced;
 using fixtures::within;
@@ -22,16 +23,6 @@ const std::vector<std::vector<double>> rising{{10, 5}, {100, 20}, {400, 60}};
 
 Project contacting(Project p, std::vector<std::vector<double>> rows = rising) {
     p.machine->wheel_contact = WheelContact{NumberRows{std::move(rows)}};
-    return p;
-}
-
-Project slender(int sections) {
-    Project p = fixtures::plunge();
-    p.part->radii_per_section = 12;
-    p.part->initial_runout_mm = 0.02;
-    fixtures::putOnSlenderShaft(p);
-    p.sections = sections;
-    p.sections_coupled = true;
     return p;
 }
 

@@ -3,10 +3,8 @@
 // Calibrate from measurements: fitted by clicks, taken as one edit, marked in the forms.
 #include "core/measured/calibrated_inputs.h"
 #include "tests/registry.h"
+#include "tests/ui/identification/calibration_bench.h"
 #include "tests/ui/support/languages.h"
-#include "tests/ui/support/text_checks.h"
-#include "tests/ui/support/traced_project.h"
-#include "tests/ui/support/window_bench.h"
 #include "ui/fields/calibrated_mark.h"
 #include "ui/fields/number_field.h"
 #include "ui/identification/calibration_dialog.h"
@@ -16,40 +14,15 @@
 #include "ui/report/documents/outcome_remarks.h"
 #include "ui/report/documents/passport.h"
 
-#include <QApplication>
 #include <QCheckBox>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStatusBar>
-#include <QTabBar>
-#include <QTabWidget>
-#include <QTableView>
-#include <QTimer>
 
 namespace sparkout::test_calibration_dialog {
 
-template <typename Widget>
-Widget* part(const QWidget& in, const char* name) {
-    return in.findChild<Widget*>(QLatin1String(name));
-}
-
-/// Opens the dialog by its command and works in it; whatever happens, it is closed in the end.
-void inDialog(const Bench& bench, const std::function<void(QDialog&)>& work) {
-    bool seen = false;
-    QTimer::singleShot(0, bench.window.get(), [&] {
-        auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-        if (dialog) {
-            seen = true;
-            work(*dialog);
-            if (dialog->isVisible()) {
-                dialog->reject();
-            }
-        }
-    });
-    bench.action("calibrate")->trigger();
-    QVERIFY(seen);
-}
+using namespace calibration_bench;
 
 void click(const QWidget& dialog, const char* name) {
     auto* button = part<QAbstractButton>(dialog, name);
@@ -67,10 +40,6 @@ void fit(const QDialog& dialog) {
     click(dialog, "fit");
     const auto* fit = part<QPushButton>(dialog, "fit");
     QTRY_VERIFY_WITH_TIMEOUT(fit->isEnabled(), 60'000);
-}
-
-QString cellOf(const QDialog& dialog, const char* table, int row, int column) {
-    return part<QTableView>(dialog, table)->model()->index(row, column).data().toString();
 }
 
 const Calibration* recordOf(const Bench& bench, const char* path) {

@@ -5,57 +5,33 @@
 #include "core/measured/calibrated_inputs.h"
 #include "core/process/system_compliance.h"
 #include "tests/registry.h"
+#include "tests/ui/identification/calibration_bench.h"
 #include "tests/ui/support/languages.h"
-#include "tests/ui/support/text_checks.h"
-#include "tests/ui/support/traced_project.h"
-#include "tests/ui/support/window_bench.h"
 #include "ui/identification/stiffness_sheet.h"
 
-#include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
-#include <QDialog>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPrinter>
 #include <QPushButton>
-#include <QTabBar>
-#include <QTabWidget>
-#include <QTableView>
 #include <QTemporaryDir>
-#include <QTimer>
 
 namespace sparkout::test_trial_pages {
+
+using namespace calibration_bench;
 
 constexpr double headstock = 45, tailstock = 30; ///< of the truth [N/µm]
 constexpr int stiffnessTab = 2, trialTab = 3;
 
-template <typename Widget>
-Widget* part(const QWidget& in, const char* name) {
-    return in.findChild<Widget*>(QLatin1String(name));
-}
-
-/// Opens the dialog on one of its pages and works in it; whatever happens, it is closed in the end.
+/// Works in the dialog on one of its pages.
 void onPage(const Bench& bench, int tab, const std::function<void(QDialog&)>& work) {
-    bool seen = false;
-    QTimer::singleShot(0, bench.window.get(), [&] {
-        if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
-            seen = true;
-            QTabBar* bar = part<QTabWidget>(*dialog, "calibrationTabs")->tabBar();
-            QTest::mouseClick(bar, Qt::LeftButton, {}, bar->tabRect(tab).center());
-            work(*dialog);
-            if (dialog->isVisible()) {
-                dialog->reject();
-            }
-        }
+    inDialog(bench, [&](QDialog& dialog) {
+        QTabBar* bar = part<QTabWidget>(dialog, "calibrationTabs")->tabBar();
+        QTest::mouseClick(bar, Qt::LeftButton, {}, bar->tabRect(tab).center());
+        work(dialog);
     });
-    bench.action("calibrate")->trigger();
-    QVERIFY(seen);
-}
-
-QString cellOf(const QDialog& dialog, const char* table, int row, int column) {
-    return part<QTableView>(dialog, table)->model()->index(row, column).data().toString();
 }
 
 /// The shaft of the example, at a machine whose heads give more than the project says.

@@ -5,6 +5,7 @@
 #include "core/project/part.h"
 #include "core/study/new_project.h"
 #include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/diameters.h"
 #include "tests/ui/support/file_trouble.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
@@ -20,14 +21,6 @@ namespace sparkout::file_dialogs_bench {
 
 using namespace std::chrono_literals;
 
-inline constexpr EditText editText{"Input", "Diameter"};
-
-inline QByteArray textWith(double diameter_mm) {
-    Project project = newProject(Operation::traverse);
-    project.part->diameter_mm = diameter_mm;
-    return QByteArray::fromStdString(writeProject(project));
-}
-
 /// A protected window with a project in a folder of its own.
 struct Bench {
     explicit Bench(const QString& code = QStringLiteral("en"), const QString& stateFolder = {}) {
@@ -39,11 +32,7 @@ struct Bench {
         trouble::write(path, textWith(30));
     }
     [[nodiscard]] bool open() { return window->files().openFile(path); }
-    void edit(double diameter_mm) {
-        Project project = document().project();
-        project.part->diameter_mm = diameter_mm;
-        document().edit(project, editText);
-    }
+    void edit(double diameter_mm) { setDiameter(document(), diameter_mm); }
     [[nodiscard]] Document& document() { return window->document(); }
     [[nodiscard]] double diameter() { return document().project().part->diameter_mm; }
     [[nodiscard]] QPushButton* noticeButton(const char* key, int index) {
