@@ -106,8 +106,7 @@ private slots:
     void theWindowExportsInItsLanguage_data() { languageRows(); }
     void theWindowExportsInItsLanguage() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(language, examplePaths().front());
         const QString path = m_folder.filePath(language + QStringLiteral(".xlsx"));
         DialogAnswers answers({QStringLiteral("exportGo"), QStringLiteral("file:") + path});
         QStringList english, cut;
@@ -140,8 +139,7 @@ private slots:
     void everyExportSaysWhereTheFileIs_data() { languageRows(); }
     void everyExportSaysWhereTheFileIs() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(language, examplePaths().front());
         const auto* bar = bench.window->findChild<NoticeBar*>();
         auto* feeds = bench.window->findChild<FeedsView*>();
         bench.window->viewTabs().detach(feeds); // a window of its own has no status bar
@@ -171,8 +169,7 @@ private slots:
     }
 
     void anExportThatIsGivenUpConfirmsNothing() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         const auto* bar = bench.window->findChild<NoticeBar*>();
         const DialogAnswers answers({QStringLiteral("Escape")});
         bench.action("pdf-card")->trigger();
@@ -190,8 +187,7 @@ private slots:
     void theFileAndItsFolderAreOpenedByTheSystem() {
         QFETCH(QString, folder);
         QFETCH(QString, name);
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         const QDir place(m_folder.filePath(folder));
         QVERIFY(place.mkpath(QStringLiteral(".")));
         const QString path = place.filePath(name);
@@ -219,8 +215,7 @@ private slots:
 
     /// The platform of the tests has no programs to open files with.
     void withoutADesktopOneLineSaysSo() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         const QString path = m_folder.filePath(QStringLiteral("alone.pdf"));
         const auto* bar = bench.window->findChild<NoticeBar*>();
         const auto said = [bar] { return bar->textOf(QString::fromLatin1(SavedFile::noticeKey)); };
@@ -240,8 +235,7 @@ private slots:
     }
 
     void aFullDiskLeavesTheOldFileWithAMessage() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         const QString path = m_folder.filePath(QStringLiteral("old.xlsx"));
         trouble::write(path, "what was there");
         const DialogAnswers answers({QStringLiteral("exportGo"), QStringLiteral("file:") + path,

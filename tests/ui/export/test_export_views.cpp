@@ -52,8 +52,7 @@ private slots:
     void everyPlotIsSavedAsAWorkbookWithItsUnitsApart_data() { languageRows(); }
     void everyPlotIsSavedAsAWorkbookWithItsUnitsApart() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(traverseExample()));
+        OpenBench bench(language, traverseExample());
         int saved = 0, units = 0;
         for (View* view : bench.window->views()) {
             bench.window->viewTabs().showView(view);
@@ -86,8 +85,7 @@ private slots:
     }
 
     void tablesAreSavedFromTheirMenu() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         QVERIFY(bench.window->showView(QStringLiteral("constraints")));
         bench.settle();
         for (const char* name : {"requirements", "shop", "margins"}) {

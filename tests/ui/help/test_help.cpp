@@ -121,8 +121,7 @@ private slots:
 
     void f1OnAFieldTellsOfIt() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(language, examplePaths().front());
         std::set<const Field*> told;
         const auto& pages = bench.window->inputs().pages();
         for (std::size_t i = 0; i < pages.size(); ++i) {
@@ -142,8 +141,7 @@ private slots:
     }
 
     void f1OnAViewTellsOfIt() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         for (View* view : bench.window->views()) {
             bench.window->viewTabs().showView(view);
             bench.settle();
@@ -178,8 +176,7 @@ private slots:
     }
 
     void everyTopicSetInTheWindowHasItsPlace() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         bench.action("helpContents")->trigger();
         QVERIFY(!bench.window->inputs().pages().empty()); // which builds them
         QSet<QString> topics;
@@ -197,8 +194,7 @@ private slots:
     }
 
     void f1InATornOffViewTellsOfIt() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         View* view = bench.window->views()[2];
         bench.window->viewTabs().detach(view);
         bench.settle();
@@ -285,8 +281,7 @@ private slots:
 
     void thePageOfKeysNamesThoseOfTheWindow() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(language, examplePaths().front());
         bench.action("helpShortcuts")->trigger();
         QCOMPARE(helpOf(bench)->topic(), QStringLiteral("shortcuts"));
         const QString page = helpOf(bench)->book().find(QStringLiteral("shortcuts"))->html;

@@ -74,8 +74,7 @@ private slots:
     void cleanup() { applyFontSize(usualFontSize); }
 
     void everyTypeOfTheWindowFollowsAtOnce() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         for (View* view : bench.window->views()) { // each as it is when it was seen
             bench.window->viewTabs().showView(view);
             bench.settle();
@@ -126,8 +125,7 @@ private slots:
 
     // A comma cut at its foot reads as a point.
     void rowsOfTablesFollowTheType() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         for (const int percent : {100, 130, 90, 115}) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
             bench.settle();

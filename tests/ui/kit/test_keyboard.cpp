@@ -97,8 +97,7 @@ private slots:
 
     void everyMenuEntryHasALetterOfItsOwn() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(language, examplePaths().front());
         verifyMnemonics(QStringLiteral("menu bar"),
                         bench.window->findChild<QMenuBar*>()->actions());
         int menus = 0;
@@ -149,8 +148,7 @@ private slots:
 
     void tooltipsNameTheShortcut() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(language, examplePaths().front());
         Project project = bench.window->document().project();
         project.part->diameter_mm += 1;
         bench.window->document().edit(project, {"Input", "Diameter"}); // Undo has another text now
@@ -192,8 +190,7 @@ private slots:
     }
 
     void namesChangeWithTheLanguage() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         bench.action("russian")->trigger();
         bench.settle();
         static const QRegularExpression cyrillic(QStringLiteral("[а-яА-Я]"));
@@ -205,8 +202,7 @@ private slots:
     }
 
     void tabGoesThroughAPageFromTopToBottomAndNeverGetsStuck() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         for (int page = 0; page < static_cast<int>(bench.window->inputs().pages().size()); ++page) {
             bench.window->inputs().showPage(page);
             bench.settle();
@@ -231,8 +227,7 @@ private slots:
     }
 
     void tabReachesEveryPanelAndComesBack() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         showAllPanels(bench);
         QVERIFY(QTest::qWaitForWindowActive(bench.window.get()));
         bench.window->inputs().showPage(0);
@@ -264,8 +259,7 @@ private slots:
     }
 
     void f6GoesRoundThePanelsAndRemembersWhereOneWas() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         QVERIFY(QTest::qWaitForWindowActive(bench.window.get()));
         showAllPanels(bench);
         bench.window->inputs().showPage(0);

@@ -402,8 +402,7 @@ private slots:
     }
 
     void theMenuSwitchesTheWholeWindowWithoutARestart() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         bench.window->inputs().showPage(0);
         auto* field = bench.window->findChild<NumberField*>(QStringLiteral("/part/diameter_mm"));
         typeOver(*field, QStringLiteral("thirty")); // a marked text must be marked anew
@@ -436,8 +435,7 @@ private slots:
     }
 
     void aPlotInAWindowOfItsOwnFollowsToo() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         bench.action("theme-dark")->trigger();
         bench.settle();
         for (View* view : bench.window->views()) {

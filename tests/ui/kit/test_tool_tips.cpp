@@ -71,8 +71,7 @@ private slots:
 
     void everyTipOfTheWindowHasReadableLines() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(language, examplePaths().front());
         int given = 0, broken = 0;
         for (View* view : bench.window->views()) {
             bench.window->viewTabs().showView(view);

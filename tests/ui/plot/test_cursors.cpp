@@ -372,8 +372,7 @@ private slots:
 
     void textsHaveRoomInEveryViewWithCursors() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(language, examplePaths().front());
         int views = 0;
         for (View* view : bench.window->views()) {
             bench.window->viewTabs().showView(view);

@@ -45,8 +45,7 @@ class TestReportCommands : public QObject {
 private slots:
     /// Filled in by the menu and the keyboard, kept, and printed on the card.
     void theCompanyIsFilledInOnceAndPrinted() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         const QTemporaryDir folder;
         const QString drawing = folder.filePath(QStringLiteral("logo.svg"));
         QVERIFY(QFile(QStringLiteral(":/icons/sparkout.svg")).copy(drawing));
@@ -130,8 +129,7 @@ private slots:
 
     void theHandoutIsAWorksheetOrItsKey() {
         const QTemporaryDir folder;
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         for (const auto& [form, title] :
              {std::pair(1, QStringLiteral("# Рабочий лист")),
               std::pair(2, QStringLiteral("# Ключ к рабочему листу"))}) {
@@ -151,8 +149,7 @@ private slots:
     }
 
     void thePreviewShowsEveryPageInTheWindowsLanguage() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         DialogAnswers answers({QStringLiteral("Escape")});
         int pages = 0;
         QString title, english;
@@ -172,8 +169,7 @@ private slots:
 
     /// The sheets of a form lie on the whole of a page across.
     void theOperationCardIsPreviewedOnSheetsAcross() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         for (const auto& [action, sheets] :
              {std::pair("preview-operation-card", 2), std::pair("preview-sketch-sheet", 1)}) {
             DialogAnswers answers({QStringLiteral("Escape")});
@@ -193,8 +189,7 @@ private slots:
 
     void whatCannotBeChosenWithoutAPrinterIsNotOffered() {
         WarningCatcher warnings;
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         DialogAnswers answers({QStringLiteral("Escape")});
         answers.seen = [](QDialog& dialog) {
             for (QAction* action : dialog.findChildren<QAction*>()) {
@@ -223,8 +218,7 @@ private slots:
         QFETCH(QByteArray, beginning);
         const QTemporaryDir folder;
         const QString path = folder.filePath(name);
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         const DialogAnswers answers({QStringLiteral("file:") + path});
         bench.action(qPrintable(action))->trigger();
         QCOMPARE(answers.fault(), QString());
@@ -234,8 +228,7 @@ private slots:
     void theCardIsOfTheInputsAsTheyAreNow() {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("card.md"));
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         Project project = bench.window->document().project();
         project.part->name = "Sleeve 4711";
         bench.window->document().edit(project, {"Input", "Name"});
@@ -248,8 +241,7 @@ private slots:
     void thePassportTakesTheBatchThatIsShown() {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("passport.md"));
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(batchExample()));
+        OpenBench bench(QStringLiteral("en"), batchExample());
         QVERIFY(bench.window->showView(QStringLiteral("batch")));
         const auto* view = bench.window->findChild<BatchView*>();
         QTRY_VERIFY_WITH_TIMEOUT(!view->busy() && view->batch() && !view->stale(), 60'000);
@@ -261,8 +253,7 @@ private slots:
     }
 
     void aBatchThatTakesLongIsStoppedAndNothingIsWritten() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(batchExample()));
+        OpenBench bench(QStringLiteral("en"), batchExample());
         Project project = bench.window->document().project();
         project.batch->parts = 1'000'000;
         bench.window->document().edit(project, {"Input", "Parts"});
@@ -279,8 +270,7 @@ private slots:
     }
 
     void whatIsWaitedForIsTheWholeBatchWhileTheWindowLives() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(batchExample()));
+        OpenBench bench(QStringLiteral("en"), batchExample());
         Project project = bench.window->document().project();
         project.batch->parts = 300;
         int beats = 0;
@@ -297,8 +287,7 @@ private slots:
     }
 
     void aBatchThatCannotBeRunIsToldAndNotReported() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(batchExample()));
+        OpenBench bench(QStringLiteral("en"), batchExample());
         Project project = bench.window->document().project();
         project.batch->factors.dullness->grows = {0.5, 2};
         bench.window->document().edit(project, {"Input", "Dullness"});
@@ -313,8 +302,7 @@ private slots:
     void theHandoutAsksWhatItIsToHave() {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("handout.md"));
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         bench.window->cursor().toStroke(7);
         DialogAnswers answers({QStringLiteral("makeHandout"), QStringLiteral("file:") + path,
                                QStringLiteral("Escape")});

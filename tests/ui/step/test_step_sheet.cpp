@@ -145,8 +145,7 @@ private slots:
     }
 
     void theBarShowsAndHidesIt() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         auto* dock = bench.window->findChild<QDockWidget*>(QStringLiteral("step"));
         auto* button = bench.window->findChild<QToolButton*>(QStringLiteral("playTool"));
         QVERIFY(!dock->isVisible());

@@ -5,7 +5,7 @@
 #include "ui/kit/theme.h"
 #include "ui/window/main_window.h"
 
-#include <QStringList>
+#include <QTest>
 
 #include <memory>
 
@@ -29,6 +29,13 @@ struct Bench {
     Settings settings;
     Language language;
     std::unique_ptr<MainWindow> window;
+};
+
+/// Such a window with a project.
+struct OpenBench : Bench {
+    OpenBench(const QString& language, const QString& path) : Bench(language) {
+        QVERIFY(open(path));
+    }
 };
 
 /// Collects what Qt warns of while it lives, except what the offscreen platform says about itself.

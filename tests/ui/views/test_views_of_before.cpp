@@ -46,8 +46,7 @@ private slots:
     void nothingOfBeforeCanBeUsed() {
         QFETCH(QString, view);
         WarningCatcher warnings;
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         QVERIFY(bench.window->showView(view));
         bench.settle();
         View* const shown = bench.window->viewTabs().currentView();

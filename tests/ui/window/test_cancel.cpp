@@ -209,8 +209,7 @@ private slots:
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(QByteArray::fromStdString(writeProject(largestProject())));
         file.close();
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         const Project before = bench.window->document().project();
         const QString name = bench.window->document().filePath();
         const DialogAnswers answers({QStringLiteral("stopWork")});

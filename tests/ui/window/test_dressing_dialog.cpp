@@ -84,8 +84,7 @@ private slots:
         Setup setup = dullingPlunge();
         setup.wear = {};
         setup_fixtures::writeSetupFile(setup, path);
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(path));
+        OpenBench bench(QStringLiteral("en"), path);
         QString said;
         int times = 0;
         DialogAnswers answers(

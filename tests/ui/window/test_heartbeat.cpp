@@ -168,9 +168,9 @@ class TestHeartbeat : public QObject {
 
 private slots:
     void aValueIsDraggedForTenSeconds() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout")));
+        OpenBench bench(
+            QStringLiteral("en"),
+            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout"));
         QSlider* slider = nullptr;
         for (int page = static_cast<int>(bench.window->inputs().pages().size());
              !slider && page-- > 0;) {
@@ -194,8 +194,7 @@ private slots:
     void theLargestExampleIsOpened() {
         const QString path = exampleWithMostVisits();
         QVERIFY(!path.isEmpty());
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         const QByteArray what = "opening " + nameOf(path).toUtf8();
         const double worst_ms = watched_ms(what.constData(), [&] {
             for (int time = 0; time < 5; ++time) {
@@ -208,8 +207,7 @@ private slots:
 
     /// The largest example, by radius at the highest speed, in every view that follows.
     void theCycleIsPlayed() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(exampleWithMostVisits()));
+        OpenBench bench(QStringLiteral("en"), exampleWithMostVisits());
         auto* const unit = bench.window->findChild<QComboBox*>(QStringLiteral("playUnit"));
         auto* const speed = bench.window->findChild<QComboBox*>(QStringLiteral("playSpeed"));
         auto* const play = bench.window->findChild<QToolButton*>(QStringLiteral("play"));
@@ -235,9 +233,9 @@ private slots:
     /// A hundred thousand parts in the long tests.
     void aLargeBatchIsRunAndShown() {
         const int parts = longTest ? 100'000 : 20'000;
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout")));
+        OpenBench bench(
+            QStringLiteral("en"),
+            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout"));
         QVERIFY(bench.window->showView(QStringLiteral("batch")));
         auto* const view = bench.window->findChild<BatchView*>();
         QTRY_VERIFY_WITH_TIMEOUT(!view->busy(), 60'000);
@@ -262,9 +260,9 @@ private slots:
         const int wanted = longTest ? 200 : 20;
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("passport.pdf"));
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout")));
+        OpenBench bench(
+            QStringLiteral("en"),
+            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout"));
         bench.window->document().startUntitled(
             projectOfPages(bench.window->document().project(), wanted));
         QTRY_VERIFY_WITH_TIMEOUT(bench.window->outcome() && bench.window->outcome()->ran(), 60'000);
@@ -283,8 +281,7 @@ private slots:
     }
 
     void everyViewIsShownAndTheWindowResized() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(exampleWithMostVisits()));
+        OpenBench bench(QStringLiteral("en"), exampleWithMostVisits());
         for (const View* view : bench.window->views()) { // once, as they are made when first shown
             QVERIFY(bench.window->showView(view->objectName()));
             bench.settle();
@@ -304,9 +301,9 @@ private slots:
 
     /// Every view of each of five surfaces: each in its turn, then each surface in each view.
     void everyViewOfEverySurfaceIsShown() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(QStringLiteral(SPARKOUT_SOURCE_DIR
-                                          "/tests/data/setups/five-surfaces-by-hand.sparkout")));
+        OpenBench bench(QStringLiteral("en"),
+                        QStringLiteral(SPARKOUT_SOURCE_DIR
+                                       "/tests/data/setups/five-surfaces-by-hand.sparkout"));
         const std::size_t surfaces = bench.window->document().surfaceCount();
         QCOMPARE(surfaces, std::size_t(5));
         const int pause_ms = longTest ? 100 : 20;

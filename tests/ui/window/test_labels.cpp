@@ -102,8 +102,7 @@ private slots:
     void everyVisibleTextHasRoomOnASmallScreen() {
         QFETCH(QString, language);
         QFETCH(QString, path);
-        Bench bench(language);
-        QVERIFY(bench.open(path));
+        OpenBench bench(language, path);
         QCOMPARE(bench.window->size(), QSize(1366, 768)); // nothing asks for more
         Offenders offenders;
         everyPlace(bench, [&](const QString& place) {
@@ -160,8 +159,7 @@ private slots:
 
     void noPageNeedsScrollingSideways() {
         for (const char* language : {"en", "ru"}) {
-            Bench bench(QString::fromUtf8(language));
-            QVERIFY(bench.open(examplePaths().front()));
+            OpenBench bench(QString::fromUtf8(language), examplePaths().front());
             const QTabBar& tabs = *bench.window->findChild<ViewTabs*>()->tabBar();
             QVERIFY2(tabs.tabRect(tabs.count() - 1).right() < tabs.width(), language);
             for (View* view : bench.window->views()) { // by no other name

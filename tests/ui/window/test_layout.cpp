@@ -99,8 +99,7 @@ class TestLayout : public QObject {
 private slots:
     /// Wide again as soon as they have room.
     void tabsAreInNarrowTypeOnlyWhereTheyWouldNotAllBeInSight() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         const auto narrow = [&bench] {
             bench.settle();
             return bench.window->viewTabs().tabBar()->font().stretch() == 90;
@@ -227,8 +226,7 @@ private slots:
     }
 
     void everyViewOfTheWindowCanBeTornOffAndGoesOnShowingOutcomes() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         ViewTabs& tabs = bench.window->viewTabs();
         for (View* view : bench.window->views()) {
             tabs.showView(view);
@@ -274,8 +272,7 @@ private slots:
     }
 
     void aLanguageSwitchLeavesTheLayoutAsItIs() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         auto* verdict = bench.window->findChild<QDockWidget*>(QStringLiteral("verdict"));
         auto* messages = bench.window->findChild<QDockWidget*>(QStringLiteral("messages"));
         messages->show(); // nothing is said: it was closed
@@ -373,8 +370,7 @@ private slots:
     }
 
     void aPanelThatTheUserMadeNarrowStaysSo() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         auto* verdict = bench.window->findChild<QDockWidget*>(QStringLiteral("verdict"));
         const int before = verdict->width();
         const QPoint separator(verdict->x() - 2, verdict->y() + verdict->height() / 2);
@@ -402,8 +398,7 @@ private slots:
 
     // Closed while a narrow window presses them; opened again where there is room.
     void aLayoutThatWasPressedWhenItWasSavedComesBackAsItWasWanted() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         const auto verdictOf = [](const MainWindow& window) {
             return window.findChild<QDockWidget*>(QStringLiteral("verdict"))->width();
         };
@@ -420,8 +415,7 @@ private slots:
     }
 
     void whatOneDragsSaysNothingOfAnotherPanelThatIsPressed() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         auto* verdict = bench.window->findChild<QDockWidget*>(QStringLiteral("verdict"));
         auto* inputs = bench.window->findChild<QDockWidget*>(QStringLiteral("inputs"));
         const auto drag = [&](QPoint from, int by) {
@@ -453,8 +447,7 @@ private slots:
 
     // A wide window gives its inputs two columns, until one drags them to another width.
     void aWideWindowHasRoomForTwoColumnsOfInputs() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         MainWindow& window = *bench.window;
         auto* inputs = window.findChild<InputsPanel*>();
         const int one = inputs->width();
@@ -488,8 +481,7 @@ private slots:
 
     // Large type has two columns, too, where the views keep what they need beside them.
     void aWideWindowHasRoomForTwoColumnsInLargeType() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("ru"), examplePaths().front());
         MainWindow& window = *bench.window;
         auto* inputs = window.findChild<InputsPanel*>();
         const auto* views = window.findChild<ViewTabs*>();
@@ -511,8 +503,7 @@ private slots:
     }
 
     void aThemeSwitchLeavesTheLayoutAsItIs() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         const QStringList before = layoutOf(bench);
         for (const char* theme : {"theme-dark", "theme-contrast", "theme-light"}) {
             bench.action(theme)->trigger();

@@ -91,9 +91,9 @@ private slots:
 
     /// Of the project before, with a batch, kept runs and measured parts, nothing is left.
     void noViewShowsTheProjectBefore() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(QStringLiteral(SPARKOUT_SOURCE_DIR
-                                          "/resources/examples/shaft-30h6-measured.sparkout")));
+        OpenBench bench(
+            QStringLiteral("en"),
+            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-measured.sparkout"));
         for (const View* view : bench.window->views()) {
             QVERIFY(bench.window->showView(view->objectName()));
             bench.settle();

@@ -74,8 +74,7 @@ class TestRemedyOffers : public QObject {
 
 private slots:
     void aClickTakesARemedyAndUndoBringsBackWhatWas() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(example("slender-shaft")));
+        OpenBench bench(QStringLiteral("en"), example("slender-shaft"));
         const Offers offers(bench);
         QVERIFY(offers.wait());
         QVERIFY(offers.section.isVisible());
@@ -112,8 +111,7 @@ private slots:
     }
 
     void theKeyboardReachesAndTakesIt() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(example("slender-shaft")));
+        OpenBench bench(QStringLiteral("en"), example("slender-shaft"));
         const Offers offers(bench);
         QVERIFY(offers.wait());
         const OutcomePtr outcome = bench.window->outcome();
@@ -128,8 +126,7 @@ private slots:
     }
 
     void aRussianWindowHasRussianWordsAndNumbers() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(example("slender-shaft")));
+        OpenBench bench(QStringLiteral("ru"), example("slender-shaft"));
         const Offers offers(bench);
         QVERIFY(offers.wait());
         bool feeds = false;
@@ -150,8 +147,7 @@ private slots:
 
     void whereNoneHelpsTheRequirementsAreNamed() {
         for (const char* language : {"en", "ru"}) {
-            Bench bench(QString::fromUtf8(language));
-            QVERIFY(bench.open(example("plunge-shaft-two-stage")));
+            OpenBench bench(QString::fromUtf8(language), example("plunge-shaft-two-stage"));
             Project project = bench.window->document().project();
             project.machine->geometric_runout_um = 6;
             bench.window->document().edit(project, {"Edit", "x"});
@@ -167,8 +163,7 @@ private slots:
     }
 
     void nothingIsOfferedWhereAllHoldsWithRoom() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(QStringLiteral("en"), example("shaft-30h6-factory"));
         const Offers offers(bench);
         QVERIFY(offers.wait());
         QVERIFY(!offers.section.isVisible());
@@ -180,8 +175,7 @@ private slots:
     }
 
     void anEditEndsTheSearchOfTheInputsBefore() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(example("slender-shaft")));
+        OpenBench bench(QStringLiteral("en"), example("slender-shaft"));
         const Offers offers(bench);
         QVERIFY(offers.wait());
         QSignalSpy found(&offers.finder, &RemedyFinder::found);
@@ -203,8 +197,7 @@ private slots:
     // Of slow cycles what is found stands there while the rest is looked for, with a button to
     // stop.
     void aSlowSearchShowsItsProgressAndIsStopped() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(example("plunge-shaft-two-stage")));
+        OpenBench bench(QStringLiteral("en"), example("plunge-shaft-two-stage"));
         Project project = withSections(bench.window->document().project(), 200);
         project.part->radii_per_section = 360;
         project.part->tolerance.radial_runout_um = 1.5;
@@ -230,8 +223,7 @@ private slots:
     void theLinesHaveRoomAlsoInLargeType() {
         for (const char* language : {"en", "ru"}) {
             for (const int percent : {100, 130}) {
-                Bench bench(QString::fromUtf8(language));
-                QVERIFY(bench.open(example("slender-shaft")));
+                OpenBench bench(QString::fromUtf8(language), example("slender-shaft"));
                 if (percent != usualFontSize) {
                     bench.action(("fontSize-" + QByteArray::number(percent)).constData())
                         ->trigger();

@@ -83,8 +83,7 @@ private slots:
     void theViewsHaveTheirShareOfTheWindow_data() { addLanguages(); }
     void theViewsHaveTheirShareOfTheWindow() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, example("shaft-30h6-factory"));
         wait(bench);
         QCOMPARE(bench.window->size(), QSize(1366, 768));
         QVERIFY(dock(bench, "inputs")->isVisible() && dock(bench, "verdict")->isVisible());
@@ -103,8 +102,7 @@ private slots:
     void theNinePlotsOfFeedsAreLargeEnough_data() { addLanguages(); }
     void theNinePlotsOfFeedsAreLargeEnough() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, example("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("feeds")));
         wait(bench);
         const auto* view = bench.window->findChild<FeedsView*>();
@@ -120,8 +118,7 @@ private slots:
     void thePlotsOfFeedsAreLegibleInLargeType_data() { addLanguages(); }
     void thePlotsOfFeedsAreLegibleInLargeType() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, example("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("feeds")));
         const auto* view = bench.window->findChild<FeedsView*>();
         const auto* area = view->findChild<QScrollArea*>(QStringLiteral("feedsArea"));
@@ -152,8 +149,7 @@ private slots:
     void theOtherPlotsAreLegibleInLargeType_data() { addLanguages(); }
     void theOtherPlotsAreLegibleInLargeType() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, example("shaft-30h6-factory"));
         for (const int percent : {115, 130}) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
             for (const char* name : {"compare", "optimise", "batch", "profiles", "constraints"}) {
@@ -225,8 +221,7 @@ private slots:
     void noLegendIsElided_data() { addLanguages(); }
     void noLegendIsElided() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, example("shaft-30h6-factory"));
         keepAs(bench,
                QStringLiteral("Radial feed 0.004, axial feed 1400, the second stage as it was"));
         for (const int percent : {130, 100}) {
@@ -256,8 +251,7 @@ private slots:
     void nothingOfCompareIsScrolledSideways_data() { addLanguages(); }
     void nothingOfCompareIsScrolledSideways() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, example("shaft-30h6-factory"));
         (void)keepAs(bench, language == u"ru" ? QStringLiteral("Заводской")
                                               : QStringLiteral("Factory")); // beside the best one
         Project project = bench.window->document().project();
@@ -282,8 +276,7 @@ private slots:
     }
 
     void theNameOfARunIsWrapped() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(QStringLiteral("ru"), example("shaft-30h6-factory"));
         bench.action("fontSize-130")->trigger();
         const QString name = QStringLiteral("Припуск 0,11, вторая ступень прежняя, круг новый");
         const QListView* const list = keepAs(bench, name);
@@ -300,8 +293,7 @@ private slots:
     void theRequirementsOfConstraintsHaveRoom_data() { addLanguages(); }
     void theRequirementsOfConstraintsHaveRoom() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, example("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("constraints")));
         auto* table = bench.window->findChild<QTableView*>(QStringLiteral("margins"));
         QVERIFY(table);
@@ -329,8 +321,7 @@ private slots:
     void theCyclesFoundAreReadWithoutScrolling_data() { addLanguages(); }
     void theCyclesFoundAreReadWithoutScrolling() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, example("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("optimise")));
         wait(bench);
         auto* run = bench.window->findChild<QPushButton*>(QStringLiteral("optimiseRun"));
@@ -393,12 +384,10 @@ private slots:
         };
         QStringList fresh;
         {
-            Bench bench(QStringLiteral("ru"));
-            QVERIFY(bench.open(example("shaft-30h6-factory")));
+            OpenBench bench(QStringLiteral("ru"), example("shaft-30h6-factory"));
             fresh = widthsIn(bench);
         }
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(QStringLiteral("en"), example("shaft-30h6-factory"));
         for (const char* step : {"fontSize-130", "theme-dark", "russian", "theme-contrast",
                                  "fontSize-100", "theme-light"}) {
             (void)widthsIn(bench);
@@ -421,8 +410,7 @@ private slots:
     void theValuesUnderThePointerHaveRoomInLargeType_data() { addLanguages(); }
     void theValuesUnderThePointerHaveRoomInLargeType() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, example("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("feeds")));
         auto* view = bench.window->findChild<FeedsView*>();
         const auto* values = view->findChild<QLabel*>(QStringLiteral("feedsValues"));
@@ -443,8 +431,7 @@ private slots:
     void noCaptionOfFeedsAndProfilesIsCutOff_data() { addLanguages(); }
     void noCaptionOfFeedsAndProfilesIsCutOff() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, example("shaft-30h6-factory"));
         int captions = 0;
         for (const int percent : {130, 100, 115}) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
@@ -474,8 +461,7 @@ private slots:
     void theNamesOfAxesHaveRoom_data() { addLanguages(); }
     void theNamesOfAxesHaveRoom() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, example("shaft-30h6-factory"));
         int names = 0;
         for (const int percent : {130, 100}) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
@@ -510,8 +496,7 @@ private slots:
     void aLongFeedWithAWarningIsReadInFull_data() { addLanguages(); }
     void aLongFeedWithAWarningIsReadInFull() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(language, example("shaft-30h6-factory"));
         Document& document = bench.window->document();
         Project project = document.project();
         project.cycle->stages.front().axial_feed_mm_min = 12500;
@@ -539,9 +524,8 @@ private slots:
     void theInputsOfSeveralSurfacesHaveRoom_data() { addLanguages(); }
     void theInputsOfSeveralSurfacesHaveRoom() {
         QFETCH(QString, language);
-        Bench bench(language);
-        QVERIFY(bench.open(
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/setups/spindle.sparkout")));
+        OpenBench bench(language, QStringLiteral(SPARKOUT_SOURCE_DIR
+                                                 "/resources/examples/setups/spindle.sparkout"));
         InputsPanel& inputs = bench.window->inputs();
         for (const int percent : {100, 130}) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
@@ -555,8 +539,7 @@ private slots:
     }
 
     void playbackStandsWhereThereIsAMoment() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(QStringLiteral("en"), example("shaft-30h6-factory"));
         const auto* bar = bench.window->findChild<QWidget*>(QStringLiteral("playback"));
         const auto* place = bench.window->findChild<QWidget*>(QStringLiteral("playPlace"));
         for (const auto& [view, moment] : {std::pair{"feeds", true},
@@ -581,8 +564,7 @@ private slots:
 
     /// Not before there is a cycle, nor where the one before is of another document.
     void anEmptyDrawingHasNothingToPlay() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(QStringLiteral("en"), example("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("feeds")));
         wait(bench);
         const auto* bar = bench.window->findChild<QWidget*>(QStringLiteral("playback"));
@@ -606,8 +588,7 @@ private slots:
     }
 
     void messagesTakeRoomOnlyWhenSomethingIsSaid() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(QStringLiteral("en"), example("shaft-30h6-factory"));
         wait(bench);
         const QDockWidget* messages = dock(bench, "messages");
         auto* button = bench.window->findChild<QToolButton*>(QStringLiteral("messagesButton"));
@@ -632,8 +613,7 @@ private slots:
     }
 
     void theStepThatMendsIsNoMessageOfItsOwn() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(QStringLiteral("en"), example("shaft-30h6-factory"));
         wait(bench);
         Project project = bench.window->document().project();
         project.cycle->stages.front().stock_mm += 0.01;
@@ -667,9 +647,9 @@ private slots:
 
     /// Type and language are changed in a wide window that then is a small one again.
     void theVerdictHasItsWidthAgainInTheSmallWindow() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/setups/spindle.sparkout")));
+        OpenBench bench(
+            QStringLiteral("en"),
+            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/setups/spindle.sparkout"));
         for (const char* language : {"english", "russian"}) {
             bench.action(language)->trigger();
             for (const int percent : {100, 115, 130}) {
@@ -690,8 +670,7 @@ private slots:
     }
 
     void theVerdictKeepsItsWidthWhateverIsShown() {
-        Bench bench(QStringLiteral("ru"));
-        QVERIFY(bench.open(example("shaft-30h6-factory")));
+        OpenBench bench(QStringLiteral("ru"), example("shaft-30h6-factory"));
         wait(bench);
         const int width = dock(bench, "verdict")->width();
         for (const View* view : bench.window->views()) {

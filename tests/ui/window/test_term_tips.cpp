@@ -77,8 +77,7 @@ private slots:
     void everyTermIsExplained() {
         QFETCH(QString, language);
         const Terms terms(language == QStringLiteral("ru"));
-        Bench bench(language);
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(language, examplePaths().front());
         MainWindow& window = *bench.window;
         int seen = 0;
         QStringList bare;

@@ -249,8 +249,7 @@ private slots:
     }
 
     void theWindowKeepsTheRunOfTheInputsJustTyped() {
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
+        OpenBench bench(QStringLiteral("en"), examplePaths().front());
         Project project = bench.window->document().project();
         const std::size_t before = project.runs.size();
         project.part->initial_runout_mm *= 0.5;
@@ -319,8 +318,7 @@ private slots:
         project.runs[0].engine_version = "0.0.1";
         QVERIFY(!saveContent([&project] { return projectText(plainSetup(project)); }, path).error);
 
-        Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(path));
+        OpenBench bench(QStringLiteral("en"), path);
         NoticeBar& notices = bench.window->files().notices();
         QTRY_VERIFY(notices.holds(QStringLiteral("changed-runs")));
         QVERIFY(notices.textOf(QStringLiteral("changed-runs")).contains(QStringLiteral("spring")));
