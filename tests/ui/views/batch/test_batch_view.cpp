@@ -71,6 +71,10 @@ struct Bench {
     BatchView view;
 };
 
+struct SettledBench : Bench {
+    explicit SettledBench(const Project& project) : Bench(project) { QVERIFY(settled()); }
+};
+
 /// A cell of the figures on the screen.
 QString cell(Bench& bench, const char* key, int column) {
     const auto& model =
@@ -91,8 +95,7 @@ private slots:
 
     void aQuickBatchRunsByItselfAndShowsTheFiguresOfTheEngine() {
         const Project project = fixtures::shaftBatch(50);
-        Bench bench(project);
-        QVERIFY(bench.settled());
+        SettledBench bench(project);
         const BatchSummary engine = summarise(runBatch(project));
         for (const char* name : {"diameter", "radial_runout", "time"}) {
             bench.choose(name);
@@ -130,8 +133,7 @@ private slots:
 
     void theCopiedTableHasEveryCharacteristicWithAllItsDigits() {
         const Project project = fixtures::shaftBatch(50);
-        Bench bench(project);
-        QVERIFY(bench.settled());
+        SettledBench bench(project);
         auto& table = bench.part<CopyTable>("batchFigures");
         table.setFocus();
         QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
@@ -162,8 +164,7 @@ private slots:
     }
 
     void afterAnEditTheBatchIsMarkedAndTheNewestWins() {
-        Bench bench(fixtures::shaftBatch(50));
-        QVERIFY(bench.settled());
+        SettledBench bench(fixtures::shaftBatch(50));
         Project edited = fixtures::shaftBatch(endless);
         edited.batch->seed = 7;
         bench.view.setOutcome(run(edited));
@@ -183,8 +184,7 @@ private slots:
 
     void aNameOrANoteMakesNoOtherBatch() {
         Project project = fixtures::shaftBatch(50);
-        Bench bench(project);
-        QVERIFY(bench.settled());
+        SettledBench bench(project);
         const BatchOutcomePtr shown = bench.view.batch();
         project.title = "Another name";
         project.notes = "and a note";
@@ -197,8 +197,7 @@ private slots:
     void theInputsOfTheWorstPartReproduceItsValues() {
         Project project = fixtures::shaftBatch(50);
         project.title = "Mine";
-        Bench bench(project);
-        QVERIFY(bench.settled());
+        SettledBench bench(project);
         Project taken = project;
         QSignalSpy edits(&bench.view, &BatchView::editWanted);
         bool refused = false;
@@ -345,8 +344,7 @@ private slots:
         Project project = fixtures::shaftBatch(60);
         project.part->tolerance.roundness_um = 1e-6;
         project.part->tolerance.radial_runout_um = 1e-6;
-        Bench bench(project);
-        QVERIFY(bench.settled());
+        SettledBench bench(project);
         bench.part<QComboBox>("batchContent").setCurrentIndex(3);
         ParetoPlot& plot = *bench.view.pareto();
         QVERIFY(plot.isVisible() && !plot.empty());
@@ -368,8 +366,7 @@ private slots:
     }
 
     void textsBelowNarrowCellsDoNotMeet() {
-        Bench bench(fixtures::shaftBatch(50));
-        QVERIFY(bench.settled());
+        SettledBench bench(fixtures::shaftBatch(50));
         HistogramPlot& plot = *bench.view.histograms();
         QFont font = bench.view.font();
         font.setPointSizeF(font.pointSizeF() * 1.3);
@@ -412,8 +409,7 @@ private slots:
     }
 
     void theTextOnTheRunIsReadInANarrowViewAndInLargeType() {
-        Bench bench(fixtures::shaftBatch(50));
-        QVERIFY(bench.settled());
+        SettledBench bench(fixtures::shaftBatch(50));
         QFont font = bench.view.font();
         font.setPointSizeF(font.pointSizeF() * 1.3);
         bench.view.setFont(font);
@@ -458,8 +454,7 @@ private slots:
     void cornersTellExtremesAndCountsOnly() {
         Project project = fixtures::shaftBatch(50);
         project.batch->scenarios = Scenarios::corners;
-        Bench bench(project);
-        QVERIFY(bench.settled());
+        SettledBench bench(project);
         QCOMPARE(bench.view.batch()->summary.parts, std::int64_t{8});
         QVERIFY(cell(bench, "max", 0) != QStringLiteral("–"));
         for (const char* row :
@@ -470,8 +465,7 @@ private slots:
 
     void theWeightsAreTheRankRegressionOfTheEngineThenItsSobolIndices() {
         const Project project = fixtures::shaftBatch(50);
-        Bench bench(project);
-        QVERIFY(bench.settled());
+        SettledBench bench(project);
         bench.part<QComboBox>("batchContent").setCurrentIndex(1);
         const BatchResult result = runBatch(project);
         const std::vector<std::size_t> places = placesOf(summarise(result), "diameter");
@@ -498,8 +492,7 @@ private slots:
 
     void everyKeptPartIsAPointOfTheScatter() {
         const Project project = fixtures::shaftBatch(50);
-        Bench bench(project);
-        QVERIFY(bench.settled());
+        SettledBench bench(project);
         bench.part<QComboBox>("batchContent").setCurrentIndex(2);
         const ScatterPlot& plot = *bench.view.scatter(); // stock against the first diameter
         const QCPGraph& good = *plot.graph(ScatterPlot::goodKey);

@@ -77,6 +77,11 @@ struct Desk {
     CompareView view{kept};
 };
 
+/// With its first run kept.
+struct KeptDesk : Desk {
+    KeptDesk() { keep(); }
+};
+
 inline void quicker(Project& project) {
     project.cycle->stages[0].axial_feed_mm_min = 2400;
     project.wheel->dullness = 0.03;

@@ -142,8 +142,7 @@ private slots:
     }
 
     void theLegendHidesAQuantityOrARun() {
-        Desk desk;
-        desk.keep();
+        KeptDesk desk;
         desk.change(quicker);
         auto* legend = desk.view.findChild<LegendStrip*>();
         QCOMPARE(legend->entries().size(), 6u);
@@ -164,8 +163,7 @@ private slots:
     }
 
     void theMouseReadsBothRunsAndAClickMovesTheCycle() {
-        Desk desk;
-        desk.keep();
+        KeptDesk desk;
         desk.change(quicker);
         const QRect rect = desk.plot().axisRects()[1]->rect();
         const QPoint at(rect.left() + rect.width() / 4, rect.center().y());
@@ -181,8 +179,7 @@ private slots:
     }
 
     void zoomGoesBackAndFits() {
-        Desk desk;
-        desk.keep();
+        KeptDesk desk;
         QCPAxis* const time = desk.plot().axisRects()[0]->axis(QCPAxis::atBottom);
         const QCPRange all = time->range();
         fixtures::wheel(&desk.plot(), desk.plot().axisRects()[0]->rect().center(), 240);

@@ -61,8 +61,7 @@ private slots:
     }
 
     void aStageThatOnlyOneRunHasStandsBesideADash() {
-        Desk desk;
-        desk.keep();
+        KeptDesk desk;
         desk.change([](Project& project) {
             Stage last = project.cycle->stages.back();
             project.cycle->stages.back().stock_mm /= 2;
@@ -79,8 +78,7 @@ private slots:
     }
 
     void theValuesThatDifferAreInSight() {
-        Desk desk;
-        desk.keep();
+        KeptDesk desk;
         auto* table = desk.view.findChild<CopyTable*>(QStringLiteral("compareTable"));
         auto* curves = desk.view.plot();
         const int alone = curves->height();
@@ -97,8 +95,7 @@ private slots:
     }
 
     void theTableGoesToASpreadsheetWithAllDigits() {
-        Desk desk;
-        desk.keep();
+        KeptDesk desk;
         desk.change(quicker);
         auto* table = desk.view.findChild<CopyTable*>(QStringLiteral("compareTable"));
         table->setFocus();
@@ -114,8 +111,7 @@ private slots:
     }
 
     void aRunIsDeletedWhileItsNameIsTyped() {
-        Desk desk;
-        desk.keep();
+        KeptDesk desk;
         auto* list = desk.view.list();
         list->setCurrentIndex(list->model()->index(1, 0));
         list->setFocus();
@@ -129,8 +125,7 @@ private slots:
     }
 
     void renamingTwiceGoesOnWithTheNameBeingTyped() {
-        Desk desk;
-        desk.keep();
+        KeptDesk desk;
         auto* list = desk.view.list();
         list->setCurrentIndex(list->model()->index(1, 0));
         WarningCatcher warnings;
@@ -159,8 +154,7 @@ private slots:
     }
 
     void spaceTakesARunOutOfThePlotAndBackIn() {
-        Desk desk;
-        desk.keep();
+        KeptDesk desk;
         desk.change(quicker);
         desk.keep();
         QCOMPARE(desk.plot().runs().size(), 3u);
@@ -211,8 +205,7 @@ private slots:
     void theNameTheProgramGaveFollowsTheLanguage() {
         Language language;
         language.apply(QStringLiteral("en"));
-        Desk desk;
-        desk.keep();
+        KeptDesk desk;
         desk.keep();
         desk.kept.rename(1, QStringLiteral("Run 2 of mine"));
         QVERIFY(desk.kept.keep(*desk.outcome, QString::fromStdString(givenRunName(
@@ -240,8 +233,7 @@ private slots:
     }
 
     void refusedInputsLeaveThePresentRunDimmed() {
-        Desk desk;
-        desk.keep();
+        KeptDesk desk;
         desk.view.setOutcome(fixtures::refused());
         desk.settle();
         QVERIFY(desk.text("compareNotice").contains(QStringLiteral("refused")));

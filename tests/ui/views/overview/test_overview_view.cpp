@@ -40,6 +40,7 @@ struct Desk {
     explicit Desk(const QString& language = QStringLiteral("en")) : bench(language) {
         view = bench.window->findChild<OverviewView*>();
     }
+    explicit Desk(const Project& project) : Desk() { QVERIFY(open(project)); }
     [[nodiscard]] bool open(const Project& project) const {
         bench.window->document().startUntitled(project);
         const bool came = QTest::qWaitFor(
@@ -118,8 +119,7 @@ private slots:
     // --- the numbers ----------------------------------------------------------------------------
 
     void timesAreThoseOfTheEngine() {
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         const BarChart& chart = desk.plot(times).chart();
         const SimulationResult& result = desk.outcome().result;
         QCOMPARE(chart.categories.size(), qsizetype(result.timeByStage_s.size()));
@@ -134,8 +134,7 @@ private slots:
     }
 
     void stockIsThatOfTheEngineZoneByZone() {
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         const BarChart& chart = desk.plot(stock).chart();
         const auto stages = desk.outcome().steps.time_s.size();
         QCOMPARE(chart.categories.size(), qsizetype(3 * stages));
@@ -152,8 +151,7 @@ private slots:
     }
 
     void aDiametersSharesAddUpToItsDeviation() {
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         const BarChart& chart = desk.plot(diameters).chart();
         const auto& sections = desk.outcome().result.sections;
         QCOMPARE(chart.sums.size(), 2 * sections.size());
@@ -168,8 +166,7 @@ private slots:
     }
 
     void requirementsAreThoseOfTheEngineTheWorstFirst() {
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         const BarChart& chart = desk.plot(requirements).chart();
         const auto shown = OverviewCharts::requirementsShown(desk.outcome());
         QVERIFY(shown.size() > 2);
@@ -183,8 +180,7 @@ private slots:
     }
 
     void theBatchIsThatOfTheEngine() {
-        const Desk desk;
-        QVERIFY(desk.open(batchProject()));
+        const Desk desk(batchProject());
         QVERIFY(runBatch(desk));
         const BatchSummary& summary = desk.bench.window->findChild<BatchView*>()->batch()->summary;
         const BarChart& ring = desk.plot(parts).chart();
@@ -210,8 +206,7 @@ private slots:
     }
 
     void keptRunsStandBesideThePresentOne() {
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         QVERIFY(desk.view->tile(runs)->isEmpty());
         auto& keep = desk.part<QPushButton>("overviewRunsStep");
         QVERIFY(keep.isVisible());
@@ -244,8 +239,7 @@ private slots:
     // --- where bars lead ------------------------------------------------------------------------
 
     void aBarLeadsToItsView() {
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         QVERIFY(desk.click(times, 1));
         QCOMPARE(desk.current(), QStringLiteral("feeds"));
         QCOMPARE(desk.part<QComboBox>("span").currentData().toInt(), 2);
@@ -263,8 +257,7 @@ private slots:
     }
 
     void barsOfTheBatchLeadToIt() {
-        const Desk desk;
-        QVERIFY(desk.open(batchProject()));
+        const Desk desk(batchProject());
         QVERIFY(runBatch(desk));
         for (const OverviewChart chart : {boxes, parts}) {
             QVERIFY(desk.click(chart, 0));
@@ -273,8 +266,7 @@ private slots:
     }
 
     void whatIsEmptySaysWhatWillBeThereAndLeadsThere() {
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         for (const OverviewChart chart : {boxes, parts, runs}) {
             QVERIFY(desk.view->tile(chart)->isEmpty());
             QVERIFY(desk.view->tile(chart)->emptyText().size() > 20);
@@ -308,8 +300,7 @@ private slots:
     // --- page, look, words ----------------------------------------------------------------------
 
     void aChartIsEnlargedAndBack() {
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         QVERIFY(desk.see(times));
         const int before = desk.plot(times).height();
         QTest::mouseClick(&desk.part<QToolButton>("overviewTimesEnlarge"), Qt::LeftButton);
@@ -323,8 +314,7 @@ private slots:
     }
 
     void aLegendLeavesOutAStep() {
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         QVERIFY(desk.see(times));
         auto& legend = desk.part<LegendStrip>("overviewTimesLegend");
         const std::size_t before = desk.plot(times).drawing().parts().size();
@@ -334,8 +324,7 @@ private slots:
     }
 
     void languageThemeAndTypeFollowAtOnce() {
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         QVERIFY(desk.see(times));
         desk.bench.action("russian")->trigger();
         desk.bench.settle();
@@ -365,8 +354,7 @@ private slots:
 
     void everyChartIsSavedAsPictureAndTable() {
         const QTemporaryDir folder;
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         for (const OverviewChart chart : {times, stock, diameters, requirements}) {
             PlotTools& tools = *desk.plot(chart).tools();
             QVERIFY(!tools.fit->isVisible()); // all is in sight
@@ -458,8 +446,7 @@ private slots:
     }
 
     void hiddenItDoesNothing() {
-        const Desk desk;
-        QVERIFY(desk.open(fixtures::traverseProject()));
+        const Desk desk(fixtures::traverseProject());
         desk.bench.window->showView(QStringLiteral("feeds"));
         desk.bench.settle();
         int changes = 0;
