@@ -7,6 +7,7 @@
 #include "core/setup/setup_run.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/on_disk.h"
 #include "tests/ui/support/search_fixtures.h"
 #include "tests/ui/support/setup_fixtures.h"
 #include "tests/ui/support/view_fixtures.h"
@@ -307,7 +308,7 @@ private slots:
         DialogAnswers answers({QStringLiteral("file:") + file});
         QVERIFY(savePartRows(nullptr, nullptr, project, TableFormat::csvRussian));
         QCOMPARE(answers.fault(), QString());
-        const QByteArray bytes = read(file);
+        const QByteArray bytes = on_disk::bytesOf(file);
         QVERIFY(bytes.startsWith("\xEF\xBB\xBFPart;State;Good;"));
         QCOMPARE(bytes.count("\r\n"), qsizetype(41));
         QVERIFY(!bytes.contains("0."));
@@ -345,7 +346,7 @@ private slots:
             QCOMPARE(reader.names().value(0), QLatin1String(first));
             const QString csv = m_folder.filePath(QLatin1String(part) + QStringLiteral(".csv"));
             QCOMPARE(exported(QLatin1String(part), csv, file).status, 0);
-            QVERIFY(read(csv).count('\n') > 1);
+            QVERIFY(on_disk::bytesOf(csv).count('\n') > 1);
         }
     }
 
@@ -430,17 +431,9 @@ private:
     }
     QString saved(const Project& project, const char* name) {
         const QString path = m_folder.filePath(QLatin1String(name));
-        QFile file(path);
-        if (file.open(QIODevice::WriteOnly)) {
-            file.write(QByteArray::fromStdString(writeProject(project)));
-        }
+        on_disk::write(path, QByteArray::fromStdString(writeProject(project)));
         return path;
     }
-    static QByteArray read(const QString& path) {
-        QFile file(path);
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-    }
-
     QTemporaryDir m_folder;
     Language m_english;
 };

@@ -4,6 +4,7 @@
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"
 #include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/on_disk.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/whole_project.h"
 #include "ui/inputs/forms/catalogue_dialog.h"
@@ -19,6 +20,7 @@
 namespace sparkout::test_catalogue_dialog {
 
 using namespace catalogue_bench;
+using on_disk::bytesOf;
 
 QStringList visibleEntries(const QDialog& dialog) {
     QStringList names;
@@ -36,11 +38,6 @@ void write(const QString& path, const QByteArray& bytes) {
     QFile file(path);
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(bytes);
-}
-
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 class TestCatalogueDialog : public QObject {

@@ -5,6 +5,7 @@
 
 #include "tests/registry.h"
 #include "tests/ui/support/languages.h"
+#include "tests/ui/support/on_disk.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/kit/font_size.h"
 #include "ui/plot/svg_device.h"
@@ -44,9 +45,7 @@ private slots:
     void init() {
         const QDir folder(m_folder.path());
         QVERIFY(folder.mkpath(QStringLiteral("Валы")));
-        QFile file(folder.filePath(QStringLiteral("Вал 30h6.sparkout")));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(QByteArray(9600, ' '));
+        on_disk::write(folder.filePath(QStringLiteral("Вал 30h6.sparkout")), QByteArray(9600, ' '));
     }
 
     void whatStandsInItIsReadInFull_data() { addLanguagesAndSizes(); }

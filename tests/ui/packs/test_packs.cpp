@@ -7,6 +7,7 @@
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/logo_samples.h"
+#include "tests/ui/support/on_disk.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/dialogs/notice_bar.h"
@@ -28,12 +29,9 @@
 
 namespace sparkout::test_packs {
 
-const QString lessonName = QStringLiteral("02-actual-feed.sparkout-lesson");
+using on_disk::bytesOf;
 
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
+const QString lessonName = QStringLiteral("02-actual-feed.sparkout-lesson");
 
 void write(const QString& path, const QByteArray& bytes) {
     QDir().mkpath(QFileInfo(path).absolutePath());

@@ -101,7 +101,7 @@ private slots:
         QVERIFY2(user.messages[0].contains(path("gone/first.png"))
                      && user.messages[0].contains(QStringLiteral("was not saved")),
                  qPrintable(user.messages[0]));
-        QVERIFY(!QImage::fromData(contentOf(path("second.png"))).isNull());
+        QVERIFY(!QImage::fromData(on_disk::bytesOf(path("second.png"))).isNull());
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden).size(), 1);
         // Whoever gives up is left alone.
         user.tryAgain = false;

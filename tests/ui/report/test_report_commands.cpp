@@ -6,6 +6,7 @@
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/logo_samples.h"
+#include "tests/ui/support/on_disk.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/whole_project.h"
@@ -29,10 +30,7 @@
 
 namespace sparkout::test_report_commands {
 
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
+using on_disk::bytesOf;
 
 QString batchExample() {
     const QStringList found = examplePaths().filter(QStringLiteral("30h6-factory"));

@@ -4,6 +4,7 @@
 #include "core/setup/setup_file.h"
 #include "core/study/new_project.h"
 #include "core/study/operation.h"
+#include "tests/ui/support/on_disk.h"
 #include "tests/ui/support/untitled.h"
 #include "tests/whole_project.h"
 #include "ui/session/document.h"
@@ -166,11 +167,9 @@ private slots:
     void aRefusedFileListsItsFaultsAndLeavesTheDocumentAlone() {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("bad.sparkout"));
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(
+        on_disk::write(
+            path,
             R"({"format":"sparkout-project","version":1,"nonsense":2,"operation":"traverse"})");
-        file.close();
         Untitled document(newProject(Operation::plunge));
         document.edit(withDiameter(document.project(), 33), editText);
         const QByteArray before = hashOf(document);
@@ -206,10 +205,7 @@ private slots:
         const QString path = folder.filePath(QStringLiteral("dull.sparkout"));
         Project dull = newProject(Operation::traverse);
         dull.wheel->dullness = 1.5;
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(QByteArray::fromStdString(writeProject(dull)));
-        file.close();
+        on_disk::write(path, QByteArray::fromStdString(writeProject(dull)));
         Document document;
         QVERIFY(!document.open(path).opened());
         document.startUntitled(dull);

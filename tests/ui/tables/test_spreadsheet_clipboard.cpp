@@ -4,6 +4,7 @@
 // tests/data/clipboard/README.md), and what is copied is read by LibreOffice where it is installed.
 #include "tests/registry.h"
 #include "tests/ui/inputs/stage_table_bench.h"
+#include "tests/ui/support/on_disk.h"
 #include "ui/fields/cells_line_edit.h"
 #include "ui/tables/copied_cells.h"
 #include "ui/tables/pasted_cells.h"
@@ -38,9 +39,7 @@ void offer(const QString& plain, const QString& html) {
 }
 
 void write(const QString& path, const QString& text) {
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(text.toUtf8());
+    on_disk::write(path, text.toUtf8());
 }
 
 /// The settings of a LibreOffice of its own whose numbers are of a language.

@@ -13,6 +13,7 @@
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/on_disk.h"
 #include "tests/ui/support/passport_bench.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/ui/window/long_project.h"
@@ -205,10 +206,7 @@ private slots:
     void anOpeningThatIsStoppedLeavesTheDocumentAlone() {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("large.sparkout"));
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(QByteArray::fromStdString(writeProject(largestProject())));
-        file.close();
+        on_disk::write(path, QByteArray::fromStdString(writeProject(largestProject())));
         OpenBench bench(QStringLiteral("en"), examplePaths().front());
         const Project before = bench.window->document().project();
         const QString name = bench.window->document().filePath();

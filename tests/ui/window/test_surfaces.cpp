@@ -6,6 +6,7 @@
 #include "core/study/search.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/on_disk.h"
 #include "tests/ui/support/search_fixtures.h"
 #include "tests/ui/support/setup_fixtures.h"
 #include "tests/ui/support/text_checks.h"
@@ -35,6 +36,7 @@
 namespace sparkout::test_surfaces {
 
 using namespace setup_fixtures;
+using on_disk::bytesOf;
 
 /// A window with the stepped shaft in a file of its own.
 struct Desk {
@@ -99,11 +101,6 @@ Setup searchedSetup() {
     setup.surfaces[1].name = "second";
     setup.wear.dulling_per_mm2 = 1e-4;
     return setup;
-}
-
-QByteArray bytesOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 class TestSurfaces : public QObject {

@@ -4,6 +4,7 @@
 #include "core/form/gaussian_filter.h"
 #include "core/form/roundness_readings.h"
 #include "tests/registry.h"
+#include "tests/ui/support/on_disk.h"
 #include "tests/ui/views/profiles/profiles_bench.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/text/names.h"
@@ -280,10 +281,7 @@ private slots:
         settle();
         QCOMPARE(view.across()->table().rows.size(),
                  static_cast<std::size_t>(view.across()->series().radii()));
-        QFile wrong(path);
-        QVERIFY(wrong.open(QIODevice::WriteOnly | QIODevice::Truncate));
-        wrong.write("angle;deviation\n0;1\nhello;2\n");
-        wrong.close();
+        on_disk::write(path, "angle;deviation\n0;1\nhello;2\n");
         QVERIFY(!MeasuredSection::read(path, nominal, reason));
         QVERIFY2(reason.contains(QStringLiteral("3")), qPrintable(reason));
     }
