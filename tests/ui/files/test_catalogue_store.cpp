@@ -3,6 +3,7 @@
 #include "core/project/validate.h"
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"
+#include "tests/ui/support/examples.h"
 #include "tests/whole_project.h"
 #include "ui/files/catalogue_changes.h"
 #include "ui/session/project_io.h"
@@ -40,12 +41,7 @@ private slots:
                 bool fits = false;
                 for (const char* name : {"shaft-30h6-factory", "plunge-shaft-two-stage",
                                          "internal-plunge", "slender-shaft"}) {
-                    Project project = loadProject(QStringLiteral(SPARKOUT_SOURCE_DIR
-                                                                 "/resources/examples/%1.sparkout")
-                                                      .arg(QString::fromLatin1(name)))
-                                          .setup.value()
-                                          .surfaces.front()
-                                          .project;
+                    Project project = exampleProject(name);
                     const Project taken = withEntry(item.entry, project);
                     const QString entry = entryName(item.entry);
                     const bool isGrade = kind == CatalogueKind::materials; // and heat treatment

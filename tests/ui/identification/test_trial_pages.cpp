@@ -6,6 +6,7 @@
 #include "core/process/system_compliance.h"
 #include "tests/registry.h"
 #include "tests/ui/identification/calibration_bench.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/languages.h"
 #include "ui/identification/stiffness_sheet.h"
 
@@ -49,8 +50,7 @@ double deflection_um(Project project, double position_mm, double load_n) {
 }
 
 void openSlender(Bench& bench) {
-    QVERIFY(bench.open(
-        QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/slender-shaft.sparkout")));
+    QVERIFY(bench.open(examplePath("slender-shaft")));
     QTRY_VERIFY(!bench.window->runs().running());
 }
 

@@ -3,6 +3,7 @@
 #include "core/process/system_compliance.h"
 #include "core/quality/depth_limits.h"
 #include "tests/registry.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/support/window_bench.h"
@@ -326,12 +327,7 @@ private slots:
     }
 
     void complianceIsReadAtAPlaceOfThePart() {
-        const Project project =
-            loadProject(
-                QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/slender-shaft.sparkout"))
-                .setup.value()
-                .surfaces.front()
-                .project;
+        const Project project = exampleProject("slender-shaft");
         const OutcomePtr outcome = run(project);
         QVERIFY(outcome->ran());
         ComplianceView view;

@@ -2,6 +2,7 @@
 // One moment of the cycle for all views of the window: the playback bar and each view move it, all
 // others follow.
 #include "tests/registry.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/views/feeds/feeds_plot.h"
@@ -26,8 +27,7 @@ struct CycleBench : Bench {
     CycleBench() : Bench(QStringLiteral("en")) {}
     [[nodiscard]] bool openFactory() {
         window->showView(QStringLiteral("feeds"));
-        return open(
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout"));
+        return open(examplePath("shaft-30h6-factory"));
     }
     template <typename Widget>
     [[nodiscard]] Widget& part(const char* name) const {

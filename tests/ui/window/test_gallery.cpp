@@ -6,6 +6,7 @@
 #include "core/files/safe_file.h"
 #include "core/setup/setup_file.h"
 #include "tests/registry.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/whole_project.h"
 #include "ui/dialogs/faults_dialog.h"
@@ -188,9 +189,7 @@ private slots:
         for (const char* name : {"shaft-30h6-factory", "setups/spindle"}) {
             for (const char* language : {"english", "russian"}) {
                 QTest::addRow("%s %s", name, language)
-                    << QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
-                           .arg(QLatin1String(name))
-                    << QString::fromLatin1(language);
+                    << examplePath(name) << QString::fromLatin1(language);
             }
         }
     }
@@ -235,8 +234,7 @@ private slots:
         QFETCH(int, percent);
         applyFontSize(percent);
         Bench bench(language, Theme(theme));
-        QVERIFY(bench.open(
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/setups/spindle.sparkout")));
+        QVERIFY(bench.open(examplePath("setups/spindle")));
         int seen = 0;
         for (const QAction* found : bench.window->findChildren<QAction*>()) {
             const QPointer<QAction> action = const_cast<QAction*>(found);

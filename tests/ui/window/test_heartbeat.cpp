@@ -10,6 +10,7 @@
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/heartbeat.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/ui/window/long_project.h"
@@ -168,9 +169,7 @@ class TestHeartbeat : public QObject {
 
 private slots:
     void aValueIsDraggedForTenSeconds() {
-        OpenBench bench(
-            QStringLiteral("en"),
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout"));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         QSlider* slider = nullptr;
         for (int page = static_cast<int>(bench.window->inputs().pages().size());
              !slider && page-- > 0;) {
@@ -233,9 +232,7 @@ private slots:
     /// A hundred thousand parts in the long tests.
     void aLargeBatchIsRunAndShown() {
         const int parts = longTest ? 100'000 : 20'000;
-        OpenBench bench(
-            QStringLiteral("en"),
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout"));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("batch")));
         auto* const view = bench.window->findChild<BatchView*>();
         QTRY_VERIFY_WITH_TIMEOUT(!view->busy(), 60'000);
@@ -260,9 +257,7 @@ private slots:
         const int wanted = longTest ? 200 : 20;
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("passport.pdf"));
-        OpenBench bench(
-            QStringLiteral("en"),
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout"));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         bench.window->document().startUntitled(
             projectOfPages(bench.window->document().project(), wanted));
         QTRY_VERIFY_WITH_TIMEOUT(bench.window->outcome() && bench.window->outcome()->ran(), 60'000);

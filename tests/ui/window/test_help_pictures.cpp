@@ -3,6 +3,7 @@
 // of the build folder, from where they are copied to resources/help/pictures. Each of those that
 // are shipped is drawn here.
 #include "tests/registry.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/whole_project.h"
 #include "ui/plot/view.h"
@@ -111,8 +112,7 @@ private slots:
         QFETCH(QString, name);
         const Scene& scene = sceneOf(name);
         Bench bench(QString::fromLatin1(scene.language), scene.theme);
-        const QString file = QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
-                                 .arg(QLatin1String(scene.example));
+        const QString file = examplePath(scene.example);
         QVERIFY(bench.open(file));
         QVERIFY(bench.window->showView(QLatin1String(scene.view)));
         bench.settle();

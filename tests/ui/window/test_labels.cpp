@@ -3,6 +3,7 @@
 // Every text of the window has room on a small screen, and in a Russian window all are Russian.
 #include "core/study/new_project.h"
 #include "tests/registry.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/whole_project.h"
@@ -143,8 +144,7 @@ private slots:
         for (const char* name : names) {
             Bench bench(language);
             bench.window->resize(size);
-            QVERIFY(bench.open(QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
-                                   .arg(QLatin1String(name))));
+            QVERIFY(bench.open(examplePath(name)));
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
             bench.settle();
             QCOMPARE(bench.settings.fontSize(), percent);

@@ -3,6 +3,7 @@
 #include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/whole_project.h"
 #include "ui/fields/number_field.h"
@@ -91,9 +92,7 @@ private slots:
 
     /// Of the project before, with a batch, kept runs and measured parts, nothing is left.
     void noViewShowsTheProjectBefore() {
-        OpenBench bench(
-            QStringLiteral("en"),
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-measured.sparkout"));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-measured"));
         for (const View* view : bench.window->views()) {
             QVERIFY(bench.window->showView(view->objectName()));
             bench.settle();

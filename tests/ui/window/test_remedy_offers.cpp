@@ -3,6 +3,7 @@
 #include "core/format/project_file.h"
 #include "core/study/operation.h"
 #include "tests/registry.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/whole_project.h"
@@ -21,11 +22,6 @@
 #include <algorithm>
 
 namespace sparkout::test_remedy_offers {
-
-QString example(const char* name) {
-    return QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
-        .arg(QString::fromUtf8(name));
-}
 
 /// The parts of the section in a window.
 struct Offers {
@@ -74,7 +70,7 @@ class TestRemedyOffers : public QObject {
 
 private slots:
     void aClickTakesARemedyAndUndoBringsBackWhatWas() {
-        OpenBench bench(QStringLiteral("en"), example("slender-shaft"));
+        OpenBench bench(QStringLiteral("en"), examplePath("slender-shaft"));
         const Offers offers(bench);
         QVERIFY(offers.wait());
         QVERIFY(offers.section.isVisible());
@@ -111,7 +107,7 @@ private slots:
     }
 
     void theKeyboardReachesAndTakesIt() {
-        OpenBench bench(QStringLiteral("en"), example("slender-shaft"));
+        OpenBench bench(QStringLiteral("en"), examplePath("slender-shaft"));
         const Offers offers(bench);
         QVERIFY(offers.wait());
         const OutcomePtr outcome = bench.window->outcome();
@@ -126,7 +122,7 @@ private slots:
     }
 
     void aRussianWindowHasRussianWordsAndNumbers() {
-        OpenBench bench(QStringLiteral("ru"), example("slender-shaft"));
+        OpenBench bench(QStringLiteral("ru"), examplePath("slender-shaft"));
         const Offers offers(bench);
         QVERIFY(offers.wait());
         bool feeds = false;
@@ -147,7 +143,7 @@ private slots:
 
     void whereNoneHelpsTheRequirementsAreNamed() {
         for (const char* language : {"en", "ru"}) {
-            OpenBench bench(QString::fromUtf8(language), example("plunge-shaft-two-stage"));
+            OpenBench bench(QString::fromUtf8(language), examplePath("plunge-shaft-two-stage"));
             Project project = bench.window->document().project();
             project.machine->geometric_runout_um = 6;
             bench.window->document().edit(project, {"Edit", "x"});
@@ -163,7 +159,7 @@ private slots:
     }
 
     void nothingIsOfferedWhereAllHoldsWithRoom() {
-        OpenBench bench(QStringLiteral("en"), example("shaft-30h6-factory"));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         const Offers offers(bench);
         QVERIFY(offers.wait());
         QVERIFY(!offers.section.isVisible());
@@ -175,7 +171,7 @@ private slots:
     }
 
     void anEditEndsTheSearchOfTheInputsBefore() {
-        OpenBench bench(QStringLiteral("en"), example("slender-shaft"));
+        OpenBench bench(QStringLiteral("en"), examplePath("slender-shaft"));
         const Offers offers(bench);
         QVERIFY(offers.wait());
         QSignalSpy found(&offers.finder, &RemedyFinder::found);
@@ -197,7 +193,7 @@ private slots:
     // Of slow cycles what is found stands there while the rest is looked for, with a button to
     // stop.
     void aSlowSearchShowsItsProgressAndIsStopped() {
-        OpenBench bench(QStringLiteral("en"), example("plunge-shaft-two-stage"));
+        OpenBench bench(QStringLiteral("en"), examplePath("plunge-shaft-two-stage"));
         Project project = withSections(bench.window->document().project(), 200);
         project.part->radii_per_section = 360;
         project.part->tolerance.radial_runout_um = 1.5;
@@ -223,7 +219,7 @@ private slots:
     void theLinesHaveRoomAlsoInLargeType() {
         for (const char* language : {"en", "ru"}) {
             for (const int percent : {100, 130}) {
-                OpenBench bench(QString::fromUtf8(language), example("slender-shaft"));
+                OpenBench bench(QString::fromUtf8(language), examplePath("slender-shaft"));
                 if (percent != usualFontSize) {
                     bench.action(("fontSize-" + QByteArray::number(percent)).constData())
                         ->trigger();

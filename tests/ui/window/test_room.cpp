@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the views have of the window of a small laptop.
 #include "tests/registry.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/languages.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
@@ -35,12 +36,6 @@
 #include <vector>
 
 namespace sparkout::test_room {
-
-QString example(const char* name) {
-    const QStringList all = examplePaths();
-    const auto found = std::ranges::find(all, QString::fromLatin1(name), nameOf);
-    return found == all.end() ? QString() : *found;
-}
 
 void wait(const Bench& bench) {
     bench.settle();
@@ -83,7 +78,7 @@ private slots:
     void theViewsHaveTheirShareOfTheWindow_data() { addLanguages(); }
     void theViewsHaveTheirShareOfTheWindow() {
         QFETCH(QString, language);
-        OpenBench bench(language, example("shaft-30h6-factory"));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         wait(bench);
         QCOMPARE(bench.window->size(), QSize(1366, 768));
         QVERIFY(dock(bench, "inputs")->isVisible() && dock(bench, "verdict")->isVisible());
@@ -102,7 +97,7 @@ private slots:
     void theNinePlotsOfFeedsAreLargeEnough_data() { addLanguages(); }
     void theNinePlotsOfFeedsAreLargeEnough() {
         QFETCH(QString, language);
-        OpenBench bench(language, example("shaft-30h6-factory"));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("feeds")));
         wait(bench);
         const auto* view = bench.window->findChild<FeedsView*>();
@@ -118,7 +113,7 @@ private slots:
     void thePlotsOfFeedsAreLegibleInLargeType_data() { addLanguages(); }
     void thePlotsOfFeedsAreLegibleInLargeType() {
         QFETCH(QString, language);
-        OpenBench bench(language, example("shaft-30h6-factory"));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("feeds")));
         const auto* view = bench.window->findChild<FeedsView*>();
         const auto* area = view->findChild<QScrollArea*>(QStringLiteral("feedsArea"));
@@ -149,7 +144,7 @@ private slots:
     void theOtherPlotsAreLegibleInLargeType_data() { addLanguages(); }
     void theOtherPlotsAreLegibleInLargeType() {
         QFETCH(QString, language);
-        OpenBench bench(language, example("shaft-30h6-factory"));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         for (const int percent : {115, 130}) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
             for (const char* name : {"compare", "optimise", "batch", "profiles", "constraints"}) {
@@ -197,7 +192,7 @@ private slots:
         QFETCH(QString, name);
         Bench bench(language);
         bench.action("fontSize-130")->trigger();
-        QVERIFY(bench.open(example(qPrintable(name))));
+        QVERIFY(bench.open(examplePath(qPrintable(name))));
         QVERIFY(bench.window->showView(QStringLiteral("batch")));
         const View* const view = bench.window->viewTabs().currentView();
         QTRY_VERIFY_WITH_TIMEOUT(!view->busy(), 60'000);
@@ -221,7 +216,7 @@ private slots:
     void noLegendIsElided_data() { addLanguages(); }
     void noLegendIsElided() {
         QFETCH(QString, language);
-        OpenBench bench(language, example("shaft-30h6-factory"));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         keepAs(bench,
                QStringLiteral("Radial feed 0.004, axial feed 1400, the second stage as it was"));
         for (const int percent : {130, 100}) {
@@ -251,7 +246,7 @@ private slots:
     void nothingOfCompareIsScrolledSideways_data() { addLanguages(); }
     void nothingOfCompareIsScrolledSideways() {
         QFETCH(QString, language);
-        OpenBench bench(language, example("shaft-30h6-factory"));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         (void)keepAs(bench, language == u"ru" ? QStringLiteral("Заводской")
                                               : QStringLiteral("Factory")); // beside the best one
         Project project = bench.window->document().project();
@@ -276,7 +271,7 @@ private slots:
     }
 
     void theNameOfARunIsWrapped() {
-        OpenBench bench(QStringLiteral("ru"), example("shaft-30h6-factory"));
+        OpenBench bench(QStringLiteral("ru"), examplePath("shaft-30h6-factory"));
         bench.action("fontSize-130")->trigger();
         const QString name = QStringLiteral("Припуск 0,11, вторая ступень прежняя, круг новый");
         const QListView* const list = keepAs(bench, name);
@@ -293,7 +288,7 @@ private slots:
     void theRequirementsOfConstraintsHaveRoom_data() { addLanguages(); }
     void theRequirementsOfConstraintsHaveRoom() {
         QFETCH(QString, language);
-        OpenBench bench(language, example("shaft-30h6-factory"));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("constraints")));
         auto* table = bench.window->findChild<QTableView*>(QStringLiteral("margins"));
         QVERIFY(table);
@@ -321,7 +316,7 @@ private slots:
     void theCyclesFoundAreReadWithoutScrolling_data() { addLanguages(); }
     void theCyclesFoundAreReadWithoutScrolling() {
         QFETCH(QString, language);
-        OpenBench bench(language, example("shaft-30h6-factory"));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("optimise")));
         wait(bench);
         auto* run = bench.window->findChild<QPushButton*>(QStringLiteral("optimiseRun"));
@@ -384,10 +379,10 @@ private slots:
         };
         QStringList fresh;
         {
-            OpenBench bench(QStringLiteral("ru"), example("shaft-30h6-factory"));
+            OpenBench bench(QStringLiteral("ru"), examplePath("shaft-30h6-factory"));
             fresh = widthsIn(bench);
         }
-        OpenBench bench(QStringLiteral("en"), example("shaft-30h6-factory"));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         for (const char* step : {"fontSize-130", "theme-dark", "russian", "theme-contrast",
                                  "fontSize-100", "theme-light"}) {
             (void)widthsIn(bench);
@@ -410,7 +405,7 @@ private slots:
     void theValuesUnderThePointerHaveRoomInLargeType_data() { addLanguages(); }
     void theValuesUnderThePointerHaveRoomInLargeType() {
         QFETCH(QString, language);
-        OpenBench bench(language, example("shaft-30h6-factory"));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("feeds")));
         auto* view = bench.window->findChild<FeedsView*>();
         const auto* values = view->findChild<QLabel*>(QStringLiteral("feedsValues"));
@@ -431,7 +426,7 @@ private slots:
     void noCaptionOfFeedsAndProfilesIsCutOff_data() { addLanguages(); }
     void noCaptionOfFeedsAndProfilesIsCutOff() {
         QFETCH(QString, language);
-        OpenBench bench(language, example("shaft-30h6-factory"));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         int captions = 0;
         for (const int percent : {130, 100, 115}) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
@@ -461,7 +456,7 @@ private slots:
     void theNamesOfAxesHaveRoom_data() { addLanguages(); }
     void theNamesOfAxesHaveRoom() {
         QFETCH(QString, language);
-        OpenBench bench(language, example("shaft-30h6-factory"));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         int names = 0;
         for (const int percent : {130, 100}) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
@@ -496,7 +491,7 @@ private slots:
     void aLongFeedWithAWarningIsReadInFull_data() { addLanguages(); }
     void aLongFeedWithAWarningIsReadInFull() {
         QFETCH(QString, language);
-        OpenBench bench(language, example("shaft-30h6-factory"));
+        OpenBench bench(language, examplePath("shaft-30h6-factory"));
         Document& document = bench.window->document();
         Project project = document.project();
         project.cycle->stages.front().axial_feed_mm_min = 12500;
@@ -524,8 +519,7 @@ private slots:
     void theInputsOfSeveralSurfacesHaveRoom_data() { addLanguages(); }
     void theInputsOfSeveralSurfacesHaveRoom() {
         QFETCH(QString, language);
-        OpenBench bench(language, QStringLiteral(SPARKOUT_SOURCE_DIR
-                                                 "/resources/examples/setups/spindle.sparkout"));
+        OpenBench bench(language, examplePath("setups/spindle"));
         InputsPanel& inputs = bench.window->inputs();
         for (const int percent : {100, 130}) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
@@ -539,7 +533,7 @@ private slots:
     }
 
     void playbackStandsWhereThereIsAMoment() {
-        OpenBench bench(QStringLiteral("en"), example("shaft-30h6-factory"));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         const auto* bar = bench.window->findChild<QWidget*>(QStringLiteral("playback"));
         const auto* place = bench.window->findChild<QWidget*>(QStringLiteral("playPlace"));
         for (const auto& [view, moment] : {std::pair{"feeds", true},
@@ -564,7 +558,7 @@ private slots:
 
     /// Not before there is a cycle, nor where the one before is of another document.
     void anEmptyDrawingHasNothingToPlay() {
-        OpenBench bench(QStringLiteral("en"), example("shaft-30h6-factory"));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         QVERIFY(bench.window->showView(QStringLiteral("feeds")));
         wait(bench);
         const auto* bar = bench.window->findChild<QWidget*>(QStringLiteral("playback"));
@@ -588,7 +582,7 @@ private slots:
     }
 
     void messagesTakeRoomOnlyWhenSomethingIsSaid() {
-        OpenBench bench(QStringLiteral("en"), example("shaft-30h6-factory"));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         wait(bench);
         const QDockWidget* messages = dock(bench, "messages");
         auto* button = bench.window->findChild<QToolButton*>(QStringLiteral("messagesButton"));
@@ -613,7 +607,7 @@ private slots:
     }
 
     void theStepThatMendsIsNoMessageOfItsOwn() {
-        OpenBench bench(QStringLiteral("en"), example("shaft-30h6-factory"));
+        OpenBench bench(QStringLiteral("en"), examplePath("shaft-30h6-factory"));
         wait(bench);
         Project project = bench.window->document().project();
         project.cycle->stages.front().stock_mm += 0.01;
@@ -630,11 +624,10 @@ private slots:
         Bench bench(language);
         for (const int percent : fontSizes) {
             bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
-            QVERIFY(bench.open(example("shaft-30h6-factory")));
+            QVERIFY(bench.open(examplePath("shaft-30h6-factory")));
             wait(bench);
             const int width = dock(bench, "verdict")->width();
-            QVERIFY(bench.open(
-                QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/setups/spindle.sparkout")));
+            QVERIFY(bench.open(examplePath("setups/spindle")));
             wait(bench);
             const auto* strip = bench.window->findChild<QWidget*>(QStringLiteral("partStrip"));
             QVERIFY(strip->isVisible());
@@ -647,9 +640,7 @@ private slots:
 
     /// Type and language are changed in a wide window that then is a small one again.
     void theVerdictHasItsWidthAgainInTheSmallWindow() {
-        OpenBench bench(
-            QStringLiteral("en"),
-            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/setups/spindle.sparkout"));
+        OpenBench bench(QStringLiteral("en"), examplePath("setups/spindle"));
         for (const char* language : {"english", "russian"}) {
             bench.action(language)->trigger();
             for (const int percent : {100, 115, 130}) {
@@ -670,7 +661,7 @@ private slots:
     }
 
     void theVerdictKeepsItsWidthWhateverIsShown() {
-        OpenBench bench(QStringLiteral("ru"), example("shaft-30h6-factory"));
+        OpenBench bench(QStringLiteral("ru"), examplePath("shaft-30h6-factory"));
         wait(bench);
         const int width = dock(bench, "verdict")->width();
         for (const View* view : bench.window->views()) {

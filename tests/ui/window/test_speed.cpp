@@ -13,6 +13,7 @@
 #include "tests/check_line.h"
 #include "tests/ready_made.h"
 #include "tests/registry.h"
+#include "tests/ui/support/examples.h"
 
 #include <QApplication>
 #include <QMouseEvent>
@@ -23,9 +24,6 @@
 #include <vector>
 
 namespace sparkout::test_speed {
-
-const QString example =
-    QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout");
 
 struct Shown {
     Shown() {
@@ -61,7 +59,7 @@ private slots:
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         QVERIFY(window.showView(QStringLiteral("feeds")));
         QSignalSpy drawn(window.findChild<FeedsView*>(), &FeedsView::updated);
-        QVERIFY(window.document().open(example).opened());
+        QVERIFY(window.document().open(examplePath("shaft-30h6-factory")).opened());
         QTRY_VERIFY(!drawn.isEmpty());
 
         auto& table = window.findChild<StageTable*>()->view();
@@ -92,7 +90,7 @@ private slots:
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         QVERIFY(window.showView(QStringLiteral("feeds")));
         QSignalSpy drawn(window.findChild<FeedsView*>(), &FeedsView::updated);
-        QVERIFY(window.document().open(example).opened());
+        QVERIFY(window.document().open(examplePath("shaft-30h6-factory")).opened());
         QVERIFY(window.showView(QStringLiteral("feeds")));
         QTRY_VERIFY(!drawn.isEmpty());
         auto* slider = window.findChild<ValueSlider*>(QStringLiteral("radial_feed_mm/slider"));

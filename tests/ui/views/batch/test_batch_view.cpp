@@ -7,6 +7,7 @@
 #include "core/study/evaluate.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/dialogs/value_model.h"
@@ -518,11 +519,7 @@ private slots:
         for (const char* name :
              {"internal-plunge", "plunge-shaft-two-stage", "shaft-30h6-factory", "shaft-38-74h6",
               "slender-shaft", "spark-out-until-size", "wheel-dull", "wheel-sharp"}) {
-            const QString path =
-                QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
-                    .arg(QString::fromLatin1(name));
-            const Project usual =
-                withUsualBatch(loadProject(path).setup.value().surfaces.front().project);
+            const Project usual = withUsualBatch(exampleProject(name));
             QVERIFY2(checkBatch(usual).empty(), name);
             QVERIFY2(givenFactors(usual).size() >= 2, name);
         }

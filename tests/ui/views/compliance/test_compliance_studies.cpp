@@ -5,6 +5,7 @@
 #include "tests/ready_made.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/whole_project.h"
@@ -26,17 +27,9 @@
 
 namespace sparkout::test_compliance_studies {
 
-Project example(const char* name) {
-    return loadProject(QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
-                           .arg(QString::fromLatin1(name)))
-        .setup.value()
-        .surfaces.front()
-        .project;
-}
-
 /// A stepped shaft between centres, ground by plunge in sections that can be coupled.
 Project steppedShaft() {
-    Project project = example("plunge-shaft-two-stage");
+    Project project = exampleProject("plunge-shaft-two-stage");
     project.machine->compliance_mm_per_n = std::monostate{};
     project.machine->stiffness_n_um = Stiffness{15, 5, 50}; // soft, and unlike at its ends
     project.cycle->stages.back().radial_feed_mm_min = 0.4;
@@ -200,7 +193,7 @@ private slots:
     }
 
     void inTraverseEachZoneIsAskedAndNothingCanBePut() {
-        const Project project = example("shaft-30h6-factory");
+        const Project project = exampleProject("shaft-30h6-factory");
         Window window(project);
         window.choose(ComplianceContent::gauge);
         const GaugeCurves& gauge = window.plot().gauge();
@@ -245,7 +238,7 @@ private slots:
 
     void whereItDoesNotApplyItIsExplained() {
         for (const char* name : {"shaft-30h6-factory", "plunge-shaft-two-stage"}) {
-            Window window(example(name));
+            Window window(exampleProject(name));
             window.choose(ComplianceContent::coupling);
             QVERIFY2(window.label("complianceNotice").isVisible(), name);
             QVERIFY(window.plot().legendEntries().empty());

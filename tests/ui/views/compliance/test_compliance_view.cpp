@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view "Compliance": what it draws is the engine's, the part is to scale, the legend works.
 #include "core/format/project_file.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/plot_tools.h"
@@ -18,14 +19,8 @@
 
 namespace sparkout::test_compliance_view {
 
-Project projectOf(const QString& name) {
-    const QString path =
-        QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout").arg(name);
-    return loadProject(path).setup.value().surfaces.front().project;
-}
-
 OutcomePtr example(const char* name) {
-    return evaluate(projectOf(QString::fromLatin1(name)), {});
+    return evaluate(exampleProject(name), {});
 }
 
 /// A view as it stands in the window, with a run drawn.
@@ -123,7 +118,7 @@ private slots:
     void theWordsStandBesideTheWheelAndEachOther() {
         QFETCH(QString, file);
         QFETCH(bool, fromTailstock);
-        Project project = projectOf(file);
+        Project project = exampleProject(qPrintable(file));
         project.machine->entry_side = fromTailstock ? EntrySide::tailstock : EntrySide::headstock;
         Bench bench(evaluate(project, {}));
         const auto* scene = bench.plot().findChild<ShaftScene*>();
@@ -164,7 +159,7 @@ private slots:
 
     /// The part is the same, what yields is another: the axis follows, but not where it was zoomed.
     void anotherRunOfThePartIsInSight() {
-        Project project = projectOf(QStringLiteral("shaft-30h6-factory"));
+        Project project = exampleProject("shaft-30h6-factory");
         Bench bench(evaluate(project, {}));
         QCPAxis& axis = *bench.plot().curveRect()->axis(QCPAxis::atLeft);
         const auto yieldTimes = [&](double factor) {

@@ -4,6 +4,7 @@
 #include "core/phases/phase_decision.h"
 #include "core/simulation/simulate.h"
 #include "tests/registry.h"
+#include "tests/ui/support/examples.h"
 #include "tests/ui/support/view_fixtures.h"
 #include "ui/fields/number_field.h"
 #include "ui/plot/read_curves.h"
@@ -25,9 +26,7 @@ constexpr int patience_ms = 60'000;
 constexpr double fine_um = 1e-6;
 
 Project shaft() {
-    const auto read = loadProject(
-        QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout"));
-    Project project = read.setup.value().surfaces.front().project;
+    Project project = exampleProject("shaft-30h6-factory");
     project.gauge->control = Control::gauge;
     return project;
 }
