@@ -20,9 +20,7 @@
 namespace sparkout::test_zone_factors {
 
 Project shaft() {
-    Project project = readProject(samples::readText(samples::sourcePath(
-                                      "resources/examples/shaft-30h6-factory.sparkout")))
-                          .project.value();
+    Project project = samples::projectIn("resources/examples/shaft-30h6-factory.sparkout");
     project.batch->zone_stock_mm.reset();
     project.batch->zone_runout_mm.reset();
     project.batch->zone_compliance.reset();

@@ -338,9 +338,7 @@ private slots:
     }
 
     void fortyFeedsAtMostOfBothKinds() {
-        Project p = readProject(samples::readText(samples::sourcePath(
-                                    "resources/examples/shaft-30h6-factory.sparkout")))
-                        .project.value();
+        Project p = samples::projectIn("resources/examples/shaft-30h6-factory.sparkout");
         p.optimisation = Optimisation{};
         p.optimisation->radial_feed_mm = SteppedLevels{0.001, 0.02, 0.001};
         p.optimisation->axial_feed_mm_min = SteppedLevels{300, 2500, 100};
@@ -354,12 +352,9 @@ private slots:
     }
 
     void twentyLevelsByFortyFeedsTakeSeconds() {
-        const auto example = [](const char* name) {
-            return readProject(samples::readText(samples::sourcePath(name))).project.value();
-        };
-        Project plunge = example("resources/examples/plunge-shaft-two-stage.sparkout");
+        Project plunge = samples::projectIn("resources/examples/plunge-shaft-two-stage.sparkout");
         plunge.optimisation->radial_feed_mm_min = SteppedLevels{0.05, 2.0, 0.05};
-        Project traverse = example("resources/examples/shaft-30h6-factory.sparkout");
+        Project traverse = samples::projectIn("resources/examples/shaft-30h6-factory.sparkout");
         traverse.optimisation->radial_feed_mm = SteppedLevels{0.001, 0.010, 0.001};
         traverse.optimisation->axial_feed_mm_min = SteppedLevels{500, 2000, 500};
         for (const Project& p : {plunge, traverse}) {

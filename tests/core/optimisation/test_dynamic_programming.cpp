@@ -40,8 +40,7 @@ std::vector<Project> plungeCases(int count) {
 
 /// The two-stage example in the thesis's grid: so many stages of equal stocks, any feed at each.
 Project example(int stages, std::vector<double> feeds) {
-    const auto file = samples::sourcePath("resources/examples/plunge-shaft-two-stage.sparkout");
-    Project p = readProject(samples::readText(file)).project.value();
+    Project p = samples::projectIn("resources/examples/plunge-shaft-two-stage.sparkout");
     p.part->radii_per_section = 12;
     p.optimisation->stages = {static_cast<double>(stages)};
     p.optimisation->stock_step_mm = p.part->stock_mm / stages;

@@ -192,8 +192,7 @@ private slots:
 
     // Two cycles of a trial whose margins differ by 2e-11: the slower one takes 17 % longer.
     void marginsThatDifferInTheirLastBitsAreEqual() {
-        const auto path = samples::sourcePath("tests/data/trials/margin-tie.sparkout");
-        const Project project = readProject(samples::readText(path)).project.value();
+        const Project project = samples::projectIn("tests/data/trials/margin-tie.sparkout");
         const std::int64_t within_us = marginWithinOf(project).value();
         const std::vector<Held> all = allHeld(project);
         const Held* const best = bestWithin(all, within_us);

@@ -15,8 +15,7 @@ using namespace search_checks;
 using fixtures::strokeStage;
 
 Project example(const std::string& name) {
-    const auto file = samples::sourcePath("resources/examples/" + name + ".sparkout");
-    return readProject(samples::readText(file)).project.value();
+    return samples::projectIn("resources/examples/" + name + ".sparkout");
 }
 
 /// The time of the cycle if it holds every requirement.

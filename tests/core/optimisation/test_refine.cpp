@@ -209,7 +209,7 @@ private slots:
 private:
     static Project readExample(const std::string& name) {
         const std::string file = "resources/examples/" + name + ".sparkout";
-        return readProject(samples::readText(samples::sourcePath(file))).project.value();
+        return samples::projectIn(file);
     }
 
     static void checkNear(const Project& coarse, const Project& fine) {

@@ -103,8 +103,7 @@ private slots:
     /// A search that is stopped anywhere keeps the best so far that came through all of its tests,
     /// and nothing that did not.
     void aStopKeepsTheBestThatCameThroughItsTests() {
-        const auto path = samples::sourcePath("resources/examples/plunge-shaft-two-stage.sparkout");
-        const Project p = readProject(samples::readText(path)).project.value();
+        const Project p = samples::projectIn("resources/examples/plunge-shaft-two-stage.sparkout");
         int calls = 0, kept = 0, stopped = 0;
         SearchOptions counted;
         counted.onProgress = [&calls](const SearchProgress&) { ++calls; };

@@ -115,8 +115,7 @@ private slots:
     // cases, which report no progress. They end when their time is up, as long as the search took
     // and two seconds, and a stop at any moment ends all.
     void aWholeSearchOfCornersKeepsItsTimeAndStops() {
-        const auto path = samples::sourcePath("resources/examples/shaft-30h6-factory.sparkout");
-        Project p = readProject(samples::readText(path)).project.value();
+        Project p = samples::projectIn("resources/examples/shaft-30h6-factory.sparkout");
         p.optimisation->scenarios = OptimisationScenarios::corners;
         const bool isLong = std::getenv("SPARKOUT_LONG") != nullptr;
         if (isLong) {

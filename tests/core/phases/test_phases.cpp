@@ -208,8 +208,7 @@ private slots:
     /// A last stage that comes to rest just where it would end: each of its steps splits the stocks
     /// that do so again, within rounding. The pieces were without end.
     void aStageThatComesToRestAtItsEndIsDecided() {
-        const auto path = samples::sourcePath("tests/data/trials/rest-at-size.sparkout");
-        Project project = readProject(samples::readText(path)).project.value();
+        Project project = samples::projectIn("tests/data/trials/rest-at-size.sparkout");
         for (const double stock_mm : {0.000204, 0.0001, 0.0003, 0.00018, 0.00025}) {
             project.cycle->stages.back().stock_mm = stock_mm;
             const StockRange range = usualPhases(project);
@@ -273,9 +272,7 @@ private slots:
     /// Be the stretch that fails at the end of a piece as short as can be, a stock of it is found:
     /// of a shaft the small diameters fail at the low end, of a bore the large ones.
     void aShortStretchThatFailsIsFound() {
-        Project bore = readProject(samples::readText(samples::sourcePath(
-                                       "resources/examples/internal-plunge.sparkout")))
-                           .project.value();
+        Project bore = samples::projectIn("resources/examples/internal-plunge.sparkout");
         for (Project project : {samples::project("smallest-plunge"), std::move(bore)}) {
             project.gauge->control = Control::gauge;
             const StockRange range = usualPhases(project);

@@ -446,7 +446,7 @@ std::vector<Project> failingProjects(int count) {
 
 Project example(const char* name) {
     const std::string path = "resources/examples/" + std::string(name) + ".sparkout";
-    return readProject(samples::readText(samples::sourcePath(path))).project.value();
+    return samples::projectIn(path);
 }
 
 const Remedy* remedyOf(const RemedyResult& found, RemedyKind kind) {

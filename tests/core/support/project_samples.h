@@ -48,6 +48,11 @@ inline std::string text(const std::string& name) {
     return readText(sourcePath("tests/data/projects/" + name + ".sparkout"));
 }
 
+/// Of a file of the sources.
+inline Project projectIn(const std::string& path) {
+    return readProject(readText(sourcePath(path))).project.value();
+}
+
 inline json sample(const std::string& name) {
     return json::parse(text(name));
 }
