@@ -239,7 +239,7 @@ private slots:
         }
     }
 
-    void theCapabilityOfFourSectionsTakesALineEach_data() { passport_bench::addLanguages(); }
+    void theCapabilityOfFourSectionsTakesALineEach_data() { addLanguages(); }
     void theCapabilityOfFourSectionsTakesALineEach() {
         QFETCH(QString, language);
         m_language.apply(language);
