@@ -33,9 +33,7 @@ struct Bench {
 
 /// Such a window with a project.
 struct OpenBench : Bench {
-    OpenBench(const QString& language, const QString& path) : Bench(language) {
-        QVERIFY(open(path));
-    }
+    OpenBench(const QString& code, const QString& path) : Bench(code) { QVERIFY(open(path)); }
 };
 
 /// Collects what Qt warns of while it lives, except what the offscreen platform says about itself.

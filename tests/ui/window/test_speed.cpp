@@ -25,8 +25,8 @@
 
 namespace sparkout::test_speed {
 
-struct Shown {
-    Shown() {
+struct SmallWindow {
+    SmallWindow() {
         language.apply(QStringLiteral("en"));
         window.resize(1366, 768);
         window.show();
@@ -54,8 +54,8 @@ private slots:
     void initTestCase() { std::setlocale(LC_NUMERIC, "C"); }
 
     void aKeyPressReachesTheCurvesInUnderFiftyMilliseconds() {
-        Shown shown;
-        MainWindow& window = shown.window;
+        SmallWindow bench;
+        MainWindow& window = bench.window;
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         QVERIFY(window.showView(QStringLiteral("feeds")));
         QSignalSpy drawn(window.findChild<FeedsView*>(), &FeedsView::updated);
@@ -85,8 +85,8 @@ private slots:
 
     // Each step of a drag is shown before the next comes: the worst a hand can do.
     void aStepOfASliderReachesTheCurvesInUnderFiftyMilliseconds() {
-        Shown shown;
-        MainWindow& window = shown.window;
+        SmallWindow bench;
+        MainWindow& window = bench.window;
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         QVERIFY(window.showView(QStringLiteral("feeds")));
         QSignalSpy drawn(window.findChild<FeedsView*>(), &FeedsView::updated);
@@ -114,8 +114,8 @@ private slots:
     }
 
     void manyMovesAtOnceEndWithTheNewestValueOnTheScreen() {
-        Shown shown;
-        MainWindow& window = shown.window;
+        SmallWindow bench;
+        MainWindow& window = bench.window;
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         window.document().startUntitled(newProject(Operation::traverse));
         QSignalSpy shown(&window, &MainWindow::outcomeShown);

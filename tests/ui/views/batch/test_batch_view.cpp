@@ -347,7 +347,7 @@ private slots:
         project.part->tolerance.radial_runout_um = 1e-6;
         SettledBench bench(project);
         bench.part<QComboBox>("batchContent").setCurrentIndex(3);
-        ParetoPlot& plot = *bench.view.pareto();
+        ParetoPlot& plot = *bench.view.findChild<ParetoPlot*>();
         QVERIFY(plot.isVisible() && !plot.empty());
         const std::vector<RejectCause>& causes = bench.view.batch()->summary.causes;
         QCOMPARE(plot.bars()->data()->size(), static_cast<int>(causes.size()));
