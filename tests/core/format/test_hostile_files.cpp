@@ -251,41 +251,12 @@ private:
     }
 
     void numberRows() {
-        for (const char* text : {"1e309",
-                                 "-1e309",
-                                 "1e999999999",
-                                 "NaN",
-                                 "nan",
-                                 "Infinity",
-                                 "-Infinity",
-                                 "inf",
-                                 "1e308",
-                                 "-1e308",
-                                 "-1",
-                                 "0",
-                                 "4.9e-324",
-                                 "0x32",
-                                 "050",
-                                 "+50",
-                                 ".5",
-                                 "5.",
-                                 "5e",
-                                 "1_000",
-                                 "5,0",
-                                 "9007199254740993",
-                                 "18446744073709551616",
-                                 "-9223372036854775809",
-                                 "1e-400",
-                                 "--5",
-                                 "1e1e1",
-                                 "50mm",
-                                 "\"50\"",
-                                 "null",
-                                 "true",
-                                 "[50]",
-                                 "{}",
-                                 "５０"}) {
-            refused(std::string("width ") + text, replaced("width_mm", text));
+        for (const std::string& text : samples::listOf(
+                 "1e309|-1e309|1e999999999|NaN|nan|Infinity|-Infinity|inf|1e308|-1e308|-1|0|"
+                 "4.9e-324|0x32|050|+50|.5|5.|5e|1_000|5,0|9007199254740993|"
+                 "18446744073709551616|-9223372036854775809|1e-400|--5|1e1e1|50mm|\"50\"|null|"
+                 "true|[50]|{}|５０")) {
+            refused("width " + text, replaced("width_mm", text));
         }
         accepted("width 5e1", replaced("width_mm", "5e1"));
         accepted("width 50.000…", replaced("width_mm", "50." + std::string(10'000, '0')));

@@ -32,6 +32,16 @@ inline std::string readText(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// What stands between bars.
+inline std::vector<std::string> listOf(const std::string& text) {
+    std::vector<std::string> list;
+    std::istringstream stream(text);
+    for (std::string one; std::getline(stream, one, '|');) {
+        list.push_back(one);
+    }
+    return list;
+}
+
 inline std::filesystem::path sourcePath(const std::string& path) {
     return std::filesystem::path(SPARKOUT_SOURCE_DIR) / path;
 }

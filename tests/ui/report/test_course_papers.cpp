@@ -85,22 +85,16 @@ private slots:
                 sections << heading;
             }
         }
-        QStringList wanted = ru ? QStringList{QStringLiteral("Введение"),
-                                              QStringLiteral("Исходные данные варианта"),
-                                              QStringLiteral("Краткая теория"),
-                                              QStringLiteral("Результаты работы"),
-                                              QStringLiteral("Предсказания и результаты"),
-                                              QStringLiteral("Сравнение запомненных расчётов"),
-                                              QStringLiteral("Заключение"),
-                                              QStringLiteral("Список использованных источников")}
-                                : QStringList{QStringLiteral("Introduction"),
-                                              QStringLiteral("Data of the variant"),
-                                              QStringLiteral("Theory in brief"),
-                                              QStringLiteral("Results"),
-                                              QStringLiteral("Predictions and results"),
-                                              QStringLiteral("Kept runs compared"),
-                                              QStringLiteral("Conclusion"),
-                                              QStringLiteral("List of sources used")};
+        QStringList wanted =
+            ru ? QStringLiteral("Введение|Исходные данные варианта|Краткая теория|"
+                                "Результаты работы|Предсказания и результаты|"
+                                "Сравнение запомненных расчётов|Заключение|"
+                                "Список использованных источников")
+                     .split(u'|')
+               : QStringLiteral("Introduction|Data of the variant|Theory in brief|Results|"
+                                "Predictions and results|Kept runs compared|Conclusion|"
+                                "List of sources used")
+                     .split(u'|');
         const auto steps = lessonIn(path).steps;
         if (std::ranges::none_of(steps,
                                  [](const LessonStep& step) { return isPrediction(step.goal); })) {
@@ -303,22 +297,15 @@ private slots:
         QVERIFY(lesson.guide);
         const Report made = report::methodicalGuide(lesson, wish());
         const QStringList wanted =
-            ru ? QStringList{QStringLiteral("1 Цель работы"),
-                             QStringLiteral("2 Теория"),
-                             QStringLiteral("3 Оснащение"),
-                             QStringLiteral("4 Норма времени и баллы"),
-                             QStringLiteral("5 Порядок выполнения работы"),
-                             QStringLiteral("6 Контрольные вопросы с ответами"),
-                             QStringLiteral("7 Типичные ошибки"),
-                             QStringLiteral("8 Отчёт")}
-               : QStringList{QStringLiteral("1 Aim of the work"),
-                             QStringLiteral("2 Theory"),
-                             QStringLiteral("3 What is needed"),
-                             QStringLiteral("4 Time norm and points"),
-                             QStringLiteral("5 Order of the work"),
-                             QStringLiteral("6 Control questions with answers"),
-                             QStringLiteral("7 Typical mistakes"),
-                             QStringLiteral("8 The report")};
+            ru ? QStringLiteral("1 Цель работы|2 Теория|3 Оснащение|4 Норма времени и баллы|"
+                                "5 Порядок выполнения работы|"
+                                "6 Контрольные вопросы с ответами|7 Типичные ошибки|8 Отчёт")
+                     .split(u'|')
+               : QStringLiteral("1 Aim of the work|2 Theory|3 What is needed|"
+                                "4 Time norm and points|5 Order of the work|"
+                                "6 Control questions with answers|7 Typical mistakes|"
+                                "8 The report")
+                     .split(u'|');
         QStringList sections;
         for (const QString& heading : headingsOf(made)) {
             if (!heading.section(u' ', 0, 0).contains(u'.')) {
