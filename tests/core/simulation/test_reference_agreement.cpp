@@ -4,6 +4,7 @@
 #include "core/simulation/simulate.h"
 
 #include "tests/check_line.h"
+#include "tests/core/support/project_samples.h"
 #include "tests/core/support/random_project.h"
 #include "tests/core/support/reference_difference.h"
 #include "tests/registry.h"
